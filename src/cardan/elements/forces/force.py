@@ -1,0 +1,100 @@
+"""What every force element states in its one file."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+from ...ir.arithmetic import Scalar
+from ...ir.graph import Graph
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+
+
+class Motion(Protocol):
+    """What an element may know about the moving system. Everything in ground axes.
+
+    Frames and joints are numbers of the system graph.
+    """
+
+    graph: Graph
+
+    def position(self, frame: int) -> Matrix: ...
+    def rotation(self, frame: int) -> Matrix: ...
+    def velocity(self, frame: int) -> Matrix: ...
+    def angular_velocity(self, frame: int) -> Matrix: ...
+    def q(self, joint: int) -> Matrix: ...
+    def u(self, joint: int) -> Matrix: ...
+    @property
+    def time(self) -> Scalar: ...
+
+
+@dataclass(frozen=True)
+class Load:
+    """A wrench on a frame: force at its origin and torque, (3, 1) each, in ground axes."""
+
+    frame: int
+    torque: Matrix
+    force: Matrix
+
+
+@dataclass(frozen=True)
+class JointLoad:
+    """A generalized force (nu_joint, 1) along the speeds of a joint."""
+
+    joint: int
+    force: Matrix
+
+
+@dataclass(frozen=True)
+class Action:
+    """One thing an element does.
+
+    Attributes:
+        loads: Wrenches on frames.
+        joint_loads: Forces along joint speeds.
+        potential: Its potential energy where it has one; then its power stays out of the ledger.
+    """
+
+    loads: tuple[Load, ...] = ()
+    joint_loads: tuple[JointLoad, ...] = ()
+    potential: Scalar | None = None
+
+
+class ForceElement(ABC):
+    """A force between frames or along joints.
+
+    An element with a conservative and another part returns two actions, the first with its
+    potential, so that the energy ledger can tell stored from lost.
+    """
+
+    kind: ClassVar[str]
+    source: ClassVar[str]
+
+    def quantities(self) -> dict[str, Quantity]:
+        """What the user wrote, by name; becomes ``data``."""
+        return {}
+
+    def frames(self) -> dict[str, Any]:
+        """The frames (or bodies) it acts on, by role."""
+        return {}
+
+    def joints(self) -> dict[str, str]:
+        """The names of the joints it acts on, by role."""
+        return {}
+
+    @abstractmethod
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        """Its actions, in ground axes."""
+
+    def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
+        """Inertia (nu, nu) it adds to the speeds of a joint, by role; such as a geared rotor."""
+        return {}

@@ -1,0 +1,24 @@
+"""What a user writes where a number is wanted, and what it is measured in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A value as written: becomes expressions when the system graph is built.
+
+    Attributes:
+        value: A number, a SymPy expression or symbol, or a nested sequence of them; measured data
+            enter as SymPy expressions made by :func:`cardan.table`.
+        unit: Unit of every entry, "" where dimensionless.
+        ratio: True for axes, rotations and ratios, where exact +-1 is structural too.
+        labels: Names of the entries, row by row; () for x, y, z of a 3-vector, 1x1 has none.
+    """
+
+    value: Any
+    unit: str = ""
+    ratio: bool = False
+    labels: tuple[str, ...] = ()

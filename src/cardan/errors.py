@@ -1,0 +1,51 @@
+"""The errors cardan raises. Each says what, where (the user's names) and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class CardanError(Exception):
+    """Any error of cardan."""
+
+
+class ModelError(CardanError, ValueError):
+    """The scene or a file that describes it is at fault."""
+
+
+class TopologyError(CardanError, ValueError):
+    """The bodies and joints do not form a usable graph."""
+
+
+class DerivationError(CardanError, ValueError):
+    """Equations of the asked kind do not exist for this system."""
+
+
+class CodegenError(CardanError, ValueError):
+    """C cannot be written for a function."""
+
+
+class BuildError(CardanError, RuntimeError):
+    """A compiler is missing or failed, or a build did not pass its check."""
+
+
+class SolveError(CardanError, ArithmeticError):
+    """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
+
+
+class SolveWarning(UserWarning):
+    """Numbers failed, but what was computed is kept."""
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """The end of an error message: the known names, and the likely one.
+
+    Returns:
+        Such as ``" Known: base, upper, forearm. Did you mean 'forearm'?"``.
+    """
+    names = list(known)
+    listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
+    close = get_close_matches(name, names, n=1)
+    hint = f" Did you mean '{close[0]}'?" if close else ""
+    return f" Known: {listed}.{hint}" if names else " There are none."

@@ -1,0 +1,122 @@
+"""A Function: named inputs, named outputs, units, over a graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from .graph import Graph, Node
+from .ops import LEAVES, OPERATORS
+
+
+@dataclass(frozen=True)
+class Block:
+    """An input block: the entries ``("var", name, k)`` of a graph.
+
+    Attributes:
+        name: A letter of the contract: t q u z s r p udot zdot lam tau wrench du q0.
+        entries: Name of every entry.
+        units: Unit of every entry, "" where dimensionless.
+    """
+
+    name: str
+    entries: tuple[str, ...]
+    units: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.entries)
+
+
+@dataclass(frozen=True)
+class Output:
+    """A named result of a Function.
+
+    Attributes:
+        name: Such as ``udot``.
+        shape: Such as (7,) or (7, 7); row-major.
+        nodes: One node per entry.
+        entries: Name of every entry.
+        units: Unit of every entry.
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    nodes: tuple[int, ...]
+    entries: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Function:
+    """Outputs of a graph as a function of named input blocks.
+
+    Attributes:
+        name: C name.
+        graph: Where the nodes live.
+        inputs: The blocks it may read, in ABI order.
+        outputs: Its results, concatenated in this order.
+        owners: Owner names in graph numbering (ground first): the order of sections.
+        about: One line for the reader of the C.
+    """
+
+    name: str
+    graph: Graph = field(repr=False)
+    inputs: tuple[Block, ...]
+    outputs: tuple[Output, ...]
+    owners: tuple[str, ...] = ()
+    about: str = ""
+
+    @property
+    def roots(self) -> tuple[int, ...]:
+        return tuple(node for output in self.outputs for node in output.nodes)
+
+    def live(self) -> list[int]:
+        """Indices of the nodes the outputs need, in topological order."""
+        return live(self.graph, self.roots)
+
+    def operations(self) -> dict[str, int]:
+        """Number of live nodes per operator."""
+        counts: dict[str, int] = {}
+        for i in self.live():
+            op = self.graph.nodes[i][0]
+            if op not in LEAVES and op != "item":
+                counts[op] = counts.get(op, 0) + 1
+        return counts
+
+    def cost(self) -> float:
+        """Sum of the costs of the live nodes."""
+        return sum(OPERATORS[op].cost * n for op, n in self.operations().items() if op in OPERATORS)
+
+    def critical_path(self) -> float:
+        """Cost of the longest chain of dependent operations."""
+        depth: dict[int, float] = {}
+        for i in self.live():
+            node = self.graph.nodes[i]
+            own = OPERATORS[node[0]].cost if node[0] in OPERATORS else 0.0
+            depth[i] = own + max((depth[k] for k in operands(node)), default=0.0)
+        return max((depth[i] for i in self.roots), default=0.0)
+
+
+def operands(node: Node) -> tuple[int, ...]:
+    """Indices of the nodes that a node reads."""
+    op = node[0]
+    if op in LEAVES:
+        return ()
+    if op == "solve":
+        return node[4:]
+    if op == "item":
+        return (node[1],)
+    return node[1:]
+
+
+def live(graph: Graph, roots: Iterable[int]) -> list[int]:
+    """Indices of the nodes that the roots need, in topological order."""
+    nodes = graph.nodes
+    needed = bytearray(len(nodes))
+    stack = list(roots)
+    while stack:
+        i = stack.pop()
+        if not needed[i]:
+            needed[i] = 1
+            stack.extend(operands(nodes[i]))
+    return [i for i, flag in enumerate(needed) if flag]

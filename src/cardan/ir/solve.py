@@ -1,0 +1,73 @@
+"""Linear systems inside the straight line: nodes with several results.
+
+``("solve", kind, n, m, A..., B...)`` is X with A X = B; ``("item", solve, k)`` is its k-th entry,
+row by row. Entries of A that are structural zeros are its sparsity pattern.
+"""
+
+from __future__ import annotations
+
+from .graph import ZERO, Graph
+from .matrix import Matrix
+
+KINDS = ("spd", "symmetric_indefinite", "rank_revealing")
+
+
+def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
+    """X with A X = B.
+
+    Args:
+        kind: ``"spd"``: symmetric positive definite, eliminated in static order from the last row
+            to the first (LᵀL, no fill on the pattern of a tree); ``"symmetric_indefinite"`` and
+            ``"rank_revealing"``: a C kernel that pivots.
+        a: (n, n).
+        b: (n, m).
+    """
+    if kind not in KINDS:
+        raise ValueError(f"kind of solve must be one of {', '.join(KINDS)}, not {kind!r}")
+    graph, n, m = a.graph, a.rows, b.columns
+    if a.columns != n or b.rows != n:
+        raise ValueError(f"cannot solve {a.rows}x{a.columns} with {b.rows}x{b.columns}")
+    if b.is_zero:
+        return Matrix.zeros(graph, n, m)
+    node = graph.intern(("solve", kind, n, m, *a.nodes, *b.nodes))
+    return Matrix(graph, n, m, [graph.intern(("item", node, k)) for k in range(n * m)])
+
+
+def ltl(a: Matrix) -> tuple[list[list[int]], list[int]]:
+    """Factor A = Lᵀ D L from the last row up, symbolically, keeping structural zeros.
+
+    Returns:
+        Unit lower triangular L as rows of nodes, and the reciprocals of D.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, section 6.5.
+    """
+    g, n = a.graph, a.rows
+    work = [list(a.row(i)) for i in range(n)]
+    lower = [[ZERO] * n for _ in range(n)]
+    inverse = [ZERO] * n
+    for k in range(n - 1, -1, -1):
+        inverse[k] = g.div(1, work[k][k])
+        for i in range(k - 1, -1, -1):
+            if work[k][i] == ZERO:
+                continue
+            lower[k][i] = g.mul(work[k][i], inverse[k])
+            # row i loses its share of row k, only where row k has entries
+            for j in range(i + 1):
+                if work[k][j] != ZERO:
+                    work[i][j] = g.sub(work[i][j], g.mul(lower[k][i], work[k][j]))
+    return lower, inverse
+
+
+def substitute(lower: list[list[int]], inverse: list[int], graph: Graph, b: list[int]) -> list[int]:
+    """Solve Lᵀ D L x = b."""
+    n, x = len(b), list(b)
+    for k in range(n - 1, -1, -1):
+        for j in range(k):
+            if lower[k][j] != ZERO:
+                x[j] = graph.sub(x[j], graph.mul(lower[k][j], x[k]))
+    x = [graph.mul(inverse[k], x[k]) for k in range(n)]
+    for k in range(n):
+        for j in range(k):
+            if lower[k][j] != ZERO:
+                x[k] = graph.sub(x[k], graph.mul(lower[k][j], x[j]))
+    return x

@@ -1,0 +1,220 @@
+"""The system graph: what the equations need to know about a scene, and nothing else.
+
+Frozen records; expressions are node numbers of one :class:`~cardan.ir.graph.Graph`, matrices are
+tuples of them, row by row. Bodies are numbered regularly (every parent before its children); the
+ground is -1. The axes of a body are those of its inboard joint on the child side, with the origin
+there, whatever frame the user described the body in; ``frames`` keep the user's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ..elements.forces.force import ForceElement
+from ..elements.joints.joint import Joint as JointElement
+from ..ir.graph import Graph
+
+Nodes = tuple[int, ...]
+GROUND = -1
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Entry of p. ``declared``: by ``model.parameter``; else a number of the scene."""
+
+    name: str
+    value: float
+    unit: str
+    declared: bool = False
+
+
+@dataclass(frozen=True)
+class Input:
+    """Entry of r; an input that prescribes a motion takes three: value, rate, acceleration."""
+
+    name: str
+    unit: str
+    default: float = 0.0
+
+
+@dataclass(frozen=True)
+class Part:
+    """A body of the user as part of a rigid body of the system.
+
+    Attributes:
+        name: The user's body.
+        inboard: Index of the part it is fixed to within the same body, -1 for the first.
+        joint: Name of the fixed joint that holds it; "" for the first.
+        mass, first_moment, inertia: m, m c (3) and the inertia tensor about the origin (9) in
+            axes of the system's body.
+        frame: Index of its own frame in ``System.frames``.
+        joint_frame: Index of the child frame of the fixed joint; that of ``frame`` for the first.
+    """
+
+    name: str
+    inboard: int
+    joint: str
+    mass: int
+    first_moment: Nodes
+    inertia: Nodes
+    frame: int
+    joint_frame: int
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body with everything fixed to it. Index in the list = index of its inboard joint.
+
+    Attributes:
+        name: Name of its first part.
+        parent: Body it is jointed to, -1 for the ground.
+        mass, first_moment, inertia: Sums over its parts.
+    """
+
+    name: str
+    parent: int
+    mass: int
+    first_moment: Nodes
+    inertia: Nodes
+    parts: tuple[Part, ...]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame fixed to a body (-1: ground): R_body_frame (9) and position (3) in body axes.
+
+    ``part``: index of the part it belongs to (in ``System.ground_parts`` for the ground).
+    """
+
+    name: str
+    body: int
+    part: int
+    rotation: Nodes
+    position: Nodes
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """q = ratio q_leader + offset of a coupled joint; ``leader`` is a joint (= body) number."""
+
+    leader: int
+    ratio: int
+    offset: int
+
+
+@dataclass(frozen=True)
+class Prescribed:
+    """A joint moved by t or inputs: its coordinate, rate and acceleration."""
+
+    value: int
+    rate: int
+    acceleration: int
+
+
+@dataclass(frozen=True)
+class Joint:
+    """The inboard joint of the body of the same number.
+
+    Attributes:
+        name: The user's name.
+        element: Its kind.
+        data: The element's quantities: name -> (rows, columns, nodes).
+        parent_frame, child_frame: Indices in ``System.frames``.
+        rotation, position: Parent-side joint frame in axes of the parent body, (9), (3).
+        q, u: First slot in the system's q and u, -1 without slots (coupled or prescribed).
+        coupling, motion: Set for a coupled or a prescribed joint.
+        q0, u0: Initial values as named in the model.
+        limits: (lower, upper, speed, effort) as far as given.
+    """
+
+    name: str
+    element: JointElement
+    data: dict[str, tuple[int, int, Nodes]]
+    parent_frame: int
+    child_frame: int
+    rotation: Nodes
+    position: Nodes
+    q: int
+    u: int
+    coupling: Coupling | None = None
+    motion: Prescribed | None = None
+    q0: tuple[float, ...] | None = None
+    u0: tuple[float, ...] | None = None
+    limits: tuple[float | None, float | None, float | None, float | None] = (None,) * 4
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force element with its data converted; frames and joints by number."""
+
+    name: str
+    element: ForceElement
+    data: dict[str, tuple[int, int, Nodes]]
+    frames: dict[str, int]
+    joints: dict[str, int]
+
+
+@dataclass(frozen=True)
+class Atom:
+    """A placeholder the kinematics resolve, such as the x component of a velocity.
+
+    Attributes:
+        quantity: position velocity acceleration angular_velocity rotation q u.
+        frame: Frame number (joint number for q and u).
+        wrt, in_: Frame numbers: against which, in whose axes.
+        component: Row-major entry.
+    """
+
+    quantity: str
+    frame: int
+    wrt: int = 0
+    in_: int = 0
+    component: int = 0
+
+
+@dataclass(frozen=True)
+class Named:
+    """A named expression: an output with its unit."""
+
+    name: str
+    node: int
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class System:
+    """A scene as a graph with expressions.
+
+    ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
+    ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped.
+    """
+
+    name: str
+    graph: Graph = field(repr=False)
+    gravity: Nodes
+    bodies: tuple[Body, ...]
+    joints: tuple[Joint, ...]
+    frames: tuple[Frame, ...] = field(repr=False)
+    forces: tuple[Force, ...]
+    parameters: tuple[Parameter, ...] = field(repr=False)
+    inputs: tuple[Input, ...]
+    outputs: tuple[Named, ...]
+    atoms: dict[str, Atom] = field(repr=False)
+    nq: int
+    nu: int
+    ground_parts: tuple[Part, ...] = ()
+    fixed: tuple[str, ...] = ()
+    shapes: tuple[tuple[int, dict[str, object]], ...] = ()
+    snaps: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    def children(self, body: int) -> list[int]:
+        """Bodies jointed outboard to a body (-1: to the ground)."""
+        return [i for i, b in enumerate(self.bodies) if b.parent == body]
+
+    def depth(self) -> int:
+        """Number of joints on the longest path from the ground."""
+        depth: list[int] = []
+        for body in self.bodies:
+            depth.append(1 + (depth[body.parent] if body.parent >= 0 else 0))
+        return max(depth, default=0)
