@@ -1,0 +1,53 @@
+# Every target makes its own virtual environment first; a second call finds it done.
+#   make demo              the Panda robot from URDF to simulation
+#   make test              linters, types, all tests
+#   make bench             speed beside error, and beside other programs where installed
+#   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
+
+PYTHON ?= python3
+VENV ?= .venv
+PYTEST_ARGS ?=
+BIN := $(VENV)/bin
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd)
+
+.PHONY: help demo test bench lint types external clean
+
+help:
+	@sed -n '2,5s/^#   //p' Makefile
+
+$(BIN)/python:
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
+	$(PYTHON) -m venv $(VENV)
+
+# one stamp per set of extras: newer sources install again
+$(VENV)/.installed-%: $(SOURCES) | $(BIN)/python
+	$(INSTALL) --editable '.[$*]'
+	@touch $@
+
+demo: $(VENV)/.installed-demo
+	$(BIN)/cardan demo panda
+
+lint: $(VENV)/.installed-test
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+types: $(VENV)/.installed-test
+	$(BIN)/mypy
+
+test: lint types
+	$(BIN)/python -m pytest -n 2 --dist loadfile -m 'not external' $(PYTEST_ARGS)
+
+external: $(VENV)/.installed-test
+	$(BIN)/python -m pytest -n 2 --dist load -m external tests/external
+
+# a peer that does not install here is named by the benchmark, not by pip
+$(VENV)/.installed-bench: $(VENV)/.installed-test
+	$(INSTALL) --editable '.[bench]' || $(INSTALL) casadi || true
+	@touch $@
+
+bench: $(VENV)/.installed-bench
+	$(BIN)/python tests/benchmarks/spine.py
+
+clean:
+	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis
