@@ -1,0 +1,49 @@
+"""The rules of docs/architecture.md as data. A change here is a change of the architecture."""
+
+from __future__ import annotations
+
+# each room may import the rooms before it
+ORDER = (
+    "errors",
+    "ir",
+    "spatial",
+    "elements",
+    "model",
+    "topology",
+    "equations",
+    "passes",
+    "codegen",
+    "runtime",
+    "analyses",
+    "view",
+    "pipeline",
+    "cli",
+    "__init__",
+    "__main__",
+)
+
+# a shipped model runs without the compiler half: these rooms know files and saved Functions only
+RUNNING = frozenset({"runtime", "analyses", "view"})
+RUNNING_MAY_IMPORT = RUNNING | {"errors", "ir"}
+
+# public methods whose work lives further down: (module, function) -> module imported inside it
+DOWNWARD: dict[tuple[str, str], frozenset[str]] = {}
+
+# the only files that load SymPy when they are imported; every one is itself imported on demand
+SYMPY_AT_IMPORT: frozenset[str] = frozenset({"cardan.ir.sympy_bridge"})
+
+# family -> files in its folder that are not members: what every member builds on
+FAMILIES: dict[str, frozenset[str]] = {
+    "elements.joints": frozenset({"joint"}),
+    "elements.forces": frozenset({"force"}),
+    "spatial.rotations": frozenset(),
+    "equations.relative": frozenset(),
+    "passes": frozenset(),
+    "codegen.languages": frozenset(),
+    "analyses.integrators": frozenset(),
+    "model.files": frozenset(),
+    "cli": frozenset(),
+}
+
+FILE_LINES = 400
+FUNCTION_LINES = 80

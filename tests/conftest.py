@@ -1,0 +1,21 @@
+"""Prints the seconds every test file took, all its processes together."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import pytest
+
+SECONDS: dict[str, float] = defaultdict(float)
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    SECONDS[report.nodeid.split("::")[0]] += report.duration
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    terminalreporter.section("seconds per file")
+    for name, seconds in sorted(SECONDS.items(), key=lambda item: -item[1]):
+        if seconds >= 0.1:
+            terminalreporter.write_line(f"{seconds:8.1f}  {name}")
+    terminalreporter.write_line(f"{sum(SECONDS.values()):8.1f}  all {len(SECONDS)} files")
