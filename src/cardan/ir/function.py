@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from .graph import Graph, Node
@@ -76,16 +76,11 @@ class Function:
 
     def operations(self) -> dict[str, int]:
         """Number of live nodes per operator."""
-        counts: dict[str, int] = {}
-        for i in self.live():
-            op = self.graph.nodes[i][0]
-            if op not in LEAVES and op != "item":
-                counts[op] = counts.get(op, 0) + 1
-        return counts
+        return count(self.graph, self.live())
 
     def cost(self) -> float:
         """Sum of the costs of the live nodes."""
-        return sum(OPERATORS[op].cost * n for op, n in self.operations().items() if op in OPERATORS)
+        return cost(self.operations())
 
     def critical_path(self) -> float:
         """Cost of the longest chain of dependent operations."""
@@ -111,12 +106,78 @@ def operands(node: Node) -> tuple[int, ...]:
 
 def live(graph: Graph, roots: Iterable[int]) -> list[int]:
     """Indices of the nodes that the roots need, in topological order."""
-    nodes = graph.nodes
+    nodes, leaves = graph.nodes, LEAVES
     needed = bytearray(len(nodes))
-    stack = list(roots)
-    while stack:
-        i = stack.pop()
+    last = -1
+    for i in roots:
+        needed[i] = 1
+        last = max(last, i)
+    # operands stand before their node: one sweep backwards marks everything
+    for i in range(last, -1, -1):
         if not needed[i]:
-            needed[i] = 1
-            stack.extend(operands(nodes[i]))
-    return [i for i, flag in enumerate(needed) if flag]
+            continue
+        node = nodes[i]
+        op = node[0]
+        if op in leaves:
+            continue
+        if op == "item":
+            needed[node[1]] = 1
+        else:
+            for k in node[4:] if op == "solve" else node[1:]:
+                needed[k] = 1
+    return [i for i in range(last + 1) if needed[i]]
+
+
+@dataclass(frozen=True)
+class Staged:
+    """A Function cut in two: what the parameters alone determine, and what runs at every call.
+
+    Attributes:
+        function: The whole function.
+        prepare: Nodes that depend on p and numbers only and are read by nodes that do not, or are
+            results: w in this order. Entries of p that are read as they stand are among them.
+        order: Live nodes in the order in which statements should stand.
+    """
+
+    function: Function
+    prepare: tuple[int, ...]
+    order: tuple[int, ...] = ()
+
+    def prepared(self) -> list[int]:
+        """Live nodes of the parameter part."""
+        return live(self.function.graph, self.prepare)
+
+    def body(self) -> list[int]:
+        """Live nodes of the part that runs at every call; w stands for what is prepared."""
+        done = set(self.prepare)
+        nodes, needed = self.function.graph.nodes, set[int]()
+        stack = [i for i in self.function.roots if i not in done]
+        while stack:
+            i = stack.pop()
+            if i not in needed:
+                needed.add(i)
+                stack.extend(k for k in operands(nodes[i]) if k not in done)
+        return sorted(needed)
+
+    def operations(self) -> dict[str, int]:
+        """Number of nodes per operator in the part that runs at every call."""
+        return count(self.function.graph, self.body())
+
+    def prepare_operations(self) -> dict[str, int]:
+        """Number of nodes per operator in the parameter part."""
+        return count(self.function.graph, self.prepared())
+
+
+def count(graph: Graph, nodes: Iterable[int]) -> dict[str, int]:
+    """Number of nodes per operator; leaves and entries of solutions are no operations."""
+    counts: dict[str, int] = {}
+    for i in nodes:
+        op = graph.nodes[i][0]
+        if op not in LEAVES and op != "item":
+            counts[op] = counts.get(op, 0) + 1
+    return counts
+
+
+def cost(counts: Mapping[str, int]) -> float:
+    """Relative run time of counted operations, one addition being 1; solve nodes count 0."""
+    return sum(OPERATORS[op].cost * n for op, n in counts.items() if op in OPERATORS)

@@ -7,7 +7,7 @@ smaller indices, so the list order is a valid order of evaluation and every pass
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -280,7 +280,7 @@ class Graph:
 
 _EVEN = frozenset({"cos", "cosh", "abs"})
 _ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"})
-_CONSTRUCTORS = {
+_CONSTRUCTORS: dict[str, Callable[..., int]] = {
     "add": Graph.add,
     "sub": Graph.sub,
     "mul": Graph.mul,
