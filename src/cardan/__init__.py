@@ -1,3 +1,90 @@
-"""cardan: a compiler for multibody mechanics."""
+"""cardan: a compiler for multibody mechanics.
+
+From a scene to equations of motion, to C, to fast simulation::
+
+    import cardan as cd
+
+    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=cd.inertia.rod(1, 1, axis="z"))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    motion = cd.compile(scene).simulate(10.0, q={"pivot": 1.0})
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
 
 __version__ = "0.1.0"
+
+# public name -> module that holds it (None: the module itself), in the order of use
+_PUBLIC: dict[str, str] = {
+    "Model": "model",
+    "load": "model",
+    "t": "model",
+    "inertia": "model.inertia",
+    "shape": "model.shape",
+    "table": "elements.tables",
+    **dict.fromkeys(
+        (
+            "Fixed",
+            "Revolute",
+            "Prismatic",
+            "Cylindrical",
+            "Screw",
+            "Universal",
+            "Spherical",
+            "Planar",
+            "Free",
+            "Custom",
+        ),
+        "elements.joints",
+    ),
+    **dict.fromkeys(
+        (
+            "Force",
+            "Torque",
+            "SpringDamper",
+            "TorsionSpring",
+            "JointForce",
+            "Damping",
+            "Drive",
+        ),
+        "elements.forces",
+    ),
+    "derive": "pipeline",
+    "compile": "pipeline",
+    "Equations": "equations.record",
+    "CompiledModel": "runtime.compiled",
+    "Trajectory": "runtime.trajectory",
+    **dict.fromkeys(
+        (
+            "CardanError",
+            "ModelError",
+            "TopologyError",
+            "DerivationError",
+            "CodegenError",
+            "BuildError",
+            "SolveError",
+            "SolveWarning",
+        ),
+        "errors",
+    ),
+}
+_MODULES = frozenset({"inertia", "shape"})
+
+__all__ = ["__version__", *_PUBLIC]  # noqa: PLE0604
+
+
+def __getattr__(name: str) -> Any:
+    """Public names are loaded when they are first used."""
+    if name not in _PUBLIC:
+        raise AttributeError(f"module 'cardan' has no attribute '{name}'")
+    module = import_module(f".{_PUBLIC[name]}", __name__)
+    value = module if name in _MODULES else getattr(module, name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

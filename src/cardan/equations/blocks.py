@@ -1,0 +1,88 @@
+"""Input blocks of the functions of a system: names and units of every entry."""
+
+from __future__ import annotations
+
+import re
+
+from ..ir.function import Block
+from ..topology.system import System
+
+FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
+
+
+def coordinates(system: System) -> list[tuple[str, str, float]]:
+    """(name, unit, default) of every entry of q."""
+    rows = []
+    for joint in system.joints:
+        if joint.q >= 0:
+            for component in joint.element.coordinates:
+                name = f"{joint.name}.{component.name}" if component.name else joint.name
+                rows.append((name, component.unit, component.default))
+    return rows
+
+
+def speeds(system: System) -> list[tuple[str, str]]:
+    """(name, unit) of every entry of u: ``elbow.u``, ``ball.u.x``."""
+    rows = []
+    for joint in system.joints:
+        if joint.u >= 0:
+            for component in joint.element.speeds:
+                suffix = f".u.{component.name}" if component.name else ".u"
+                rows.append((joint.name + suffix, component.unit))
+    return rows
+
+
+def accelerated(unit: str) -> str:
+    """Unit of the time derivative of a speed."""
+    return unit + "^2" if unit.endswith("/s") else unit + "/s"
+
+
+def parts(system: System) -> list[str]:
+    """Names of the user's bodies that move, in the order of the block ``wrench``."""
+    return [part.name for body in system.bodies for part in body.parts]
+
+
+def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
+    """Every input block of a system by its letter.
+
+    Args:
+        chosen: Names of user-chosen generalized speeds; they replace the joint speeds.
+    """
+    q = coordinates(system)
+    u = [(name, "") for name in chosen] or speeds(system)
+    names, units = tuple(n for n, _ in u), tuple(unit for _, unit in u)
+    rates = tuple(accelerated(unit) if unit else "" for unit in units)
+    forces = tuple(FORCE_UNITS.get(unit, "") for unit in units)
+    axes = ("mx", "my", "mz", "fx", "fy", "fz")
+    moments = ("N*m",) * 3 + ("N",) * 3
+    touched = parts(system)
+    listed = [
+        Block("t", ("t",), ("s",)),
+        Block("q", tuple(n for n, _, _ in q), tuple(unit for _, unit, _ in q)),
+        Block("u", names, units),
+        Block("r", tuple(i.name for i in system.inputs), tuple(i.unit for i in system.inputs)),
+        Block(
+            "p", tuple(p.name for p in system.parameters), tuple(p.unit for p in system.parameters)
+        ),
+        Block("udot", tuple(f"{n}dot" for n in names), rates),
+        Block("tau", tuple(f"{n}.tau" for n in names), forces),
+        Block("wrench", tuple(f"{n}.{a}" for n in touched for a in axes), moments * len(touched)),
+        Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),
+        Block("q0", tuple(f"{n}.0" for n, _, _ in q), tuple(unit for _, unit, _ in q)),
+    ]
+    return {block.name: block for block in listed}
+
+
+def identifier(name: str) -> str:
+    """A user's name as part of a C name."""
+    return re.sub(r"[^A-Za-z0-9_]", "_", name)
+
+
+def c_name(quantity: str, of: str | None, known: list[str]) -> str:
+    """C name of a quantity of a frame or joint, unique among the known names."""
+    if of is None:
+        return quantity
+    base = identifier(of)
+    clashes = [n for n in known if identifier(n) == base]
+    suffix = f"_{clashes.index(of)}" if len(clashes) > 1 else ""
+    return f"{quantity}__{base}{suffix}"

@@ -1,0 +1,112 @@
+"""The dynamics of a tree by one formalism: M, h, tau and udot."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from ..errors import DerivationError
+from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
+from ..ir.solve import solve
+from .kinematics import Kinematics
+from .loads import Loads, applied, none
+from .relative import articulated, composite, kane, newton_euler
+
+
+class Dynamics:
+    """Expressions of the dynamics, derived when asked for.
+
+    Args:
+        k: Motion of the tree.
+        method: Formalism. ``kane`` projects everything; ``newton_euler`` takes M from unit
+            accelerations; ``composite`` takes M from composite bodies; ``articulated`` has no M
+            in its forward dynamics. All but ``kane`` take the bias from the recursion.
+    """
+
+    def __init__(self, k: Kinematics, method: str) -> None:
+        self.k = k
+        self.method = method
+
+    @cached_property
+    def loads(self) -> Loads:
+        return applied(self.k)
+
+    @cached_property
+    def gravity(self) -> Matrix:
+        return self.k.vector(self.k.system.gravity)
+
+    def block(self, name: str, count: int) -> Matrix:
+        """An input block as a vector."""
+        return Matrix(self.k.graph, count, 1, [self.k.graph.var(name, i) for i in range(count)])
+
+    @cached_property
+    def tau(self) -> Matrix:
+        return self.block("tau", self.k.system.nu)
+
+    @cached_property
+    def mass_matrix(self) -> Matrix:
+        """M (nu, nu)."""
+        still = none(self.k)
+        if self.method == "kane":
+            return kane.mass_matrix(self.k, still)
+        if self.method == "newton_euler":
+            return newton_euler.mass_matrix(self.k, still)
+        return composite.mass_matrix(self.k, still)
+
+    def bias(self, gravity: bool = True, moving: bool = True) -> Matrix:
+        """h (nu, 1), or its part of gravity or velocities alone."""
+        down = self.gravity if gravity else Matrix.zeros(self.k.graph, 3)
+        if self.method == "kane":
+            return kane.bias(self.k, none(self.k), down, moving)
+        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+        return newton_euler.inverse_dynamics(self.k, rest, none(self.k), down, moving)
+
+    def forces(self) -> Matrix:
+        """f (nu, 1): applied forces of the model."""
+        if self.method == "kane":
+            return kane.generalized_forces(self.k, self.loads)
+        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+        down = Matrix.zeros(self.k.graph, 3)
+        return -newton_euler.inverse_dynamics(self.k, rest, self.loads, down, moving=False)
+
+    def inverse(self, udot: Matrix) -> Matrix:
+        """tau (nu, 1) with M udot + h = f + tau."""
+        if self.method == "kane":
+            return self.mass_matrix @ udot + self.bias() - self.forces()
+        return newton_euler.inverse_dynamics(self.k, udot, self.loads, self.gravity)
+
+    def forward(self, tau: Matrix) -> Matrix:
+        """udot (nu, 1).
+
+        Raises:
+            DerivationError: M is structurally singular; names the joints.
+        """
+        if self.method == "articulated":
+            return articulated.forward_dynamics(self.k, tau, self.loads, self.gravity)
+        self._refuse_massless()
+        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+        drive = tau - self.inverse(rest)
+        with self.k.graph.made_by("M", "factor"):
+            udot = solve("spd", self.mass_matrix, drive) if drive.rows else drive
+        for joint in self.k.system.joints:
+            if joint.u >= 0:
+                names = [c.name for c in joint.element.speeds]
+                own = udot.block(slice(joint.u, joint.u + len(names)))
+                own.label(joint.name, "udot", names)
+        return udot
+
+    def _refuse_massless(self) -> None:
+        """Name the joints along whose motion nothing has inertia."""
+        m, singular = self.mass_matrix, []
+        for joint in self.k.system.joints:
+            if joint.u >= 0:
+                slots = range(joint.u, joint.u + len(joint.element.speeds))
+                if any(m[j, j].node == ZERO for j in slots):
+                    singular.append(f"'{joint.name}'")
+        if singular:
+            raise DerivationError(
+                f"M is singular: nothing moved by joint {', '.join(singular)} has mass or inertia "
+                "along its motion. Give a body outboard of it a mass or an inertia, or make the "
+                "joint fixed or prescribed; mass_matrix, bias and inverse_dynamics exist all the "
+                "same"
+            )

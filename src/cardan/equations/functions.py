@@ -1,0 +1,256 @@
+"""The functions of a system by their public names, each derived from scratch when asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..errors import DerivationError, near
+from ..ir.arithmetic import Scalar
+from ..ir.function import Output
+from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
+from ..topology.system import System
+from . import outputs
+from .dynamics import Dynamics
+from .kinematics import Kinematics
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a builder works with: the dynamics, input blocks' names and the frame or joint asked for."""
+
+    d: Dynamics
+    names: dict[str, tuple[str, ...]]
+    units: dict[str, tuple[str, ...]]
+    of: str | None = None
+
+    @property
+    def k(self) -> Kinematics:
+        return self.d.k
+
+    @property
+    def udot(self) -> Matrix:
+        """The block udot as a vector."""
+        return self.d.block("udot", self.k.system.nu)
+
+    @property
+    def frame(self) -> int:
+        return frame_number(self.k.system, self.of or "")
+
+    def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
+        """A result with the names and units of an input block."""
+        return (Output(name, (x.rows,), x.nodes, self.names[like], self.units[like]),)
+
+
+Builder = Callable[[Context], tuple[Output, ...]]
+
+TWIST = (("wx", "wy", "wz", "vx", "vy", "vz"), ("rad/s",) * 3 + ("m/s",) * 3)
+WRENCH = (("mx", "my", "mz", "fx", "fy", "fz"), ("N*m",) * 3 + ("N",) * 3)
+XYZ = ("x", "y", "z")
+
+
+def frame_number(system: System, name: str) -> int:
+    """Index of a frame by its name.
+
+    Raises:
+        DerivationError: no such frame.
+    """
+    for i, frame in enumerate(system.frames):
+        if frame.name == name:
+            return i
+    names = [f.name for f in system.frames]
+    raise DerivationError(f"frame '{name}' does not exist.{near(name, names)}")
+
+
+def _rhs(c: Context) -> tuple[Output, ...]:
+    rest = Matrix.zeros(c.k.graph, c.k.system.nu)
+    return c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(rest), "udot")
+
+
+def _forward(c: Context) -> tuple[Output, ...]:
+    return c.vector("udot", c.d.forward(c.d.tau), "udot")
+
+
+def _inverse(c: Context) -> tuple[Output, ...]:
+    return c.vector("tau", c.d.inverse(c.udot), "tau")
+
+
+def _mass_matrix(c: Context) -> tuple[Output, ...]:
+    m, speeds = c.d.mass_matrix, c.names["u"]
+    names = tuple(f"{a},{b}" for a in speeds for b in speeds)
+    return (Output("M", (m.rows, m.columns), m.nodes, names),)
+
+
+def _bias(c: Context) -> tuple[Output, ...]:
+    return c.vector("h", c.d.bias(), "tau")
+
+
+def _gravity(c: Context) -> tuple[Output, ...]:
+    return c.vector("gravity", c.d.bias(moving=False), "tau")
+
+
+def _coriolis(c: Context) -> tuple[Output, ...]:
+    return c.vector("coriolis", c.d.bias(gravity=False), "tau")
+
+
+def _forces(c: Context) -> tuple[Output, ...]:
+    return c.vector("f", c.d.forces(), "tau")
+
+
+def _qdot(c: Context) -> tuple[Output, ...]:
+    return c.vector("qdot", c.k.rates, "qdot")
+
+
+def _energy(c: Context) -> tuple[Output, ...]:
+    kinetic, potential = outputs.energy(c.d)
+    total = kinetic + potential
+    values = {"kinetic": kinetic, "potential": potential, "total": total}
+    return tuple(Output(n, (), (x.node,), (n,), ("J",)) for n, x in values.items())
+
+
+def _pose(c: Context) -> tuple[Output, ...]:
+    names = tuple(f"{a}{b}" for a in "xyz1" for b in "xyz1")
+    return (Output("pose", (4, 4), outputs.pose(c.k, c.frame).nodes, names),)
+
+
+def _velocity(c: Context) -> tuple[Output, ...]:
+    return (Output("velocity", (6,), outputs.velocity(c.k, c.frame).nodes, *TWIST),)
+
+
+def _acceleration(c: Context) -> tuple[Output, ...]:
+    acc = outputs.system_accelerations(c.d, c.udot)
+    value = outputs.acceleration(c.d, acc, c.frame)
+    units = ("rad/s^2",) * 3 + ("m/s^2",) * 3
+    return (
+        Output("acceleration", (6,), value.nodes, ("alx", "aly", "alz", "ax", "ay", "az"), units),
+    )
+
+
+def _frame_jacobian(c: Context) -> tuple[Output, ...]:
+    value = outputs.frame_jacobian(c.k, c.frame)
+    names = tuple(f"{a},{b}" for a in TWIST[0] for b in c.names["u"])
+    return (Output("jacobian", (6, value.columns), value.nodes, names),)
+
+
+def _com(c: Context) -> tuple[Output, ...]:
+    return (Output("com", (3,), outputs.center_of_mass(c.k).nodes, XYZ, ("m",) * 3),)
+
+
+def _momentum(c: Context) -> tuple[Output, ...]:
+    units = ("kg*m^2/s",) * 3 + ("kg*m/s",) * 3
+    names = ("lx", "ly", "lz", "px", "py", "pz")
+    return (Output("momentum", (6,), outputs.momentum(c.k).nodes, names, units),)
+
+
+def _reaction(c: Context) -> tuple[Output, ...]:
+    joints = [j.name for j in c.k.system.joints] + list(c.k.system.fixed)
+    if c.of not in joints:
+        raise DerivationError(f"joint '{c.of}' does not exist.{near(c.of or '', joints)}")
+    return (Output("reaction", (6,), outputs.reaction(c.d, c.of).nodes, *WRENCH),)
+
+
+def _motion(c: Context) -> dict[int, Scalar]:
+    """Driving forces of prescribed joints at the udot of the model's own forces."""
+    if not any(joint.motion is not None for joint in c.k.system.joints):
+        return {}
+    udot = c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
+    return outputs.motion_forces(c.d, outputs.system_accelerations(c.d, udot))
+
+
+def _outputs(c: Context) -> tuple[Output, ...]:
+    system = c.k.system
+    _give_accelerations(c)
+    values = [(o.name, c.k.resolve([o.node])[0], o.unit) for o in system.outputs]
+    for i, force in _motion(c).items():
+        unit = "N" if system.joints[i].element.speeds[0].unit == "m/s" else "N*m"
+        values.append((f"{system.joints[i].name}.force", force.node, unit))
+    return _list("outputs", values)
+
+
+def _give_accelerations(c: Context) -> None:
+    """Accelerations may stand in outputs: they follow from udot."""
+    if any(atom.quantity == "acceleration" for atom in c.k.system.atoms.values()):
+        udot = c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
+        acc = outputs.system_accelerations(c.d, udot)
+        c.k.acceleration = lambda frame: outputs.acceleration(c.d, acc, frame)
+
+
+def _power(c: Context) -> tuple[Output, ...]:
+    values = [(name, value.node, "W") for name, value in c.d.loads.power]
+    for i, force in _motion(c).items():
+        name = f"{c.k.system.joints[i].name}.motion"
+        values.append((name, (force * c.k.u(i)[0]).node, "W"))
+    return _list("power", values)
+
+
+def _list(name: str, values: list[tuple[str, int, str]]) -> tuple[Output, ...]:
+    names, nodes, units = ([v[j] for v in values] for j in range(3))
+    return (Output(name, (len(values),), tuple(nodes), tuple(names), tuple(units)),)
+
+
+def _by_joint(c: Context, first: str, second: str, result: str) -> tuple[Output, ...]:
+    """``integrate`` and ``difference``: joint by joint on the slots of two blocks."""
+    system, size = c.k.system, c.k.system.nq if result == "q" else c.k.system.nu
+    nodes = [ZERO] * size
+    for i, joint in enumerate(system.joints):
+        if joint.q < 0:
+            continue
+        nq, nu = len(joint.element.coordinates), len(joint.element.speeds)
+        a = c.d.block(first, system.nq).block(slice(joint.q, joint.q + nq))
+        if result == "q":
+            b = c.d.block(second, system.nu).block(slice(joint.u, joint.u + nu))
+            own, at = joint.element.integrate(a, b, **c.k.data[i]), joint.q
+        else:
+            b = c.d.block(second, system.nq).block(slice(joint.q, joint.q + nq))
+            own, at = joint.element.difference(a, b, **c.k.data[i]), joint.u
+        nodes[at : at + own.rows] = own.nodes
+    return c.vector(result, Matrix(c.k.graph, size, 1, nodes), result)
+
+
+def _integrate(c: Context) -> tuple[Output, ...]:
+    return _by_joint(c, "q", "du", "q")
+
+
+def _difference(c: Context) -> tuple[Output, ...]:
+    return _by_joint(c, "q0", "q", "du")
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a function comes about: one line for the reader, its builder, what ``of`` names."""
+
+    about: str
+    build: Builder
+    of: str = ""
+
+
+RECIPES: dict[str, Recipe] = {
+    "rhs": Recipe("time derivative of the state [q, u]", _rhs),
+    "forward_dynamics": Recipe("udot with M udot + h = f + tau", _forward),
+    "inverse_dynamics": Recipe("tau with M udot + h = f + tau", _inverse),
+    "mass_matrix": Recipe("M: kinetic energy is 1/2 uᵀ M u", _mass_matrix),
+    "bias": Recipe("h: velocity products and gravity", _bias),
+    "gravity": Recipe("part of h that is left at rest", _gravity),
+    "coriolis": Recipe("h without gravity", _coriolis),
+    "applied": Recipe("f: generalized forces of the model's elements", _forces),
+    "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
+    "energy": Recipe("kinetic, potential and total energy", _energy),
+    "com": Recipe("center of mass in ground axes", _com),
+    "momentum": Recipe("angular (about the ground origin) and linear momentum", _momentum),
+    "outputs": Recipe("declared outputs, then forces of prescribed motions", _outputs),
+    "power": Recipe("power of everything that has no potential, by source", _power),
+    "integrate": Recipe("q moved by a finite increment du along the speeds", _integrate),
+    "difference": Recipe("du that moves q0 to q", _difference),
+    "pose": Recipe("transform from frame axes to ground axes", _pose, "frame"),
+    "velocity": Recipe(
+        "angular velocity and velocity of the origin, ground axes", _velocity, "frame"
+    ),
+    "acceleration": Recipe(
+        "angular acceleration and acceleration of the origin, ground axes", _acceleration, "frame"
+    ),
+    "frame_jacobian": Recipe("velocity = J u, ground axes", _frame_jacobian, "frame"),
+    "reaction": Recipe(
+        "wrench of parent on child at the child joint frame, in its axes", _reaction, "joint"
+    ),
+}

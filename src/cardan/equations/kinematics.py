@@ -1,0 +1,379 @@
+"""Motion of a tree: what every formalism shares.
+
+All per-body lists follow the regular numbering of the system graph. Vectors of a body are in its
+own axes unless they are named ``ground_...``; 6-vectors have the angular part first.
+
+Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 3 and 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from ..errors import DerivationError
+from ..ir.arithmetic import Scalar
+from ..ir.derivative import forward, jacobian
+from ..ir.function import live
+from ..ir.graph import ONE, ZERO
+from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
+from ..ir.solve import solve
+from ..topology.system import Atom, Joint, Named, System
+
+
+@dataclass(frozen=True)
+class JointMotion:
+    """Motion of a body against its parent.
+
+    Attributes:
+        q, u: Coordinates and speeds of the joint as expressions of the system's.
+        inner: R of the joint frames, parent side to child side (3, 3).
+        rotation: R from child axes to parent axes (3, 3), the fixed rotation included.
+        position: Origin of the child in parent axes (3, 1).
+        S: Modes of motion (6, nu of the joint), child axes.
+        columns: (k, column of S (6, 1)) for every system speed k that moves the joint.
+        velocity: S u (6, 1).
+        drift: Acceleration against the parent, as seen from it, that needs no udot (6, 1): Sdot u,
+            [0; omega x v], and S times a prescribed acceleration.
+    """
+
+    q: Matrix
+    u: Matrix
+    inner: Matrix
+    rotation: Matrix
+    position: Matrix
+    S: Matrix
+    columns: tuple[tuple[int, Matrix], ...]
+    velocity: Matrix
+    drift: Matrix
+
+
+class Kinematics:
+    """Positions and velocities of all bodies of a system, in a graph of their own.
+
+    Args:
+        system: The system graph; its expressions are copied, not changed.
+        speeds: User-chosen generalized speeds, each linear in the joint speeds ``("var", "u", k)``;
+            the system's u are then these.
+    """
+
+    def __init__(self, system: System, speeds: Sequence[Named] = ()) -> None:
+        self.system = system
+        self.graph = system.graph.fork()
+        # angular acceleration and acceleration of a frame (6, 1), where udot is known
+        self.acceleration: Callable[[int], Matrix] | None = None
+        self._chosen = tuple(speeds)
+        self._replace: dict[int, int] = {}
+        if speeds:
+            self._choose_speeds()
+
+    def matrix(self, rows: int, columns: int, nodes: Sequence[int]) -> Matrix:
+        """Expressions of the system graph as a matrix of this graph, placeholders resolved."""
+        return Matrix(self.graph, rows, columns, self.resolve(nodes))
+
+    def vector(self, nodes: Sequence[int]) -> Matrix:
+        return self.matrix(len(nodes), 1, nodes)
+
+    def owner(self, body: int) -> str:
+        """Name under which the quantities of a body are printed."""
+        return self.system.bodies[body].name
+
+    # speeds
+
+    @property
+    def time(self) -> Scalar:
+        return Scalar(self.graph, self.graph.var("t", 0))
+
+    def _choose_speeds(self) -> None:
+        """Replace the joint speeds by the solution of Y(q) u_joint + Z(q) = u_chosen."""
+        g, nu = self.graph, self.system.nu
+        slots = [g.var("u", k) for k in range(nu)]
+        nodes = [s.node for s in self._chosen]
+        y = jacobian(g, nodes, slots)
+        _, z = rebuild(g, nodes, dict.fromkeys(slots, ZERO), into=g)
+        if set(live(g, [n for row in y for n in row])) & set(slots):
+            raise DerivationError(
+                "speeds: every chosen speed must be linear in the joint speeds; "
+                f"one of {', '.join(s.name for s in self._chosen)} is not"
+            )
+        left = Matrix(g, nu, nu, [n for row in y for n in row])
+        right = Matrix(g, nu, 1, slots) - Matrix(g, nu, 1, z)
+        joint_speeds = solve("rank_revealing", left, right)
+        self._replace = dict(zip(slots, joint_speeds.nodes, strict=True))
+
+    def _slots(self, block: str, start: int, count: int) -> list[int]:
+        nodes = [self.graph.var(block, start + k) for k in range(count)]
+        return [self._replace.get(n, n) for n in nodes]
+
+    # joints
+
+    def _data(self, joint: Joint) -> dict[str, Matrix]:
+        return {name: self.matrix(*entry) for name, entry in joint.data.items()}
+
+    @cached_property
+    def data(self) -> list[dict[str, Matrix]]:
+        """Quantities of every joint element."""
+        return [self._data(joint) for joint in self.system.joints]
+
+    @cached_property
+    def coordinates(self) -> list[Matrix]:
+        """q of every joint."""
+        return [self._joint_values(i, "q") for i in range(len(self.system.joints))]
+
+    @cached_property
+    def speeds(self) -> list[Matrix]:
+        """u of every joint."""
+        return [self._joint_values(i, "u") for i in range(len(self.system.joints))]
+
+    def _joint_values(self, i: int, block: str) -> Matrix:
+        g, joint = self.graph, self.system.joints[i]
+        if joint.motion is not None:
+            return self.vector([joint.motion.value if block == "q" else joint.motion.rate])
+        if joint.coupling is not None:
+            leader, ratio, offset = self.leader(i)
+            start = self.system.joints[leader].q if block == "q" else self.system.joints[leader].u
+            value = Scalar(g, self._slots(block, start, 1)[0]) * ratio
+            return Matrix.vector(g, [value + offset if block == "q" else value])
+        element = joint.element
+        count = len(element.coordinates) if block == "q" else len(element.speeds)
+        nodes = self._slots(block, joint.q if block == "q" else joint.u, count)
+        return Matrix(g, count, 1, nodes)
+
+    def leader(self, i: int) -> tuple[int, Scalar, Scalar]:
+        """Joint with slots that a coupled joint follows, with the total ratio and offset."""
+        g = self.graph
+        ratio, offset = Scalar(g, ONE), Scalar(g, ZERO)
+        coupling = self.system.joints[i].coupling
+        while coupling is not None:
+            offset = offset + ratio * Scalar(g, coupling.offset)
+            ratio = ratio * Scalar(g, coupling.ratio)
+            i = coupling.leader
+            coupling = self.system.joints[i].coupling
+        return i, ratio, offset
+
+    @cached_property
+    def rates(self) -> Matrix:
+        """qdot of the system (nq, 1)."""
+        rows = [ZERO] * self.system.nq
+        for i, joint in enumerate(self.system.joints):
+            if joint.q >= 0:
+                with self.graph.made_by(joint.name, "qdot"):
+                    rate = joint.element.rates(self.coordinates[i], self.speeds[i], **self.data[i])
+                rows[joint.q : joint.q + rate.rows] = rate.nodes
+        return Matrix(self.graph, len(rows), 1, rows)
+
+    @cached_property
+    def time_seeds(self) -> dict[int, int]:
+        """Leaf -> its time derivative at udot = 0: t, q and inputs that prescribe a motion."""
+        g = self.graph
+        seeds = {g.var("t", 0): ONE}
+        for k, node in enumerate(self.rates.nodes):
+            seeds[g.var("q", k)] = node
+        for joint in self.system.joints:
+            if joint.motion is not None and g.nodes[joint.motion.value][0] == "var":
+                seeds[joint.motion.value] = joint.motion.rate
+                seeds[joint.motion.rate] = joint.motion.acceleration
+        return seeds
+
+    def derivative(self, x: Matrix) -> Matrix:
+        """Entry by entry time derivative at udot = 0."""
+        return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, self.time_seeds))
+
+    @cached_property
+    def joints(self) -> list[JointMotion]:
+        return [self._joint_motion(i) for i in range(len(self.system.joints))]
+
+    def _joint_motion(self, i: int) -> JointMotion:
+        joint, q, u, data = self.system.joints[i], self.coordinates[i], self.speeds[i], self.data[i]
+        g, name = self.graph, joint.name
+        fixed, at = self.matrix(3, 3, joint.rotation), self.vector(joint.position)
+        with g.made_by(name, "R"):
+            inner, shift = joint.element.pose(q, **data)
+            rotation = fixed @ inner
+            rotation.label(name, "R", ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"])
+        with g.made_by(name, "p"):
+            position = (at + fixed @ shift).label(name, "p")
+        with g.made_by(name, "S"):
+            s = joint.element.motion(q, **data)
+        with g.made_by(name, "velocity"):
+            velocity = s @ u
+        with g.made_by(name, "drift"):
+            drift = self._drift(i, s, velocity)
+            if joint.motion is not None:
+                drift = drift + s * Scalar(g, self.resolve([joint.motion.acceleration])[0])
+        return JointMotion(q, u, inner, rotation, position, s, self._columns(i, s), velocity, drift)
+
+    def _drift(self, i: int, s: Matrix, velocity: Matrix) -> Matrix:
+        """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
+        q, u = self.coordinates[i], self.speeds[i]
+        own = self.system.joints[i].element.convective(q, u, **self.data[i])
+        if own is not None:
+            return own
+        w, v = velocity.block(slice(0, 3)), velocity.block(slice(3, 6))
+        turning = Matrix.vstack(Matrix.zeros(self.graph, 3), w.cross(v))
+        if all(self.graph.value(x) is not None for x in s.nodes):
+            return turning
+        return self.derivative(s) @ u + turning
+
+    def _columns(self, i: int, s: Matrix) -> tuple[tuple[int, Matrix], ...]:
+        joint = self.system.joints[i]
+        if joint.motion is not None:
+            return ()
+        if joint.coupling is not None:
+            leader, ratio, _ = self.leader(i)
+            return ((self.system.joints[leader].u, s * ratio),)
+        return tuple((joint.u + k, s.column(k)) for k in range(s.columns))
+
+    # bodies
+
+    @cached_property
+    def omega(self) -> list[Matrix]:
+        """Angular velocity of every body."""
+        result: list[Matrix] = []
+        for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
+            with self.graph.made_by(self.owner(i), "omega"):
+                omega = joint.velocity.block(slice(0, 3))
+                if body.parent >= 0:
+                    omega = joint.rotation.T @ result[body.parent] + omega
+                result.append(omega.label(self.owner(i), "omega"))
+        return result
+
+    @cached_property
+    def v(self) -> list[Matrix]:
+        """Velocity of the origin of every body."""
+        result: list[Matrix] = []
+        for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
+            with self.graph.made_by(self.owner(i), "v"):
+                v = joint.velocity.block(slice(3, 6))
+                if body.parent >= 0:
+                    carried = result[body.parent] + self.omega[body.parent].cross(joint.position)
+                    v = joint.rotation.T @ carried + v
+                result.append(v.label(self.owner(i), "v"))
+        return result
+
+    @cached_property
+    def ground_rotation(self) -> list[Matrix]:
+        """R from body axes to ground axes."""
+        result: list[Matrix] = []
+        for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
+            with self.graph.made_by(self.owner(i), "orientation"):
+                r = joint.rotation
+                result.append(result[body.parent] @ r if body.parent >= 0 else r)
+        return result
+
+    @cached_property
+    def ground_position(self) -> list[Matrix]:
+        """Origin of every body in ground axes."""
+        result: list[Matrix] = []
+        for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
+            with self.graph.made_by(self.owner(i), "position"):
+                p = joint.position
+                if body.parent >= 0:
+                    p = result[body.parent] + self.ground_rotation[body.parent] @ p
+                result.append(p)
+        return result
+
+    def convective(self, i: int) -> Matrix:
+        """Velocity products that joint i adds to the acceleration of its body (6, 1), body axes.
+
+        With angular accelerations alpha and accelerations a of the origins,
+        alpha_i = Rᵀ alpha_p + S_w udot + convective_w and
+        a_i = Rᵀ (a_p + alpha_p x p + omega_p x (omega_p x p)) + S_v udot + convective_v.
+        """
+        parent, joint = self.system.bodies[i].parent, self.joints[i]
+        if parent < 0:
+            return joint.drift
+        w_rel, v_rel = joint.velocity.block(slice(0, 3)), joint.velocity.block(slice(3, 6))
+        carried = joint.rotation.T @ self.omega[parent]
+        return joint.drift + Matrix.vstack(carried.cross(w_rel), carried.cross(v_rel) * 2)
+
+    # frames, in ground axes
+
+    def body_rotation(self, body: int) -> Matrix:
+        return self.ground_rotation[body] if body >= 0 else Matrix.identity(self.graph, 3)
+
+    def position(self, frame: int) -> Matrix:
+        """Origin of a frame."""
+        f = self.system.frames[frame]
+        at = self.vector(f.position)
+        return at if f.body < 0 else self.ground_position[f.body] + self.body_rotation(f.body) @ at
+
+    def rotation(self, frame: int) -> Matrix:
+        """R from frame axes to ground axes."""
+        f = self.system.frames[frame]
+        return self.body_rotation(f.body) @ self.matrix(3, 3, f.rotation)
+
+    def angular_velocity(self, frame: int) -> Matrix:
+        body = self.system.frames[frame].body
+        if body < 0:
+            return Matrix.zeros(self.graph, 3)
+        return self.ground_rotation[body] @ self.omega[body]
+
+    def velocity(self, frame: int) -> Matrix:
+        """Velocity of the origin of a frame."""
+        f = self.system.frames[frame]
+        if f.body < 0:
+            return Matrix.zeros(self.graph, 3)
+        at = self.vector(f.position)
+        return self.ground_rotation[f.body] @ (self.v[f.body] + self.omega[f.body].cross(at))
+
+    def q(self, joint: int) -> Matrix:
+        return self.coordinates[joint]
+
+    def u(self, joint: int) -> Matrix:
+        return self.speeds[joint]
+
+    # placeholders
+
+    def resolve(self, nodes: Sequence[int]) -> tuple[int, ...]:
+        """Nodes with placeholders (and replaced speeds) put in."""
+        if not self.system.atoms and not self._replace:
+            return tuple(nodes)
+        g = self.graph
+        replace = {n: r for n, r in self._replace.items() if n < len(self.system.graph)}
+        for i in live(g, nodes):
+            if g.nodes[i][0] == "atom":
+                replace[i] = self._atom(self.system.atoms[g.nodes[i][1]])
+        if not replace:
+            return tuple(nodes)
+        return tuple(rebuild(g, nodes, replace, into=g)[1])
+
+    def _atom(self, atom: Atom) -> int:
+        if atom.quantity in ("q", "u"):
+            values = self.coordinates if atom.quantity == "q" else self.speeds
+            return values[atom.frame].nodes[atom.component]
+        axes = self.rotation(atom.in_).T
+        if atom.quantity == "position":
+            value = axes @ (self.position(atom.frame) - self.position(atom.wrt))
+        elif atom.quantity == "rotation":
+            value = self.rotation(atom.wrt).T @ self.rotation(atom.frame)
+        elif atom.quantity == "angular_velocity":
+            value = axes @ (self.angular_velocity(atom.frame) - self.angular_velocity(atom.wrt))
+        elif atom.quantity == "velocity":
+            value = axes @ self._relative_velocity(atom)
+        elif self.acceleration is not None:
+            value = axes @ self._relative_acceleration(atom, self.acceleration)
+        else:
+            raise DerivationError(
+                f"{atom.quantity} of frame '{self.system.frames[atom.frame].name}' cannot stand "
+                "in a force law: it depends on the force. Use position, velocity, rotation or "
+                "angular_velocity there; accelerations may stand in outputs"
+            )
+        return value.nodes[atom.component]
+
+    def _relative_velocity(self, atom: Atom) -> Matrix:
+        """Velocity of a frame's origin as seen from another frame, in ground axes."""
+        offset = self.position(atom.frame) - self.position(atom.wrt)
+        transport = self.angular_velocity(atom.wrt).cross(offset)
+        return self.velocity(atom.frame) - self.velocity(atom.wrt) - transport
+
+    def _relative_acceleration(self, atom: Atom, of: Callable[[int], Matrix]) -> Matrix:
+        """Acceleration of a frame's origin as seen from another frame, in ground axes."""
+        base, own = of(atom.wrt), of(atom.frame)
+        alpha, omega = base.block(slice(0, 3)), self.angular_velocity(atom.wrt)
+        offset = self.position(atom.frame) - self.position(atom.wrt)
+        transport = alpha.cross(offset) + omega.cross(omega.cross(offset))
+        coriolis = omega.cross(self._relative_velocity(atom)) * 2
+        return own.block(slice(3, 6)) - base.block(slice(3, 6)) - transport - coriolis

@@ -1,0 +1,129 @@
+"""What the force elements of a system do to its bodies and joints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..elements.forces.force import Action, JointLoad, Load
+from ..ir.arithmetic import Scalar
+from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
+from ..topology.system import Force
+from .kinematics import Kinematics
+
+
+@dataclass(frozen=True)
+class Loads:
+    """Applied forces of all elements.
+
+    Attributes:
+        wrenches: body -> (torque, force), (3, 1) each, at the body's origin in body axes.
+        joints: joint -> generalized force along its speeds (nu of the joint, 1).
+        potential: Potential energy of the elements (gravity is not among them).
+        power: (element name, power) of every action without a potential.
+        rotors: joint -> inertia added to its speeds (nu, nu of the joint).
+    """
+
+    wrenches: dict[int, tuple[Matrix, Matrix]]
+    joints: dict[int, Matrix]
+    potential: Scalar
+    power: tuple[tuple[str, Scalar], ...]
+    rotors: dict[int, Matrix]
+
+
+def none(k: Kinematics) -> Loads:
+    """No forces, but the inertia of the rotors."""
+    return Loads({}, {}, Scalar(k.graph, ZERO), (), _rotors(k))
+
+
+def applied(k: Kinematics, keep: set[int] | None = None) -> Loads:
+    """All force elements, summed per body and joint.
+
+    Args:
+        keep: Frames whose loads count; all by default.
+    """
+    wrenches: dict[int, tuple[Matrix, Matrix]] = {}
+    joints: dict[int, Matrix] = {}
+    potential = Scalar(k.graph, ZERO)
+    power: dict[str, Scalar] = {}
+    for force in k.system.forces:
+        with k.graph.made_by(force.name, "force"):
+            for action in _actions(k, force):
+                for load in action.loads:
+                    if keep is None or load.frame in keep:
+                        _add_wrench(k, wrenches, load)
+                for joint_load in action.joint_loads:
+                    _add_joint(joints, joint_load)
+                if action.potential is not None:
+                    potential = potential + action.potential
+                else:
+                    before = power.get(force.name, Scalar(k.graph, ZERO))
+                    power[force.name] = before + _power(k, action)
+    return Loads(wrenches, joints, potential, tuple(power.items()), _rotors(k))
+
+
+def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:
+    return {name: k.matrix(*entry) for name, entry in force.data.items()}
+
+
+def _actions(k: Kinematics, force: Force) -> tuple[Action, ...]:
+    return force.element.act(k, _data(k, force), force.frames, force.joints)
+
+
+def _rotors(k: Kinematics) -> dict[int, Matrix]:
+    rotors: dict[int, Matrix] = {}
+    for force in k.system.forces:
+        with k.graph.made_by(force.name, "rotor"):
+            for role, inertia in force.element.rotor_inertia(_data(k, force)).items():
+                joint = force.joints[role]
+                rotors[joint] = rotors[joint] + inertia if joint in rotors else inertia
+    return rotors
+
+
+def _add_wrench(k: Kinematics, wrenches: dict[int, tuple[Matrix, Matrix]], load: Load) -> None:
+    """Carry a load in ground axes to the origin and the axes of its body."""
+    frame = k.system.frames[load.frame]
+    if frame.body < 0:
+        return
+    to_body = k.ground_rotation[frame.body].T
+    force = to_body @ load.force
+    torque = to_body @ load.torque + k.vector(frame.position).cross(force)
+    if frame.body in wrenches:
+        before = wrenches[frame.body]
+        torque, force = before[0] + torque, before[1] + force
+    wrenches[frame.body] = (torque, force)
+
+
+def _add_joint(joints: dict[int, Matrix], load: JointLoad) -> None:
+    before = joints.get(load.joint)
+    joints[load.joint] = load.force if before is None else before + load.force
+
+
+def _power(k: Kinematics, action: Action) -> Scalar:
+    total = Scalar(k.graph, ZERO)
+    for load in action.loads:
+        total = total + load.force.dot(k.velocity(load.frame))
+        total = total + load.torque.dot(k.angular_velocity(load.frame))
+    for joint_load in action.joint_loads:
+        total = total + joint_load.force.dot(k.u(joint_load.joint))
+    return total
+
+
+def generalized(k: Kinematics, loads: Loads) -> Matrix:
+    """Generalized force of the joint loads alone (nu, 1)."""
+    total = Matrix.zeros(k.graph, k.system.nu)
+    for i, force in loads.joints.items():
+        total = total + spread(k, i, force)
+    return total
+
+
+def spread(k: Kinematics, joint: int, force: Matrix) -> Matrix:
+    """A force along the speeds of one joint as a generalized force of the system (nu, 1)."""
+    record, g = k.system.joints[joint], k.graph
+    nodes = [ZERO] * k.system.nu
+    if record.coupling is not None:
+        leader, ratio, _ = k.leader(joint)
+        nodes[k.system.joints[leader].u] = (force[0] * ratio).node
+    elif record.motion is None:
+        nodes[record.u : record.u + force.rows] = force.nodes
+    return Matrix(g, len(nodes), 1, nodes)

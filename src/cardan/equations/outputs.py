@@ -1,0 +1,231 @@
+"""What a moving system shows: poses, velocities, energy, momentum, reactions, outputs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ..ir.arithmetic import Scalar
+from ..ir.derivative import forward
+from ..ir.graph import ONE, ZERO
+from ..ir.matrix import Matrix
+from ..topology.system import Part
+from .dynamics import Dynamics
+from .inertia import Inertia, of_body
+from .kinematics import Kinematics
+from .loads import applied
+from .relative.newton_euler import (
+    Accelerations,
+    accelerations,
+    along_joint,
+    driving_force,
+    joint_forces,
+    second_moment_force,
+)
+
+
+def pose(k: Kinematics, frame: int) -> Matrix:
+    """Homogeneous transform (4, 4) from frame axes to ground axes."""
+    last = Matrix(k.graph, 1, 4, (ZERO, ZERO, ZERO, ONE))
+    return Matrix.vstack(Matrix.hstack(k.rotation(frame), k.position(frame)), last)
+
+
+def velocity(k: Kinematics, frame: int) -> Matrix:
+    """Angular velocity and velocity of the origin of a frame (6, 1), ground axes."""
+    return Matrix.vstack(k.angular_velocity(frame), k.velocity(frame))
+
+
+def frame_jacobian(k: Kinematics, frame: int) -> Matrix:
+    """Derivative of the velocity of a frame with respect to u (6, nu), ground axes."""
+    g, nodes = k.graph, velocity(k, frame).nodes
+    columns = [forward(g, nodes, {g.var("u", j): ONE}) for j in range(k.system.nu)]
+    return Matrix(g, 6, len(columns), [column[i] for i in range(6) for column in columns])
+
+
+def system_accelerations(d: Dynamics, udot: Matrix) -> Accelerations:
+    """Accelerations of all bodies for given udot; gravity is in them as -gravity."""
+    along = [along_joint(d.k, i, udot) for i in range(len(d.k.joints))]
+    return accelerations(d.k, along, d.gravity)
+
+
+def acceleration(d: Dynamics, acc: Accelerations, frame: int) -> Matrix:
+    """Angular acceleration and acceleration of the origin of a frame (6, 1), ground axes."""
+    k, f = d.k, d.k.system.frames[frame]
+    if f.body < 0:
+        return Matrix.zeros(k.graph, 6)
+    linear = acc.a[f.body] + acc.spread[f.body] @ k.vector(f.position)
+    r = k.ground_rotation[f.body]
+    return Matrix.vstack(r @ acc.alpha[f.body], r @ linear + d.gravity)
+
+
+def energy(d: Dynamics) -> tuple[Scalar, Scalar]:
+    """Kinetic and potential energy; gravity's is zero at the ground origin."""
+    k, g = d.k, d.k.graph
+    kinetic, potential = Scalar(g, ZERO), d.loads.potential
+    for i in range(len(k.system.bodies)):
+        with g.made_by(k.owner(i), "energy"):
+            inertia, twist = of_body(k, i), Matrix.vstack(k.omega[i], k.v[i])
+            kinetic = kinetic + twist.dot(inertia.momentum(twist)) * 0.5
+            potential = potential - d.gravity.dot(_ground_moment(k, i, inertia))
+    for i, rotor in d.loads.rotors.items():
+        kinetic = kinetic + k.u(i).dot(rotor @ k.u(i)) * 0.5
+    return kinetic, potential
+
+
+def _ground_moment(k: Kinematics, i: int, inertia: Inertia) -> Matrix:
+    """First moment of a body about the ground origin, ground axes."""
+    return k.ground_position[i] * inertia.mass + k.ground_rotation[i] @ inertia.moment
+
+
+def center_of_mass(k: Kinematics) -> Matrix:
+    """Center of mass of everything that moves (3, 1), ground axes."""
+    total, moment = Scalar(k.graph, ZERO), Matrix.zeros(k.graph, 3)
+    for i in range(len(k.system.bodies)):
+        with k.graph.made_by(k.owner(i), "com"):
+            inertia = of_body(k, i)
+            total, moment = total + inertia.mass, moment + _ground_moment(k, i, inertia)
+    return moment / total
+
+
+def momentum(k: Kinematics) -> Matrix:
+    """Angular momentum about the ground origin and linear momentum (6, 1), ground axes."""
+    total = Matrix.zeros(k.graph, 6)
+    for i in range(len(k.system.bodies)):
+        with k.graph.made_by(k.owner(i), "momentum"):
+            own = of_body(k, i).momentum(Matrix.vstack(k.omega[i], k.v[i]))
+            linear = k.ground_rotation[i] @ own.block(slice(3, 6))
+            angular = k.ground_rotation[i] @ own.block(slice(0, 3))
+            angular = angular + k.ground_position[i].cross(linear)
+            total = total + Matrix.vstack(angular, linear)
+    return total
+
+
+# forces of joints
+
+
+def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matrix, Matrix]]:
+    """Moment and force of the block ``wrench`` on every body, at its origin in its axes.
+
+    Args:
+        keep: Names of the parts whose wrenches count; all by default.
+    """
+    k, row = d.k, 0
+    result: dict[int, tuple[Matrix, Matrix]] = {}
+    for i, body in enumerate(k.system.bodies):
+        for part in body.parts:
+            nodes = [k.graph.var("wrench", 6 * row + j) for j in range(6)]
+            row += 1
+            if keep is not None and part.name not in keep:
+                continue
+            turned = k.ground_rotation[i].T
+            force = turned @ Matrix(k.graph, 3, 1, nodes[3:])
+            at = k.vector(k.system.frames[part.frame].position)
+            moment = turned @ Matrix(k.graph, 3, 1, nodes[:3]) + at.cross(force)
+            if i in result:
+                moment, force = result[i][0] + moment, result[i][1] + force
+            result[i] = (moment, force)
+    return result
+
+
+def accelerated(d: Dynamics) -> tuple[Matrix, Accelerations]:
+    """udot under tau, the model's forces and the block ``wrench``; and all accelerations."""
+    wrenches = dict(d.loads.wrenches)
+    for i, (moment, force) in external(d).items():
+        before = wrenches.get(i)
+        if before is not None:
+            moment, force = before[0] + moment, before[1] + force
+        wrenches[i] = (moment, force)
+    d.loads = replace(d.loads, wrenches=wrenches)
+    udot = d.forward(d.tau)
+    return udot, system_accelerations(d, udot)
+
+
+def reaction(d: Dynamics, name: str) -> Matrix:
+    """Wrench of parent on child of a joint (6, 1), at the child joint frame in its axes.
+
+    Moment first. Joints with motion and fixed joints alike.
+    """
+    _, acc = accelerated(d)
+    forces = joint_forces(d.k, acc, d.loads)
+    for i, joint in enumerate(d.k.system.joints):
+        if joint.name == name:
+            return Matrix.vstack(forces.moment[i], forces.force[i])
+    return _fixed_reaction(d, name, acc, forces.moment, forces.force)
+
+
+def _fixed_reaction(
+    d: Dynamics, name: str, acc: Accelerations, moments: list[Matrix], forces: list[Matrix]
+) -> Matrix:
+    """Reaction inside a rigid body: balance of the parts outboard of a fixed joint."""
+    k = d.k
+    body, parts = _holder(k, name)
+    outboard = _outboard(parts, name)
+    moment, force = Matrix.zeros(k.graph, 3), Matrix.zeros(k.graph, 3)
+    for j in outboard:
+        own = _part_force(d, body, parts[j], acc)
+        moment, force = moment + own[0], force + own[1]
+    applied_here = _applied(d, body, parts, outboard)
+    moment, force = moment - applied_here[0], force - applied_here[1]
+    # joints that leave from the outboard parts pull on them
+    for i, joint in enumerate(k.system.joints):
+        frame = k.system.frames[joint.parent_frame]
+        if frame.body == body and frame.part in outboard:
+            carried = k.joints[i].rotation @ forces[i]
+            turned = k.joints[i].rotation @ moments[i]
+            moment = moment + turned + k.joints[i].position.cross(carried)
+            force = force + carried
+    at = k.system.frames[next(p for p in parts if p.joint == name).joint_frame]
+    axes = k.matrix(3, 3, at.rotation).T
+    return Matrix.vstack(axes @ (moment - k.vector(at.position).cross(force)), axes @ force)
+
+
+def _holder(k: Kinematics, name: str) -> tuple[int, tuple[Part, ...]]:
+    """The rigid body (-1: ground) within which a fixed joint lies, and its parts."""
+    for i, body in enumerate(k.system.bodies):
+        if any(part.joint == name for part in body.parts):
+            return i, body.parts
+    return -1, k.system.ground_parts
+
+
+def _outboard(parts: tuple[Part, ...], name: str) -> set[int]:
+    """Indices of the parts that a fixed joint carries; parts follow those they are fixed to."""
+    carried: set[int] = set()
+    for j, part in enumerate(parts):
+        if part.joint == name or part.inboard in carried:
+            carried.add(j)
+    return carried
+
+
+def _part_force(d: Dynamics, body: int, part: Part, acc: Accelerations) -> tuple[Matrix, Matrix]:
+    k = d.k
+    inertia = Inertia(
+        Scalar(k.graph, k.resolve([part.mass])[0]),
+        k.vector(part.first_moment),
+        k.matrix(3, 3, part.inertia),
+    )
+    if body < 0:
+        still = -d.gravity
+        return inertia.moment.cross(still), still * inertia.mass
+    return second_moment_force(inertia, acc.a[body], acc.spread[body])
+
+
+def _applied(
+    d: Dynamics, body: int, parts: tuple[Part, ...], chosen: set[int]
+) -> tuple[Matrix, Matrix]:
+    """Moment and force that elements and the block ``wrench`` apply to some parts of a body."""
+    frames = d.k.system.frames
+    mine = {i for i, f in enumerate(frames) if f.body == body and f.part in chosen}
+    zero = Matrix.zeros(d.k.graph, 3)
+    moment, force = applied(d.k, mine).wrenches.get(body, (zero, zero))
+    outside = external(d, {parts[j].name for j in chosen}) if body >= 0 else {}
+    more = outside.get(body, (zero, zero))
+    return moment + more[0], force + more[1]
+
+
+def motion_forces(d: Dynamics, acc: Accelerations) -> dict[int, Scalar]:
+    """Force that moves every prescribed joint as prescribed, along its coordinate."""
+    moved = [i for i, joint in enumerate(d.k.system.joints) if joint.motion is not None]
+    if not moved:
+        return {}
+    forces = joint_forces(d.k, acc, d.loads)
+    still = Matrix.zeros(d.k.graph, 1)
+    return {i: driving_force(d.k, i, forces, d.loads, still)[0] for i in moved}

@@ -1,0 +1,252 @@
+"""The record every formalism returns: the equations of motion of a system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..errors import DerivationError, near
+from ..ir.function import Block, Function
+from ..topology.system import Named, System
+from . import blocks
+from .dynamics import Dynamics
+from .functions import RECIPES, Context
+from .kinematics import Kinematics
+from .relative import FORMALISMS, OTHER_NAMES
+
+if TYPE_CHECKING:
+    import sympy
+
+ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
+SYMPY_LIMIT = 4000
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
+
+    Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
+
+    Attributes:
+        system: The system graph they belong to.
+        method: Formalism.
+        chosen: User-chosen generalized speeds, () for those of the joints.
+        reason: Why ``method="auto"`` took this formalism, "" where the user did.
+    """
+
+    system: System
+    method: str
+    chosen: tuple[Named, ...] = ()
+    reason: str = ""
+    _made: dict[str, Function] = field(default_factory=dict, repr=False, compare=False)
+
+    @cached_property
+    def blocks(self) -> dict[str, Block]:
+        """Input blocks by letter."""
+        return blocks.blocks(self.system, tuple(s.name for s in self.chosen))
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of q."""
+        return self.blocks["q"].entries
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+        return self.blocks["u"].entries
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of p."""
+        return self.blocks["p"].entries
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of r."""
+        return self.blocks["r"].entries
+
+    @property
+    def multipliers(self) -> tuple[str, ...]:
+        """Names of the Lagrange multipliers; a tree has none."""
+        return ()
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Literature behind the formalism, the joints and the force elements."""
+        module = FORMALISMS[self.method]
+        text = (module.__doc__ or "").split("Source:")[-1]
+        found = [" ".join(text.split())]
+        found += [joint.element.source for joint in self.system.joints]
+        found += [force.element.source for force in self.system.forces]
+        return tuple(dict.fromkeys(s for s in found if s))
+
+    def names(self) -> list[str]:
+        """Functions that :meth:`function` can derive; those of frames and joints take ``of``."""
+        return list(RECIPES)
+
+    def c_name(self, name: str, of: str | None = None) -> str:
+        """C name of a function."""
+        if not of:
+            return name
+        if RECIPES[name].of == "joint":
+            known = [j.name for j in self.system.joints] + list(self.system.fixed)
+        else:
+            known = [f.name for f in self.system.frames]
+        return blocks.c_name(name, of, known)
+
+    def function(self, name: str, of: str | None = None) -> Function:
+        """One function as expressions.
+
+        Args:
+            name: Such as ``"forward_dynamics"``.
+            of: Frame or joint, for ``pose velocity acceleration frame_jacobian reaction``.
+
+        Raises:
+            DerivationError: no such function, frame or joint; or it does not exist for this
+                system, such as udot where M is singular.
+        """
+        if name not in RECIPES:
+            raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
+        recipe = RECIPES[name]
+        if bool(recipe.of) != (of is not None):
+            wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
+            raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
+        c_name = self.c_name(name, of)
+        if c_name not in self._made:
+            self._made[c_name] = self._derive(name, c_name, of)
+        return self._made[c_name]
+
+    def _derive(self, name: str, c_name: str, of: str | None) -> Function:
+        k = Kinematics(self.system, self.chosen)
+        names = {b.name: b.entries for b in self.blocks.values()}
+        units = {b.name: b.units for b in self.blocks.values()}
+        names["qdot"] = tuple(f"{n}dot" for n in names["q"])
+        units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
+        results = RECIPES[name].build(Context(Dynamics(k, self.method), names, units, of))
+        owners = [
+            owner
+            for joint, body in zip(self.system.joints, self.system.bodies, strict=True)
+            for owner in (joint.name, body.name)
+        ]
+        owners += [force.name for force in self.system.forces]
+        return Function(
+            c_name,
+            k.graph,
+            tuple(self.blocks[letter] for letter in ABI_ORDER),
+            results,
+            tuple(dict.fromkeys(owners)),
+            RECIPES[name].about,
+        )
+
+    # readable forms
+
+    @property
+    def operations(self) -> dict[str, dict[str, int]]:
+        """Operators per state-dependent block: M, h, forward and inverse dynamics."""
+        wanted = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
+        return {name: self.function(name).operations() for name in wanted}
+
+    @cached_property
+    def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
+        """SymPy symbol of every entry of every block."""
+        import sympy
+
+        return {
+            (b.name, i): sympy.Symbol(entry)
+            for b in self.blocks.values()
+            for i, entry in enumerate(b.entries)
+        }
+
+    def _expanded(self, name: str) -> sympy.Matrix:
+        from ..ir.sympy_bridge import to_sympy
+
+        function = self.function(name)
+        size = len(function.live())
+        if size > SYMPY_LIMIT:
+            raise DerivationError(
+                f"{name} has {size} operations: too many to write out. Use "
+                f"equations.symbolic('{name}'), which keeps shared intermediates"
+            )
+        return to_sympy(function, self.symbols)
+
+    @property
+    def mass_matrix(self) -> sympy.Matrix:
+        """M (nu, nu) as SymPy."""
+        return self._expanded("mass_matrix")
+
+    @property
+    def bias(self) -> sympy.Matrix:
+        """h (nu, 1) as SymPy: M udot + h = f + tau."""
+        return self._expanded("bias")
+
+    @property
+    def forces(self) -> sympy.Matrix:
+        """f (nu, 1) as SymPy: applied forces of the model."""
+        return self._expanded("applied")
+
+    @property
+    def kinematics(self) -> sympy.Matrix:
+        """qdot (nq, 1) as SymPy."""
+        return self._expanded("qdot")
+
+    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+        """A function with named intermediates, like :func:`sympy.cse`.
+
+        Returns:
+            (replacements, matrix).
+        """
+        from ..ir.sympy_bridge import to_sympy_shared
+
+        return to_sympy_shared(self.function(name), self.symbols)
+
+    def export(self, directory: str | Path, functions: tuple[str, ...] | None = None) -> Path:
+        """Write C, header and manifest that compile alone; see :func:`cardan.codegen.export`."""
+        from ..codegen.export import export
+
+        return export(self, directory, functions)
+
+    def __str__(self) -> str:
+        s = self.system
+        lines = [
+            f"equations of '{s.name}' by {self.method}"
+            + (f" ({self.reason})" if self.reason else ""),
+            f"  {len(s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
+            f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
+            "  q: " + _row(self.coordinates),
+            "  u: " + _row(self.speeds),
+            f"  {'':18}  mul   add   div  trig  all",
+        ]
+        for name, counts in self.operations.items():
+            trig = counts.get("sin", 0) + counts.get("cos", 0)
+            add = counts.get("add", 0) + counts.get("sub", 0)
+            row = (counts.get("mul", 0), add, counts.get("div", 0), trig, sum(counts.values()))
+            lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
+        return "\n".join(lines)
+
+
+def _row(names: tuple[str, ...]) -> str:
+    shown = ", ".join(names[:10])
+    return shown + (f", ... ({len(names)})" if len(names) > 10 else "")
+
+
+def choose(system: System, method: str) -> tuple[str, str]:
+    """Formalism and the reason for it.
+
+    Raises:
+        DerivationError: unknown method; names of other schools are translated.
+    """
+    if method in FORMALISMS:
+        return method, ""
+    if method != "auto":
+        other = OTHER_NAMES.get(method.lower())
+        hint = f" '{method}' is called '{other}' here." if other else near(method, FORMALISMS)
+        raise DerivationError(f"method '{method}' does not exist.{hint}")
+    depth = system.depth()
+    coupled = [j.name for j in system.joints if j.coupling is not None]
+    if coupled:
+        return "composite", f"joint {coupled[0]} is coupled"
+    if depth > 10:
+        return "articulated", f"{depth} joints deep"
+    return "composite", f"{depth} joints deep"

@@ -1,0 +1,229 @@
+"""Articulated bodies: forward dynamics in one inward and one outward sweep.
+
+A body with everything outboard of it answers an acceleration of its origin with the moment and
+force [[I, H], [Hᵀ, M]] [alpha; a] + bias; the free speeds of each joint are eliminated on the way in.
+Accelerations are those of the origins, so that no linear velocity is needed.
+
+Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...errors import DerivationError
+from ...ir.graph import ONE, ZERO
+from ...ir.matrix import Matrix, inner
+from ...ir.solve import solve
+from ..inertia import of_body, turn_general, turn_symmetric
+from ..kinematics import Kinematics
+from ..loads import Loads
+
+
+@dataclass(frozen=True)
+class Articulated:
+    """[[I, H], [Hᵀ, M]] (3, 3 each) and the bias moment and force (6, 1)."""
+
+    I: Matrix
+    H: Matrix
+    M: Matrix
+    bias: Matrix
+
+    def __add__(self, other: Articulated) -> Articulated:
+        return Articulated(
+            self.I + other.I, self.H + other.H, self.M + other.M, self.bias + other.bias
+        )
+
+    def times(self, x: Matrix) -> Matrix:
+        """Moment and force of an acceleration (6, n)."""
+        w, v = x.block(slice(0, 3)), x.block(slice(3, 6))
+        return Matrix.vstack(self.I @ w + self.H @ v, self.H.T @ w + self.M @ v)
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """udot of a joint = free - gain · (acceleration the parent imposes)."""
+
+    free: Matrix
+    gain: Matrix
+    imposed: Matrix
+
+
+def forward_dynamics(k: Kinematics, tau: Matrix, loads: Loads, gravity: Matrix) -> Matrix:
+    """udot (nu, 1) of the applied forces and tau.
+
+    Raises:
+        DerivationError: a joint is coupled to another, or carries no inertia along its motion.
+    """
+    _refuse_coupled(k)
+    eliminations = _inward(k, tau, loads)
+    return _outward(k, eliminations, gravity)
+
+
+def _refuse_coupled(k: Kinematics) -> None:
+    coupled = [j.name for j in k.system.joints if j.coupling is not None]
+    if coupled:
+        raise DerivationError(
+            f"method 'articulated' cannot eliminate the coupled joints {', '.join(coupled)}: "
+            "use method='composite' (or 'auto')"
+        )
+
+
+def _inward(k: Kinematics, tau: Matrix, loads: Loads) -> list[Elimination]:
+    """Articulated inertias from the leaves to the ground, eliminating each joint's speeds."""
+    bodies = [_rigid(k, i, loads) for i in range(len(k.system.bodies))]
+    eliminations: dict[int, Elimination] = {}
+    for i in range(len(bodies) - 1, -1, -1):
+        joint, parent = k.system.joints[i], k.system.bodies[i].parent
+        with k.graph.made_by(k.owner(i), "elimination"):
+            convective = k.convective(i)
+            if joint.motion is not None:
+                eliminations[i] = Elimination(
+                    Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()), convective
+                )
+                rest = bodies[i]
+            else:
+                eliminations[i], rest = _eliminate(k, i, bodies[i], tau, loads, convective)
+        if parent >= 0:
+            with k.graph.made_by(k.owner(parent), "articulated"):
+                bodies[parent] = bodies[parent] + _carried(k, i, rest, convective)
+    return [eliminations[i] for i in range(len(bodies))]
+
+
+def _rigid(k: Kinematics, i: int, loads: Loads) -> Articulated:
+    """A body by itself: its inertia, and gyroscopic less applied forces as bias."""
+    inertia, g, omega = of_body(k, i), k.graph, k.omega[i]
+    with g.made_by(k.owner(i), "bias"):
+        moment = omega.cross(inertia.tensor @ omega)
+        force = omega.cross(omega.cross(inertia.moment))
+        if i in loads.wrenches:
+            moment = moment - loads.wrenches[i][0]
+            force = force - loads.wrenches[i][1]
+    mass = Matrix.identity(g, 3) * inertia.mass
+    return Articulated(inertia.tensor, inertia.moment.skew, mass, Matrix.vstack(moment, force))
+
+
+def _eliminate(
+    k: Kinematics, i: int, body: Articulated, tau: Matrix, loads: Loads, convective: Matrix
+) -> tuple[Elimination, Articulated]:
+    """Solve the joint's equation for its udot and put it into the body's."""
+    joint, s, g = k.system.joints[i], k.joints[i].S, k.graph
+    reach = body.times(s)
+    d = s.T @ reach
+    if i in loads.rotors:
+        d = d + loads.rotors[i]
+    _check_inertia(joint.name, d)
+    force = tau.block(slice(joint.u, joint.u + s.columns))
+    if i in loads.joints:
+        force = force + loads.joints[i]
+    available = force - s.T @ body.bias
+    if s.columns == 1:
+        inverse = g.label(g.div(ONE, d.nodes[0]), joint.name, "D_inverse")
+        gain = reach.T.map(lambda x: g.mul(inverse, x))
+        free = available.map(lambda x: g.mul(inverse, x))
+    else:
+        both = solve("spd", d, Matrix.hstack(reach.T, available))
+        gain, free = both.block(slice(None), slice(0, 6)), both.column(6)
+    free.label(joint.name, "free", [c.name for c in joint.element.speeds])
+    elimination = Elimination(free, gain, convective)
+    if k.system.bodies[i].parent < 0:
+        return elimination, body
+    plain = s.columns == 1 and i not in loads.rotors
+    return elimination, _rest(body, reach, gain, free, _unit(s) if plain else None)
+
+
+def _check_inertia(name: str, d: Matrix) -> None:
+    if any(d.nodes[j * d.columns + j] == ZERO for j in range(d.rows)):
+        raise DerivationError(
+            f"joint '{name}': nothing outboard of it has inertia along its motion, so that M is "
+            "singular. Give the bodies there a mass or an inertia, or fix or prescribe the joint"
+        )
+
+
+def _unit(s: Matrix) -> int | None:
+    """k where S is the k-th unit vector or its negative: that row of the rest is exactly zero."""
+    used = [j for j, node in enumerate(s.nodes) if node != ZERO]
+    return used[0] if len(used) == 1 and s.nodes[used[0]] in (1, 2) else None
+
+
+def _rest(
+    body: Articulated, reach: Matrix, gain: Matrix, free: Matrix, zero: int | None
+) -> Articulated:
+    """What the body still resists with its joint free: A - U D^-1 Uᵀ, symmetric."""
+    g = reach.graph
+
+    def part(x: Matrix, row: int, column: int, symmetric: bool) -> Matrix:
+        nodes: dict[tuple[int, int], int] = {}
+        for a in range(3):
+            for b in range(3):
+                if symmetric and b < a:
+                    nodes[a, b] = nodes[b, a]
+                elif zero in (row + a, column + b):
+                    nodes[a, b] = ZERO
+                else:
+                    lost = reach.block(slice(row + a, row + a + 1)) @ gain.column(column + b)
+                    nodes[a, b] = g.sub(x.nodes[3 * a + b], lost.nodes[0])
+        return Matrix(g, 3, 3, [nodes[a, b] for a in range(3) for b in range(3)])
+
+    bias = body.bias + reach @ free
+    return Articulated(
+        part(body.I, 0, 0, True), part(body.H, 0, 3, False), part(body.M, 3, 3, True), bias
+    )
+
+
+def _carried(k: Kinematics, i: int, rest: Articulated, convective: Matrix) -> Articulated:
+    """The rest of body i as its parent feels it: velocity products added, turned and moved."""
+    joint = k.joints[i]
+    fixed, r, p = k.matrix(3, 3, k.system.joints[i].rotation), joint.rotation, joint.position
+    bias = rest.bias + rest.times(_imposed_by_motion(k, i, convective))
+    tensor = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.I))
+    coupling = turn_general(fixed, turn_general(joint.inner, rest.H))
+    mass = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.M))
+    force = r @ bias.block(slice(3, 6))
+    moment = r @ bias.block(slice(0, 3)) + p.cross(force)
+    # a = a_p - [p] alpha_p, moment about the parent's origin: + [p] force
+    moved = coupling + p.skew @ mass
+    added = _symmetric(p.skew, coupling.T) - _symmetric(moved, p.skew)
+    return Articulated(tensor + added, moved, mass, Matrix.vstack(moment, force))
+
+
+def _imposed_by_motion(k: Kinematics, i: int, convective: Matrix) -> Matrix:
+    """Acceleration of body i at rest parent and udot: velocity products of joint and parent."""
+    joint, parent = k.joints[i], k.system.bodies[i].parent
+    omega = k.omega[parent]
+    centripetal = joint.rotation.T @ omega.cross(omega.cross(joint.position))
+    return convective + Matrix.vstack(Matrix.zeros(k.graph, 3), centripetal)
+
+
+def _symmetric(a: Matrix, b: Matrix) -> Matrix:
+    """Upper triangle of a b (3, 3), mirrored; for terms of a sum that is symmetric."""
+    upper = {(i, j): a.row(i) for i in range(3) for j in range(i, 3)}
+    nodes = {at: inner(a.graph, row, b.nodes[at[1] :: 3]) for at, row in upper.items()}
+    return Matrix(a.graph, 3, 3, [nodes[min(i, j), max(i, j)] for i in range(3) for j in range(3)])
+
+
+def _outward(k: Kinematics, eliminations: list[Elimination], gravity: Matrix) -> Matrix:
+    """Accelerations of the bodies and the udot they leave to the joints."""
+    g, reached = k.graph, list[Matrix]()
+    udot = [ZERO] * k.system.nu
+    for i, elimination in enumerate(eliminations):
+        parent, joint, record = k.system.bodies[i].parent, k.joints[i], k.system.joints[i]
+        with g.made_by(k.owner(i), "a"):
+            if parent < 0:
+                ground = joint.rotation.T @ -gravity
+                imposed = Matrix.vstack(Matrix.zeros(g, 3), ground) + elimination.imposed
+            else:
+                alpha, a = reached[parent].block(slice(0, 3)), reached[parent].block(slice(3, 6))
+                carried = joint.rotation.T @ (a + alpha.cross(joint.position))
+                imposed = Matrix.vstack(joint.rotation.T @ alpha, carried)
+                imposed = imposed + _imposed_by_motion(k, i, elimination.imposed)
+        if record.motion is not None:
+            reached.append(imposed)
+            continue
+        with g.made_by(record.name, "udot"):
+            own = elimination.free - elimination.gain @ imposed
+            own.label(record.name, "udot", [c.name for c in record.element.speeds])
+            udot[record.u : record.u + own.rows] = own.nodes
+        with g.made_by(k.owner(i), "a"):
+            reached.append(imposed + joint.S @ own)
+    return Matrix(g, k.system.nu, 1, udot)

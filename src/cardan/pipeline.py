@@ -1,0 +1,155 @@
+"""The whole way, one named value per stage."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import __version__, topology
+from .codegen import generate, layout, manifest
+from .equations.record import Equations, choose
+from .errors import BuildError, DerivationError
+from .runtime import cache
+from .runtime.compiled import CompiledModel
+
+if TYPE_CHECKING:
+    from .model import Model
+    from .topology.system import Named, System
+
+# what compile() may be asked for unless functions= says otherwise
+STANDARD = (
+    "rhs",
+    "forward_dynamics",
+    "inverse_dynamics",
+    "mass_matrix",
+    "bias",
+    "gravity",
+    "coriolis",
+    "applied",
+    "qdot",
+    "energy",
+    "pose",
+    "velocity",
+    "acceleration",
+    "frame_jacobian",
+    "com",
+    "momentum",
+    "reaction",
+    "outputs",
+    "power",
+    "integrate",
+    "difference",
+)
+
+
+def derive(
+    scene: Model,
+    coordinates: str = "relative",
+    method: str = "auto",
+    speeds: Mapping[str, Any] | None = None,
+) -> Equations:
+    """Equations of motion of a scene.
+
+    Args:
+        scene: The model.
+        coordinates: ``"relative"``: joint coordinates over the spanning tree.
+        method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
+        speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
+            joint speeds ``scene.u(...)``; as many as the system has speeds.
+
+    Returns:
+        The record that says everything else: matrices, counts, functions.
+
+    Raises:
+        ModelError, TopologyError: the scene is at fault.
+        DerivationError: no such method, or it does not take this system.
+    """
+    if coordinates != "relative":
+        raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
+    if speeds and method not in ("auto", "kane"):
+        raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
+    system = topology.build(scene)
+    chosen: tuple[Named, ...] = ()
+    if speeds:
+        chosen, method = topology.named_speeds(scene, system, speeds), "kane"
+    method, reason = choose(system, method)
+    return Equations(system, method, chosen, reason)
+
+
+def compile(
+    scene: Model | Equations,
+    functions: Sequence[str] = STANDARD,
+    directory: str | Path | None = None,
+    **options: Any,
+) -> CompiledModel:
+    """C functions of a scene, written, compiled and checked when they are first used.
+
+    Args:
+        scene: A model or its equations.
+        functions: What may be used; anything else is neither derived nor written.
+        directory: Where C and manifest go; a folder of the cache by default.
+        options: As :func:`derive` takes them, where ``scene`` is a model.
+
+    Raises:
+        DerivationError: an unknown function.
+        BuildError: no compiler, or a build that failed its check.
+    """
+    equations = scene if isinstance(scene, Equations) else derive(scene, **options)
+    known = equations.names()
+    for name in functions:
+        if name not in known:
+            equations.function(name)  # raises, with the near name
+    base = manifest.base(equations, tuple(functions))
+    folder = Path(directory) if directory is not None else _workspace(equations)
+    layout.write_model(folder, base)
+
+    def provide(name: str, of: str | None) -> str:
+        """Write the C of one function unless it is there."""
+        if name not in functions:
+            raise DerivationError(
+                f"function '{name}' was not asked for: compile(..., functions=[..., '{name}'])"
+            )
+        c_name = equations.c_name(name, of)
+        if not layout.has_function(folder, c_name):
+            function = equations.function(name, of)
+            text = generate(function, model=equations.system.name, notes=_notes(equations))
+            layout.add_function(folder, text, function)
+        return c_name
+
+    return CompiledModel(folder, provide)
+
+
+def _notes(equations: Equations) -> list[str]:
+    return [f"formalism: {equations.method}"]
+
+
+def fingerprint(equations: Equations) -> str:
+    """Hash of everything the C of a system depends on."""
+    system: System = equations.system
+    digest = hashlib.sha256()
+    for part in (
+        __version__,
+        equations.method,
+        equations.chosen,
+        system.graph.nodes,
+        system.graph.tables,
+        system,
+        system.frames,
+        system.parameters,
+        system.atoms,
+    ):
+        digest.update(repr(part).encode())
+    return digest.hexdigest()
+
+
+def _workspace(equations: Equations) -> Path:
+    """Folder of the cache for the C of these equations; a temporary one where that is unusable."""
+    try:
+        folder = cache.directory() / "models" / fingerprint(equations)[:32]
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except (OSError, BuildError):
+        return Path(tempfile.mkdtemp(prefix="cardan-"))
+    return folder
