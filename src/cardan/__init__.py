@@ -73,7 +73,7 @@ _PUBLIC: dict[str, str] = {
 }
 _MODULES = frozenset({"inertia", "shape"})
 
-__all__ = ["__version__", *_PUBLIC]  # noqa: PLE0604
+__all__ = ["__version__", *_PUBLIC]
 
 
 def __getattr__(name: str) -> Any:

@@ -18,7 +18,13 @@ from .kinematics import Kinematics
 
 @dataclass(frozen=True)
 class Context:
-    """What a builder works with: the dynamics, input blocks' names and the frame or joint asked for."""
+    """What a builder works with.
+
+    Attributes:
+        d: The dynamics, underived.
+        names, units: Of the entries of every input block, and of ``qdot``.
+        of: The frame or joint asked for.
+    """
 
     d: Dynamics
     names: dict[str, tuple[str, ...]]
@@ -185,8 +191,9 @@ def _power(c: Context) -> tuple[Output, ...]:
 
 
 def _list(name: str, values: list[tuple[str, int, str]]) -> tuple[Output, ...]:
-    names, nodes, units = ([v[j] for v in values] for j in range(3))
-    return (Output(name, (len(values),), tuple(nodes), tuple(names), tuple(units)),)
+    names = tuple(v[0] for v in values)
+    nodes = tuple(v[1] for v in values)
+    return (Output(name, (len(values),), nodes, names, tuple(v[2] for v in values)),)
 
 
 def _by_joint(c: Context, first: str, second: str, result: str) -> tuple[Output, ...]:

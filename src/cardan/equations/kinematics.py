@@ -20,7 +20,8 @@ from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
-from ..topology.system import Atom, Joint, Named, System
+from ..topology.system import Joint, Named, System
+from .placeholders import placeholder
 
 
 @dataclass(frozen=True)
@@ -335,45 +336,7 @@ class Kinematics:
         replace = {n: r for n, r in self._replace.items() if n < len(self.system.graph)}
         for i in live(g, nodes):
             if g.nodes[i][0] == "atom":
-                replace[i] = self._atom(self.system.atoms[g.nodes[i][1]])
+                replace[i] = placeholder(self, self.system.atoms[g.nodes[i][1]])
         if not replace:
             return tuple(nodes)
         return tuple(rebuild(g, nodes, replace, into=g)[1])
-
-    def _atom(self, atom: Atom) -> int:
-        if atom.quantity in ("q", "u"):
-            values = self.coordinates if atom.quantity == "q" else self.speeds
-            return values[atom.frame].nodes[atom.component]
-        axes = self.rotation(atom.in_).T
-        if atom.quantity == "position":
-            value = axes @ (self.position(atom.frame) - self.position(atom.wrt))
-        elif atom.quantity == "rotation":
-            value = self.rotation(atom.wrt).T @ self.rotation(atom.frame)
-        elif atom.quantity == "angular_velocity":
-            value = axes @ (self.angular_velocity(atom.frame) - self.angular_velocity(atom.wrt))
-        elif atom.quantity == "velocity":
-            value = axes @ self._relative_velocity(atom)
-        elif self.acceleration is not None:
-            value = axes @ self._relative_acceleration(atom, self.acceleration)
-        else:
-            raise DerivationError(
-                f"{atom.quantity} of frame '{self.system.frames[atom.frame].name}' cannot stand "
-                "in a force law: it depends on the force. Use position, velocity, rotation or "
-                "angular_velocity there; accelerations may stand in outputs"
-            )
-        return value.nodes[atom.component]
-
-    def _relative_velocity(self, atom: Atom) -> Matrix:
-        """Velocity of a frame's origin as seen from another frame, in ground axes."""
-        offset = self.position(atom.frame) - self.position(atom.wrt)
-        transport = self.angular_velocity(atom.wrt).cross(offset)
-        return self.velocity(atom.frame) - self.velocity(atom.wrt) - transport
-
-    def _relative_acceleration(self, atom: Atom, of: Callable[[int], Matrix]) -> Matrix:
-        """Acceleration of a frame's origin as seen from another frame, in ground axes."""
-        base, own = of(atom.wrt), of(atom.frame)
-        alpha, omega = base.block(slice(0, 3)), self.angular_velocity(atom.wrt)
-        offset = self.position(atom.frame) - self.position(atom.wrt)
-        transport = alpha.cross(offset) + omega.cross(omega.cross(offset))
-        coriolis = omega.cross(self._relative_velocity(atom)) * 2
-        return own.block(slice(3, 6)) - base.block(slice(3, 6)) - transport - coriolis

@@ -199,7 +199,8 @@ class Equations:
         """
         from ..ir.sympy_bridge import to_sympy_shared
 
-        return to_sympy_shared(self.function(name), self.symbols)
+        replacements, matrix = to_sympy_shared(self.function(name), self.symbols)
+        return replacements, matrix
 
     def export(self, directory: str | Path, functions: tuple[str, ...] | None = None) -> Path:
         """Write C, header and manifest that compile alone; see :func:`cardan.codegen.export`."""

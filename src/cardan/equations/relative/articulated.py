@@ -1,8 +1,8 @@
 """Articulated bodies: forward dynamics in one inward and one outward sweep.
 
 A body with everything outboard of it answers an acceleration of its origin with the moment and
-force [[I, H], [Hᵀ, M]] [alpha; a] + bias; the free speeds of each joint are eliminated on the way in.
-Accelerations are those of the origins, so that no linear velocity is needed.
+force [[I, H], [Hᵀ, M]] [alpha; a] + bias; the free speeds of each joint are eliminated on the way
+in. Accelerations are those of the origins, so that no linear velocity is needed.
 
 Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7.
 """

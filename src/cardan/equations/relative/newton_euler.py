@@ -136,7 +136,7 @@ def inverse_dynamics(
     for i in range(len(k.joints) - 1, -1, -1):
         with k.graph.made_by(k.system.joints[i].name, "tau"):
             tau = tau + spread(k, i, driving_force(k, i, forces, loads, along[i]))
-    for i, joint in enumerate(k.system.joints):
+    for joint in k.system.joints:
         if joint.u >= 0:
             names = [c.name for c in joint.element.speeds]
             tau.block(slice(joint.u, joint.u + len(names))).label(joint.name, "tau", names)
