@@ -7,6 +7,7 @@ smaller indices, so the list order is a valid order of evaluation and every pass
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -23,7 +24,7 @@ MADE_BY_NOBODY: Origin = ("", "")
 
 @dataclass(frozen=True)
 class Table:
-    """A piecewise polynomial of measured data.
+    """A piecewise polynomial of measured data; its first and last piece continue outside.
 
     Attributes:
         breaks: Increasing abscissae, (n+1,).
@@ -32,6 +33,19 @@ class Table:
 
     breaks: tuple[float, ...]
     coefficients: tuple[tuple[float, ...], ...]
+
+    @property
+    def order(self) -> int:
+        """Number of coefficients of a piece; this derivative and higher ones are zero."""
+        return len(self.coefficients[0])
+
+    def piece(self, x: float) -> int:
+        """Number of the piece in which x lies; a break belongs to the piece it begins."""
+        return min(max(bisect_right(self.breaks, x) - 1, 0), len(self.coefficients) - 1)
+
+    def factors(self, derivative: int) -> list[int]:
+        """What the powers x^j, highest first, leave as factors when they are differentiated."""
+        return [math.perm(j, derivative) for j in range(self.order - 1, derivative - 1, -1)]
 
 
 class Graph:

@@ -47,23 +47,24 @@ def stumpff(k: int, x: float) -> float:
 
     Source: K. Stumpff, Himmelsmechanik I, 1959.
     """
-    if abs(x) < 1.0:
-        # the series: twelve terms reach double precision for |x| < 1
-        term = 1.0 / math.factorial(k)
-        total = term
-        for i in range(1, 13):
-            term *= -x / ((k + 2 * i - 1) * (k + 2 * i))
+    if 2.0 * abs(x) < (k + 1) * (k + 2):
+        # the series: its terms fall at once, so that nothing cancels
+        term = total = 1.0 / math.factorial(k)
+        i = k
+        while abs(term) > 1e-17 * abs(total):
+            term *= -x / ((i + 1) * (i + 2))
             total += term
+            i += 2
         return total
-    root = math.sqrt(abs(x))
-    if x > 0:
-        value, other = math.cos(root), math.sin(root) / root
-    else:
-        value, other = math.cosh(root), math.sinh(root) / root
-    # c_{k+2} = (1/k! - c_k) / x, upwards from c_0 and c_1
-    for j in range(k):
-        value, other = other, (1.0 / math.factorial(j) - value) / x
-    return value
+    if k < 2:
+        root = math.sqrt(abs(x))
+        if k == 0:
+            return math.cos(root) if x > 0 else math.cosh(root)
+        return (math.sin(root) if x > 0 else math.sinh(root)) / root
+    if k == 2:
+        # half angle: keeps the digits where 1 - cos vanishes
+        return 0.5 * stumpff(1, 0.25 * x) ** 2
+    return (1.0 / math.factorial(k - 2) - stumpff(k - 2, x)) / x
 
 
 def _sign(x: float) -> float:

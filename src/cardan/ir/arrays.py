@@ -1,0 +1,111 @@
+"""NumPy arrays as numbers of the interpreter: every node is evaluated for a whole batch."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from . import numbers
+from .graph import Table
+from .numbers import Numbers, Operators
+
+
+class Arrays(Numbers):
+    """Arrays of floats; tables and solutions entry by entry of the batch."""
+
+    def table(self, table: Table, derivative: int, x: Any) -> Any:
+        """Derivative of a table at x."""
+        breaks, coefficients = np.array(table.breaks), np.array(table.coefficients)
+        piece = np.searchsorted(breaks, x, side="right") - 1
+        piece = np.clip(piece, 0, len(coefficients) - 1)
+        h, total = x - breaks[piece], np.zeros_like(x)
+        for j, factor in enumerate(table.factors(derivative)):
+            total = total * h + coefficients[piece, j] * factor
+        return total
+
+    def solve(self, kind: str, n: int, m: int, entries: list[Any]) -> list[Any]:
+        """X (n m, row by row) of A X = B, from the entries of A and B row by row."""
+        both = np.stack(np.broadcast_arrays(*entries), axis=-1)
+        batch = both.shape[:-1]
+        if kind == "rank_revealing":
+            # the choice of pivots differs within the batch
+            flat = both.reshape(-1, n * (n + m))
+            solved = [numbers.FLOATS.solve(kind, n, m, row.tolist()) for row in flat]
+            x = np.array(solved).reshape((*batch, n * m))
+        else:
+            a = both[..., : n * n].reshape((*batch, n, n))
+            b = both[..., n * n :].reshape((*batch, n, m))
+            x = np.linalg.solve(a, b).reshape((*batch, n * m))
+        return [x[..., k] for k in range(n * m)]
+
+
+def _as_float(condition: Any) -> Any:
+    return np.asarray(condition, dtype=float)
+
+
+def stumpff(k: int, x: Any) -> Any:
+    """c_k(x) of an array, as :func:`cardan.ir.ops.stumpff`."""
+    x = np.asarray(x, dtype=float)
+    near = 2.0 * np.abs(x) < (k + 1) * (k + 2)
+    # the series where nothing cancels; 24 terms are enough for every k
+    small = np.where(near, x, 0.0)
+    term = np.full_like(x, 1.0 / math.factorial(k))
+    series = term.copy()
+    for i in range(k, k + 48, 2):
+        term = term * (-small / ((i + 1) * (i + 2)))
+        series = series + term
+    if near.all():
+        return series
+    far = np.where(near, 1.0, x)
+    return np.where(near, series, _closed(k, far))
+
+
+def _closed(k: int, x: Any) -> Any:
+    if k < 2:
+        root = np.sqrt(np.abs(x))
+        if k == 0:
+            return np.where(x > 0, np.cos(root), np.cosh(root))
+        return np.where(x > 0, np.sin(root), np.sinh(root)) / root
+    if k == 2:
+        return 0.5 * stumpff(1, 0.25 * x) ** 2
+    return (1.0 / math.factorial(k - 2) - stumpff(k - 2, x)) / x
+
+
+# spelled the same in NumPy
+_SAME_NAME = (
+    *("sqrt", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh"),
+    *("abs", "sign", "floor"),
+)
+
+
+@cache
+def arrays() -> Arrays:
+    """The arithmetic of arrays."""
+    operators: Operators = {
+        "add": np.add,
+        "sub": np.subtract,
+        "mul": np.multiply,
+        "div": np.divide,
+        "neg": np.negative,
+        "asin": np.arcsin,
+        "acos": np.arccos,
+        "atan": np.arctan,
+        "atan2": np.arctan2,
+        "pow": np.power,
+        "min": np.minimum,
+        "max": np.maximum,
+        "lt": lambda a, b: _as_float(a < b),
+        "le": lambda a, b: _as_float(a <= b),
+        "eq": lambda a, b: _as_float(a == b),
+        "and": lambda a, b: _as_float((a != 0) & (b != 0)),
+        "or": lambda a, b: _as_float((a != 0) | (b != 0)),
+        "not": lambda a: _as_float(a == 0),
+        "select": lambda c, a, b: np.where(c != 0, a, b),
+        "stumpff": stumpff,
+    }
+    for name in _SAME_NAME:
+        operators[name] = getattr(np, name)
+    return Arrays("numpy", np.float64, operators, lambda x: x, np.finfo(float).eps)
