@@ -1,0 +1,79 @@
+"""The formalisms agree with each other and with the definition of M on random trees."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from cardan.equations.record import Equations
+from cardan.equations.relative import FORMALISMS
+from cardan.errors import DerivationError
+from cardan.ir.interpreter import evaluate
+
+from .trees import TREES, Tree, state
+
+EPS = np.finfo(float).eps
+
+
+def values(tree: Tree, method: str, name: str, seed: int, **given: list[float]) -> np.ndarray:
+    """The first output of a function at a random state."""
+    function = Equations(tree.system, method).function(name)
+    inputs = {**state(tree.system, seed), "p": list(tree.p), **given}
+    result = evaluate(function, inputs)
+    return np.asarray(result[function.outputs[0].name], dtype=float)
+
+
+@pytest.mark.parametrize("name", TREES)
+@pytest.mark.parametrize("method", FORMALISMS)
+def test_formalisms_agree_with_kane(name: str, method: str) -> None:
+    tree = TREES[name]
+    for seed in range(3):
+        m = values(tree, "kane", "mass_matrix", seed)
+        m = m.reshape(tree.system.nu, tree.system.nu)
+        tolerance = 100 * EPS * np.linalg.cond(m)
+        for quantity in ("mass_matrix", "bias", "gravity", "inverse_dynamics", "forward_dynamics"):
+            expected = values(tree, "kane", quantity, seed)
+            got = values(tree, method, quantity, seed)
+            error = np.abs(got - expected).max() / np.abs(expected).max()
+            assert error <= tolerance, (quantity, seed)
+
+
+@pytest.mark.parametrize("name", TREES)
+@pytest.mark.parametrize("method", FORMALISMS)
+def test_forward_dynamics_undoes_inverse_dynamics(name: str, method: str) -> None:
+    tree = TREES[name]
+    m = values(tree, method, "mass_matrix", 7).reshape(tree.system.nu, tree.system.nu)
+    tau = values(tree, method, "inverse_dynamics", 7)
+    udot = values(tree, method, "forward_dynamics", 7, tau=list(tau))
+    expected = np.array(state(tree.system, 7)["udot"])
+    assert np.abs(udot - expected).max() <= 100 * EPS * np.linalg.cond(m) * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("name", TREES)
+def test_bias_is_gravity_and_coriolis(name: str) -> None:
+    tree = TREES[name]
+    parts = [values(tree, "composite", q, 5) for q in ("gravity", "coriolis")]
+    bias = values(tree, "composite", "bias", 5)
+    np.testing.assert_allclose(parts[0] + parts[1], bias, rtol=0, atol=1e-13 * np.abs(bias).max())
+
+
+def test_names_of_other_schools_are_translated() -> None:
+    from cardan.equations.record import choose
+
+    system = TREES["chain"].system
+    with pytest.raises(DerivationError, match="'aba' is called 'articulated' here"):
+        choose(system, "aba")
+    with pytest.raises(DerivationError, match="Did you mean 'composite'"):
+        choose(system, "composit")
+
+
+def test_unknown_function_frame_and_joint_are_named() -> None:
+    equations = Equations(TREES["chain"].system, "composite")
+    with pytest.raises(DerivationError, match="Did you mean 'mass_matrix'"):
+        equations.function("massmatrix")
+    with pytest.raises(DerivationError, match="frame 'tipp1' does not exist"):
+        equations.function("pose", "tipp1")
+    with pytest.raises(DerivationError, match="joint 'jont0' does not exist"):
+        equations.function("reaction", "jont0")
+    with pytest.raises(DerivationError, match="needs a frame"):
+        equations.function("pose")
