@@ -1,0 +1,161 @@
+"""Functions as plain data: dictionaries, lists, strings and numbers, ready for JSON.
+
+Saved Functions are there to be evaluated and differentiated. What only the reader of C needs, the
+origins and labels of nodes, is not saved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from .function import Block, Function, Output
+from .grammar import check
+from .graph import Graph, Node, Table
+from .ops import LEAVES
+
+SCHEMA = 1
+MOST_NODES = 4_000_000
+MOST_ENTRIES = 4_000_000
+
+
+def to_dict(function: Function) -> dict[str, Any]:
+    """The function with the nodes that its results need, renumbered."""
+    order = function.live()
+    place = {i: k for k, i in enumerate(order)}
+    return {
+        "schema": SCHEMA,
+        "name": function.name,
+        "about": function.about,
+        "owners": list(function.owners),
+        "inputs": [
+            {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
+            for b in function.inputs
+        ],
+        "outputs": [
+            {
+                "name": o.name,
+                "shape": list(o.shape),
+                "nodes": [place[i] for i in o.nodes],
+                "entries": list(o.entries),
+                "units": list(o.units),
+            }
+            for o in function.outputs
+        ],
+        "tables": [
+            {"breaks": list(t.breaks), "coefficients": [list(c) for c in t.coefficients]}
+            for t in function.graph.tables
+        ],
+        "nodes": [_saved(function.graph.nodes[i], place) for i in order],
+    }
+
+
+def _saved(node: Node, place: Mapping[int, int]) -> list[Any]:
+    op = node[0]
+    if op in LEAVES:
+        return list(node)
+    if op == "item":
+        return [op, place[node[1]], node[2]]
+    if op == "solve":
+        return [*node[:4], *[place[k] for k in node[4:]]]
+    return [op, *[place[k] for k in node[1:]]]
+
+
+def from_dict(data: Mapping[str, Any]) -> Function:
+    """The function that :func:`to_dict` saved.
+
+    Raises:
+        ValueError: the data is not a saved function of this schema, is too large, or breaks a rule
+            of :mod:`cardan.ir.grammar`.
+    """
+    if not isinstance(data, Mapping) or data.get("schema") != SCHEMA:
+        raise ValueError(f"a saved function has 'schema': {SCHEMA}; this is none of them")
+    nodes = _list(data, "nodes", MOST_NODES)
+    graph, place = Graph(), list[int]()
+    graph.tables = [_table(t) for t in _list(data, "tables", MOST_NODES)]
+    for number, saved in enumerate(nodes):
+        place.append(graph.intern(_read(saved, number, place)))
+    inputs = tuple(
+        Block(_text(b, "name"), _texts(b, "entries"), _texts(b, "units"))
+        for b in _list(data, "inputs", 64)
+    )
+    outputs = tuple(_output(o, place) for o in _list(data, "outputs", MOST_ENTRIES))
+    name, about = _text(data, "name"), _text(data, "about")
+    return check(Function(name, graph, inputs, outputs, _texts(data, "owners"), about))
+
+
+def _read(saved: Any, number: int, place: Sequence[int]) -> Node:
+    """A node on the operands read before it."""
+    where = f"node {number} of a saved function"
+    if not isinstance(saved, list) or not saved or not isinstance(saved[0], str):
+        raise ValueError(f"{where}: expected a list that begins with an operator, not {saved!r}")
+    op, rest = saved[0], saved[1:]
+    if op == "const":
+        if len(rest) != 1 or isinstance(rest[0], bool) or not isinstance(rest[0], int | float):
+            raise ValueError(f"{where}: a constant holds one number")
+        return (op, float(rest[0]) + 0.0)
+    if op in LEAVES:
+        return (op, *rest) if all(isinstance(x, str | int) for x in rest) else (op,)
+    data = rest[:3] if op == "solve" else rest[1:] if op == "item" else []
+    indices = rest[3:] if op == "solve" else rest[:1] if op == "item" else rest
+    for k in indices:
+        if type(k) is not int or not 0 <= k < number:
+            raise ValueError(f"{where}: operand {k!r} does not stand before it")
+    if not all(type(x) in (int, str) for x in data):
+        raise ValueError(f"{where}: {data!r} are neither names nor whole numbers")
+    copies = [place[k] for k in indices]
+    return (op, *copies, *data) if op == "item" else (op, *data, *copies)
+
+
+def _output(saved: Any, place: Sequence[int]) -> Output:
+    shape = tuple(_list(saved, "shape", 8))
+    nodes = _list(saved, "nodes", MOST_ENTRIES)
+    if not all(type(n) is int and n >= 0 for n in shape) or math.prod(shape) != len(nodes):
+        raise ValueError(f"{len(nodes)} nodes of a saved result do not fill {shape}")
+    if not all(type(k) is int and 0 <= k < len(place) for k in nodes):
+        raise ValueError(f"a saved result names nodes that are not among the {len(place)} saved")
+    copies = tuple(place[k] for k in nodes)
+    return Output(
+        _text(saved, "name"), shape, copies, _texts(saved, "entries"), _texts(saved, "units")
+    )
+
+
+def _table(saved: Any) -> Table:
+    breaks = tuple(map(_number, _list(saved, "breaks", MOST_ENTRIES)))
+    rows = _list(saved, "coefficients", MOST_ENTRIES)
+    pieces = tuple(tuple(map(_number, row)) for row in rows if isinstance(row, list))
+    orders = {len(piece) for piece in pieces}
+    rising = all(a < b for a, b in zip(breaks, breaks[1:], strict=False))
+    if len(pieces) != len(breaks) - 1 or len(orders) != 1 or 0 in orders or not rising:
+        raise ValueError("a saved table needs rising breaks and one row of coefficients per piece")
+    return Table(breaks, pieces)
+
+
+def _number(x: Any) -> float:
+    if isinstance(x, bool) or not isinstance(x, int | float) or not math.isfinite(x):
+        raise ValueError(f"a saved table holds finite numbers, not {x!r}")
+    return float(x)
+
+
+def _list(data: Any, key: str, most: int) -> list[Any]:
+    value = data.get(key) if isinstance(data, Mapping) else None
+    if not isinstance(value, list):
+        raise ValueError(f"a saved function needs the list '{key}'")
+    if len(value) > most:
+        raise ValueError(f"'{key}' of a saved function has {len(value)} entries; at most {most}")
+    return value
+
+
+def _text(data: Any, key: str) -> str:
+    value = data.get(key) if isinstance(data, Mapping) else None
+    if not isinstance(value, str):
+        raise ValueError(f"a saved function needs the text '{key}'")
+    return value
+
+
+def _texts(data: Any, key: str) -> tuple[str, ...]:
+    values = _list(data, key, MOST_ENTRIES)
+    if not all(isinstance(x, str) for x in values):
+        raise ValueError(f"'{key}' of a saved function must hold texts")
+    return tuple(values)
