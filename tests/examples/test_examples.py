@@ -1,0 +1,31 @@
+"""Every script in examples/ runs as a reader would run it, in an empty folder."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SCRIPTS = sorted(EXAMPLES.glob("*.py"))
+LEAVES = {
+    "01_double_pendulum": ("motion.png", "motion.html", "motion.nc"),
+    "02_robot_arm": ("arm.html",),
+    "03_derive_and_export": ("forward_dynamics.c", "manifest.json"),
+}
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
+def test_example(script: Path, tmp_path: Path) -> None:
+    command = [sys.executable, str(script)]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.strip()
+    left = {path.name for path in tmp_path.rglob("*") if path.is_file()}
+    assert set(LEAVES[script.stem]) <= left
+
+
+def test_all_examples_are_known() -> None:
+    assert {script.stem for script in SCRIPTS} == set(LEAVES)

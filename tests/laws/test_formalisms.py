@@ -1,0 +1,80 @@
+"""All formalisms give the same M, inverse and forward dynamics on the whole zoo."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from laws.cases import SEED, bound, call, derived, deviation, states
+from mechanisms import METHODS, ZOO
+
+PAIRS = [(name, method) for name, member in ZOO.items() for method in member.methods[1:]]
+
+
+def udot_of(name: str) -> np.ndarray:
+    return np.random.default_rng(SEED + 1).uniform(-3, 3, states(name)[1].shape)
+
+
+@pytest.mark.parametrize(("name", "method"), PAIRS)
+def test_agreement(name: str, method: str) -> None:
+    q, u = states(name)
+    first, other = derived(name, ZOO[name].methods[0]), derived(name, method)
+    mass = call(first, "mass_matrix", q=q)["M"]
+    allowed = bound(mass)
+    found = {
+        "M": (call(other, "mass_matrix", q=q)["M"], mass),
+        "tau": tuple(
+            call(e, "inverse_dynamics", q=q, u=u, udot=udot_of(name))["tau"] for e in (other, first)
+        ),
+        "udot": tuple(call(e, "forward_dynamics", q=q, u=u)["udot"] for e in (other, first)),
+    }
+    errors = {key: deviation(*pair) / allowed for key, pair in found.items()}
+    assert {key: error.max() for key, error in errors.items() if error.max() > 1} == {}
+
+
+@pytest.mark.parametrize("name", ZOO)
+def test_mass_matrix_is_symmetric_and_positive(name: str) -> None:
+    mass = call(derived(name), "mass_matrix", q=states(name)[0])["M"]
+    np.testing.assert_allclose(mass, np.swapaxes(mass, -1, -2), rtol=1e-14, atol=1e-14 * mass.max())
+    assert np.linalg.eigvalsh(mass).min() > 0
+
+
+@pytest.mark.parametrize("name", ZOO)
+def test_inverse_dynamics_is_mass_matrix_and_bias(name: str) -> None:
+    (q, u), udot, e = states(name), udot_of(name), derived(name)
+    mass = call(e, "mass_matrix", q=q)["M"]
+    bias = call(e, "bias", q=q, u=u)["h"]
+    applied = call(e, "applied", q=q, u=u)["f"]
+    expected = np.einsum("kij,kj->ki", mass, udot) + bias - applied
+    tau = call(e, "inverse_dynamics", q=q, u=u, udot=udot)["tau"]
+    # three sums of the size of their largest term, a few roundings per body
+    size = np.abs(mass).max() * np.abs(udot).max() + np.abs(bias).max() + np.abs(applied).max()
+    np.testing.assert_allclose(tau, expected, rtol=0, atol=100 * np.finfo(float).eps * size)
+
+
+@pytest.mark.parametrize("name", ZOO)
+def test_forward_undoes_inverse(name: str) -> None:
+    (q, u), udot, e = states(name), udot_of(name), derived(name)
+    tau = call(e, "inverse_dynamics", q=q, u=u, udot=udot)["tau"]
+    back = call(e, "forward_dynamics", q=q, u=u, tau=tau)["udot"]
+    mass = call(e, "mass_matrix", q=q)["M"]
+    # tau carries the rounding of h, which may be larger than M udot
+    bias = np.abs(call(e, "bias", q=q, u=u)["h"]).max(axis=1)
+    growth = 1 + bias / np.abs(tau).max(axis=1)
+    assert np.all(deviation(back, udot) <= growth * bound(mass))
+
+
+def test_the_zoo_covers_what_it_promises() -> None:
+    from cardan.elements.joints import JOINTS
+    from cardan.spatial.rotations import ROTATIONS
+
+    systems = [derived(name, "newton_euler").system for name in ZOO]
+    elements = [joint.element for system in systems for joint in system.joints]
+    kinds = {element.kind for element in elements}
+    kinds |= {"fixed"} if any(system.fixed for system in systems) else set()
+    assert kinds == set(JOINTS)
+    assert {element.rotation for element in elements if element.kind == "spherical"} >= set(
+        ROTATIONS
+    )
+    assert set(METHODS) == {m for member in ZOO.values() for m in member.methods}
+    assert len({name.split("_")[0] for name in ZOO}) >= 12

@@ -1,0 +1,16 @@
+"""The zoo: small scenes that together use every joint, rotation, coupling and force.
+
+A new mechanism is one function and one ``Mechanism`` in the ``MEMBERS`` of its file; the laws
+iterate this list.
+"""
+
+from . import forced, joints, pendulums, rotations, trees
+from .mechanism import METHODS, Mechanism, State
+
+ZOO: dict[str, Mechanism] = {
+    member.name: member
+    for family in (pendulums, joints, trees, rotations, forced)
+    for member in family.MEMBERS
+}
+
+__all__ = ["METHODS", "ZOO", "Mechanism", "State"]
