@@ -293,7 +293,7 @@ class Graph:
 
 
 _EVEN = frozenset({"cos", "cosh", "abs"})
-_ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"})
+_ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign"})
 _CONSTRUCTORS: dict[str, Callable[..., int]] = {
     "add": Graph.add,
     "sub": Graph.sub,

@@ -18,7 +18,7 @@ Operators = dict[str, Callable[..., Any]]
 # spelled the same in math, cmath and mpmath
 _FUNCTIONS = (
     *("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan"),
-    *("sinh", "cosh", "tanh"),
+    *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
 )
 
 
@@ -87,10 +87,11 @@ def _floats() -> Numbers:
         "cosh": lambda a: math.inf,
         "sinh": lambda a: math.copysign(math.inf, a),
         "floor": lambda a: a,
+        "atanh": lambda a: math.copysign(math.inf, a) if abs(a) == 1 else math.nan,
         "pow": _power_outside,
         "stumpff": lambda k, x: math.inf if x < 0 else math.nan,
     }
-    for name in (*outside, "sqrt", "sin", "cos", "tan", "asin", "acos"):
+    for name in (*outside, "sqrt", "sin", "cos", "tan", "asin", "acos", "acosh"):
         operators[name] = _guarded(operators[name], outside.get(name, lambda *a: math.nan))
     return Numbers("float", float, operators, lambda x: x, math.ulp(1.0))
 

@@ -31,6 +31,12 @@ def _root_of_circle(g: Graph, x: int) -> int:
     return guarded(g, root, g.div(ONE, root))
 
 
+def _root_of_hyperbola(g: Graph, x: int) -> int:
+    """1/sqrt(x^2 - 1), and 0 at 1."""
+    root = g.apply("sqrt", g.mul(g.sub(x, ONE), g.add(ONE, x)))
+    return guarded(g, root, g.div(ONE, root))
+
+
 def _inverse_square(g: Graph, x: int) -> int:
     inverse = g.div(ONE, x)
     return g.mul(inverse, inverse)
@@ -89,6 +95,9 @@ PARTIALS: dict[str, tuple[Partial, ...]] = {
     "cosh": (lambda g, i, x: g.apply("sinh", x[0]),),
     # 1 - tanh^2 would lose its digits where tanh is near 1
     "tanh": (lambda g, i, x: _inverse_square(g, g.apply("cosh", x[0])),),
+    "asinh": (lambda g, i, x: g.div(ONE, g.apply("sqrt", g.add(ONE, g.square(x[0])))),),
+    "acosh": (lambda g, i, x: _root_of_hyperbola(g, x[0]),),
+    "atanh": (lambda g, i, x: g.div(ONE, g.mul(g.sub(ONE, x[0]), g.add(ONE, x[0]))),),
     "pow": (_power_base, _power_exponent),
     "abs": (lambda g, i, x: g.apply("sign", x[0]),),
     "stumpff": (_nothing, _stumpff),

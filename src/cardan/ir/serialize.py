@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from .function import Block, Function, Output
@@ -126,7 +127,7 @@ def _table(saved: Any) -> Table:
     rows = _list(saved, "coefficients", MOST_ENTRIES)
     pieces = tuple(tuple(map(_number, row)) for row in rows if isinstance(row, list))
     orders = {len(piece) for piece in pieces}
-    rising = all(a < b for a, b in zip(breaks, breaks[1:], strict=False))
+    rising = all(a < b for a, b in pairwise(breaks))
     if len(pieces) != len(breaks) - 1 or len(orders) != 1 or 0 in orders or not rising:
         raise ValueError("a saved table needs rising breaks and one row of coefficients per piece")
     return Table(breaks, pieces)

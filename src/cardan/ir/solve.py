@@ -6,6 +6,8 @@ row by row. Entries of A that are structural zeros are its sparsity pattern.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from .graph import ZERO, Graph
 from .matrix import Matrix
 
@@ -71,3 +73,33 @@ def substitute(lower: list[list[int]], inverse: list[int], graph: Graph, b: list
             if lower[k][j] != ZERO:
                 x[k] = graph.sub(x[k], graph.mul(lower[k][j], x[j]))
     return x
+
+
+Factor = tuple[list[list[int]], list[int]]
+
+
+def unrolled(
+    graph: Graph, n: int, m: int, entries: Sequence[int], factors: dict[tuple[int, ...], Factor]
+) -> list[int]:
+    """A positive definite system as straight-line expressions.
+
+    Args:
+        graph: Where the entries live.
+        n, m: Rows of A, columns of B.
+        entries: A and B, row by row.
+        factors: Factors by the entries of their matrix; a known A is not factored again.
+
+    Returns:
+        X, row by row.
+    """
+    a, b = tuple(entries[: n * n]), entries[n * n :]
+    if a not in factors:
+        lower, inverse = factors[a] = ltl(Matrix(graph, n, n, a))
+        owner = graph.origin[0]
+        # names for the reader: rows of L and reciprocals of D
+        for k in range(n):
+            graph.label(inverse[k], owner, f"D_inverse_{k + 1}")
+            for j in range(k):
+                graph.label(lower[k][j], owner, f"L_{k + 1}_{j + 1}")
+    columns = [substitute(*factors[a], graph, list(b[j::m])) for j in range(m)]
+    return [columns[j][i] for i in range(n) for j in range(m)]
