@@ -1,0 +1,92 @@
+"""``cardan demo``: from a URDF to a simulation on one screen, every figure measured live."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.metadata
+import importlib.util
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..errors import BuildError
+
+DESCRIPTION = """\
+Go the whole way from a URDF to a simulation and show every step on one screen: the graph, the
+derivation, six lines of the C, its speed and its error, a motion and how well it keeps energy."""
+
+EPILOG = """\
+examples:
+  cardan demo           an acrobat on a bar; needs nothing but a C compiler, takes seconds
+  cardan demo panda     the Franka Panda arm; needs the packages of  pip install 'cardan[demo]'
+
+Everything written goes to out/demo or out/demo-panda below the present folder (--out elsewhere)."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A robot the demo can show: how to say it in Python, and where its motion starts."""
+
+    load: str
+    q: dict[str, float]
+
+
+SCENES = {
+    "acrobat": Scene("acrobat.urdf", {"grip": 1.8, "left_hip": -0.6, "right_knee": 0.5}),
+    "panda": Scene(
+        "panda_description/urdf/panda.urdf",
+        {"panda_joint2": 0.4, "panda_joint4": -1.8, "panda_joint6": 1.2},
+    ),
+}
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    parser.add_argument(
+        "scene", nargs="?", choices=tuple(SCENES), default="acrobat", help="(default acrobat)"
+    )
+    parser.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Take the tour and print the screen."""
+    scene = SCENES[options.scene]
+    suffix = "" if options.scene == "acrobat" else f"-{options.scene}"
+    out = options.out or Path("out") / f"demo{suffix}"
+    path = locate(options.scene)
+    out.mkdir(parents=True, exist_ok=True)
+    # a compile cache of its own: the demo shows what compiling costs, not what it once did
+    with tempfile.TemporaryDirectory(prefix="cardan-demo-") as private:
+        os.environ["CARDAN_CACHE"] = private
+        from .terminal import progress
+        from .tour import take
+
+        picture = importlib.util.find_spec("matplotlib") is not None
+        with progress() as show:
+            tour = take(path, out, scene.q, show, picture)
+    from .screen import display
+
+    display(tour, path, scene.q)
+    return 0
+
+
+def locate(name: str) -> Path:
+    """The URDF of a scene.
+
+    Raises:
+        BuildError: the package that ships it is not installed.
+    """
+    if name == "acrobat":
+        return Path(__file__).parent / "scenes" / SCENES[name].load
+    try:
+        files = importlib.metadata.files("example-robot-data") or []
+    except importlib.metadata.PackageNotFoundError:
+        files = []
+    for entry in files:
+        if str(entry).endswith(SCENES[name].load):
+            return Path(str(entry.locate())).resolve()
+    raise BuildError(
+        f"the URDF of '{name}' comes with the package example-robot-data, which is not installed; "
+        "say  pip install 'cardan[demo]'  or try  cardan demo"
+    )

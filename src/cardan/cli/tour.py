@@ -1,0 +1,167 @@
+"""The measurements behind ``cardan demo``: every figure is taken while the user waits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import compile, derive, load
+from ..codegen import generate
+from ..ir.interpreter import evaluate
+from .peer import agreement
+
+if TYPE_CHECKING:
+    from ..equations.record import Equations
+    from ..runtime.compiled import CompiledModel
+    from ..runtime.trajectory import Trajectory
+
+BATCH = 20_000
+STATES = 20
+SEED = 1
+TIME = 10.0
+
+
+@dataclass(frozen=True)
+class Tour:
+    """What the screen shows.
+
+    Attributes:
+        graph: Drawing of bodies and joints.
+        bodies, joints: Their number.
+        derived: Time from file to C text of forward dynamics [s].
+        operations: In that text.
+        compiled: Time to compile, load and check it [s].
+        lines: Six lines of the C.
+        call: Time of one forward dynamics within a batch [s].
+        error: Largest relative error of udot against 40 digits.
+        peer: Largest relative difference from Pinocchio, None where it is not installed.
+        simulated: Time of the simulation [s].
+        steps: Steps it took.
+        drift: Energy drift over the largest kinetic energy.
+        notes: What the file says and the model does not act on.
+        files: What was written.
+    """
+
+    graph: str
+    bodies: int
+    joints: int
+    derived: float
+    operations: int
+    compiled: float
+    lines: tuple[str, ...]
+    call: float
+    error: float
+    peer: float | None
+    simulated: float
+    steps: int
+    drift: float
+    notes: tuple[str, ...]
+    files: tuple[Path, ...]
+
+
+def take(
+    path: Path, out: Path, q: Mapping[str, float], show: Callable[..., None], picture: bool
+) -> Tour:
+    """Go the whole way with a URDF.
+
+    Args:
+        path: The file.
+        out: Folder for what is written.
+        q: Initial coordinates of the simulation.
+        show: Receives the name of each step.
+        picture: Draw the plot, which needs matplotlib.
+    """
+    show("deriving")
+    start = perf_counter()
+    scene = load(path)
+    equations = derive(scene)
+    text = generate(equations.function("forward_dynamics"), model=equations.system.name)
+    derived = perf_counter() - start
+
+    show("compiling")
+    model = compile(equations, directory=out / "c")
+    state = np.zeros(model.nq), np.zeros(model.nu)
+    start = perf_counter()
+    model.forward_dynamics(*state)
+    compiled = perf_counter() - start
+
+    show("measuring")
+    call, error = speed_and_error(equations, model)
+    show("comparing with Pinocchio")
+    peer = agreement(path)
+
+    show("simulating")
+    model.simulate(1e-3, q=dict(q))
+    start = perf_counter()
+    motion = model.simulate(TIME, q=dict(q), rtol=1e-10, atol=1e-12)
+    simulated = perf_counter() - start
+    show("drawing")
+    files = write(motion, out, picture)
+    kinetic = model.energy(motion.q, motion.u)["kinetic"].max()
+    return Tour(
+        graph=scene.graph.text(),
+        bodies=len(equations.system.bodies),
+        joints=len(equations.system.joints),
+        derived=derived,
+        operations=sum(text.entry["operations"].values()),
+        compiled=compiled,
+        lines=excerpt(text.text, tuple(joint.name for joint in equations.system.joints)),
+        call=call,
+        error=error,
+        peer=peer,
+        simulated=simulated,
+        steps=int(motion.statistics["steps"]),
+        drift=float(np.abs(motion.drift).max() / kinetic),
+        notes=tuple(scene.notes),
+        files=files,
+    )
+
+
+def speed_and_error(equations: Equations, model: CompiledModel) -> tuple[float, float]:
+    """Seconds per forward dynamics in a batch, and its error against 40 digits."""
+    rng = np.random.default_rng(SEED)
+    q, u = rng.uniform(-1.5, 1.5, (BATCH, model.nq)), rng.uniform(-1, 1, (BATCH, model.nu))
+    times = []
+    for _ in range(3):
+        start = perf_counter()
+        computed = model.forward_dynamics(q, u)
+        times.append((perf_counter() - start) / BATCH)
+    function = equations.function("forward_dynamics")
+    blocks: dict[str, Any] = {
+        "p": [parameter.value for parameter in equations.system.parameters],
+        "tau": [0.0] * model.nu,
+        "t": [0.0],
+    }
+    worst = 0.0
+    for k in range(STATES):
+        found = evaluate(function, blocks | {"q": q[k], "u": u[k]}, arithmetic="mp")["udot"]
+        exact = np.array([float(x) for x in found])
+        worst = max(worst, float(np.abs(computed[k] - exact).max() / np.abs(exact).max()))
+    return min(times), worst
+
+
+def excerpt(text: str, joints: tuple[str, ...]) -> tuple[str, ...]:
+    """Six consecutive assignments that name a joint, from the middle of the C."""
+    lines = [line.strip() for line in text.splitlines()]
+    named = re.compile("|".join(re.escape(joint) for joint in joints) or "$^")
+    good = [bool(re.match(r"const real|real", line)) and bool(named.search(line)) for line in lines]
+    runs = [i for i in range(len(lines) - 6) if all(good[i : i + 6])]
+    # short lines read best
+    chosen = min(runs, key=lambda i: max(map(len, lines[i : i + 6])), default=0)
+    return tuple(lines[chosen : chosen + 6])
+
+
+def write(motion: Trajectory, out: Path, picture: bool) -> tuple[Path, ...]:
+    """The page, the numbers and, where it can be drawn, the plot."""
+    page, data, plot = out / "motion.html", out / "motion.nc", out / "motion.png"
+    motion.animate(page)
+    motion.save(data)
+    if picture:
+        motion.plot(plot)
+    return (*((plot,) if picture else ()), page, data, out / "c" / "forward_dynamics.c")
