@@ -1,0 +1,236 @@
+/*
+ * solve.h: linear systems inside generated functions that need pivoting.
+ *
+ * A (n x n) and B (n x m) are stored row by row. Both are overwritten: B by the solution, A by the
+ * factors. `order` holds 2 n scratch numbers. Included where needed; static functions only.
+ */
+#ifndef CARDAN_SOLVE_H
+#define CARDAN_SOLVE_H
+
+#include "cardan.h"
+#include <float.h>
+
+/* scratch of the functions below */
+#define CARDAN_SOLVE_SCRATCH(n) (2 * (n))
+
+/* Exchange two rows of a matrix with m columns. */
+CARDAN_INLINE void cardan_swap_rows(int m, real *a, int i, int j)
+{
+    for (int k = 0; k < m; ++k) {
+        const real held = a[i * m + k];
+        a[i * m + k] = a[j * m + k];
+        a[j * m + k] = held;
+    }
+}
+
+/* Exchange two columns of a matrix with n rows. */
+CARDAN_INLINE void cardan_swap_columns(int n, real *a, int i, int j)
+{
+    for (int k = 0; k < n; ++k) {
+        const real held = a[k * n + i];
+        a[k * n + i] = a[k * n + j];
+        a[k * n + j] = held;
+    }
+}
+
+CARDAN_INLINE void cardan_swap(real *a, int i, int j)
+{
+    const real held = a[i];
+    a[i] = a[j];
+    a[j] = held;
+}
+
+/* Unknowns back into their order after exchanges. */
+CARDAN_INLINE void cardan_restore_order(int n, int m, real *b, real *order)
+{
+    for (int i = 0; i < n; ++i)
+        while ((int)order[i] != i) {
+            const int j = (int)order[i];
+            cardan_swap_rows(m, b, i, j);
+            cardan_swap(order, i, j);
+        }
+}
+
+/* No solution: say so in the numbers and in the status. */
+CARDAN_INLINE int cardan_no_solution(int size, real *b)
+{
+    for (int i = 0; i < size; ++i) b[i] = (real)NAN;
+    return CARDAN_SINGULAR;
+}
+
+/*
+ * A X = B by elimination with complete pivoting; A may be singular.
+ *
+ * Unknowns that A leaves free become 0. Pivots below n eps max|A| count as zero.
+ * Returns CARDAN_SINGULAR where B contradicts A.
+ * Source: G. H. Golub, C. F. Van Loan, Matrix Computations, section 3.4.8.
+ */
+CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, real *scratch)
+{
+    real *const order = scratch, *const scale = scratch + n;
+    real tolerance = 0.0;
+    int rank = 0;
+
+    /* the largest entry of every row of B tells rounding from contradiction */
+    for (int i = 0; i < n; ++i) {
+        order[i] = i;
+        scale[i] = 0.0;
+        for (int k = 0; k < m; ++k) scale[i] = cardan_max(scale[i], fabs(b[i * m + k]));
+    }
+    for (; rank < n; ++rank) {
+        /* the largest entry left becomes the pivot */
+        int row = rank, column = rank;
+        for (int i = rank; i < n; ++i)
+            for (int j = rank; j < n; ++j)
+                if (fabs(a[i * n + j]) > fabs(a[row * n + column])) {
+                    row = i;
+                    column = j;
+                }
+        const real pivot = a[row * n + column];
+        if (!(pivot - pivot == 0.0)) return cardan_no_solution(n * m, b);
+        if (rank == 0) tolerance = n * DBL_EPSILON * fabs(pivot);
+        if (fabs(pivot) <= tolerance) break;
+        cardan_swap_rows(n, a, row, rank);
+        cardan_swap_rows(m, b, row, rank);
+        cardan_swap_columns(n, a, column, rank);
+        cardan_swap(order, column, rank);
+        cardan_swap(scale, row, rank);
+
+        /* eliminate below */
+        for (int i = rank + 1; i < n; ++i) {
+            const real factor = a[i * n + rank] / pivot;
+            if (factor == 0.0) continue;
+            for (int j = rank + 1; j < n; ++j) a[i * n + j] -= factor * a[rank * n + j];
+            for (int k = 0; k < m; ++k) b[i * m + k] -= factor * b[rank * m + k];
+            scale[i] = cardan_max(scale[i], fabs(factor) * scale[rank]);
+        }
+    }
+
+    /* rows without a pivot must ask for nothing */
+    for (int i = rank; i < n; ++i)
+        for (int k = 0; k < m; ++k) {
+            if (!(fabs(b[i * m + k]) <= 64 * n * DBL_EPSILON * scale[i]))
+                return cardan_no_solution(n * m, b);
+            b[i * m + k] = 0.0;
+        }
+
+    /* back substitution */
+    for (int i = rank - 1; i >= 0; --i)
+        for (int k = 0; k < m; ++k) {
+            real sum = b[i * m + k];
+            for (int j = i + 1; j < rank; ++j) sum -= a[i * n + j] * b[j * m + k];
+            b[i * m + k] = sum / a[i * n + i];
+        }
+
+    cardan_restore_order(n, m, b, order);
+    return CARDAN_OK;
+}
+
+/* [x y] with D [x y]ᵀ = [e f]ᵀ for the symmetric block D of two rows of A from row k on. */
+CARDAN_INLINE void cardan_divide_block(int n, const real *a, int k, real e, real f, real *x, real *y)
+{
+    const real beside = a[k * n + k + 1];
+    const real first = a[k * n + k] / beside, second = a[(k + 1) * n + k + 1] / beside;
+    const real scale = 1.0 / (beside * (first * second - 1.0));
+    *x = scale * (second * e - f);
+    *y = scale * (first * f - e);
+}
+
+/* Where the next pivot is: one entry of the diagonal, or the block of two rows. 0 if none. */
+CARDAN_INLINE int cardan_find_pivot(int n, const real *a, int k, real tolerance, int *one, int *two)
+{
+    const real alpha = 0.6403882032022076; /* (1 + sqrt(17)) / 8 bounds the growth */
+    int diagonal = k, row = k, column = k;
+    real beside = 0.0;
+
+    for (int i = k; i < n; ++i) {
+        if (fabs(a[i * n + i]) > fabs(a[diagonal * n + diagonal])) diagonal = i;
+        for (int j = k; j < i; ++j)
+            if (fabs(a[i * n + j]) > beside) {
+                beside = fabs(a[i * n + j]);
+                row = i;
+                column = j;
+            }
+    }
+    const real size = fabs(a[diagonal * n + diagonal]);
+    const int single = size >= alpha * beside;
+    *one = single ? diagonal : column;
+    *two = row;
+    if (!(size - size == 0.0) || cardan_max(size, beside) <= tolerance) return 0;
+    return single ? 1 : 2;
+}
+
+/* Subtract the share of the pivot rows k ... k + size - 1 from all rows below; keep L in A. */
+CARDAN_INLINE void cardan_eliminate(int n, int m, real *a, real *b, int k, int size)
+{
+    for (int i = k + size; i < n; ++i) {
+        real x, y = 0.0;
+        if (size == 1)
+            x = a[i * n + k] / a[k * n + k];
+        else
+            cardan_divide_block(n, a, k, a[i * n + k], a[i * n + k + 1], &x, &y);
+        const int next = k + size - 1;
+        for (int j = k + size; j < n; ++j) a[i * n + j] -= x * a[k * n + j] + y * a[next * n + j];
+        for (int c = 0; c < m; ++c) b[i * m + c] -= x * b[k * m + c] + y * b[next * m + c];
+        a[i * n + next] = y;
+        a[i * n + k] = x;
+    }
+}
+
+/*
+ * A X = B for symmetric A of any signature: P A Pᵀ = L D Lᵀ with pivot blocks of 1 and 2, chosen by
+ * searching the whole rest of the matrix. Only the lower triangle of A is read.
+ *
+ * Returns CARDAN_SINGULAR where a pivot falls below n eps max|A|.
+ * Source: J. R. Bunch, B. N. Parlett, Direct methods for solving symmetric indefinite systems of
+ * linear equations, SIAM J. Numer. Anal. 8 (1971).
+ */
+CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, real *a, real *b, real *scratch)
+{
+    real *const order = scratch, *const block = scratch + n;
+    real largest = 0.0;
+
+    /* the whole matrix is kept, so that exchanges are simple */
+    for (int i = 0; i < n; ++i) {
+        order[i] = i;
+        block[i] = 0.0;
+        for (int j = 0; j <= i; ++j) {
+            a[j * n + i] = a[i * n + j];
+            largest = cardan_max(largest, fabs(a[i * n + j]));
+        }
+    }
+
+    /* factor, forward substitution along with it; block[k] is the size of a block, 0 inside */
+    for (int k = 0; k < n;) {
+        int at[2];
+        const int size = cardan_find_pivot(n, a, k, n * DBL_EPSILON * largest, at, at + 1);
+        if (size == 0) return cardan_no_solution(n * m, b);
+        for (int i = 0; i < size; ++i) {
+            cardan_swap_rows(n, a, at[i], k + i);
+            cardan_swap_columns(n, a, at[i], k + i);
+            cardan_swap_rows(m, b, at[i], k + i);
+            cardan_swap(order, at[i], k + i);
+        }
+        cardan_eliminate(n, m, a, b, k, size);
+        block[k] = size;
+        k += size;
+    }
+
+    /* divide by D, then back substitution with Lᵀ */
+    for (int k = n - 1; k >= 0; --k) {
+        const int size = (int)block[k];
+        for (int c = 0; c < m && size > 0; ++c) {
+            real *const x = b + k * m + c;
+            if (size == 1)
+                *x /= a[k * n + k];
+            else
+                cardan_divide_block(n, a, k, x[0], x[m], x, x + m);
+            for (int i = k + size; i < n; ++i)
+                for (int j = 0; j < size; ++j) x[j * m] -= a[i * n + k + j] * b[i * m + c];
+        }
+    }
+    cardan_restore_order(n, m, b, order);
+    return CARDAN_OK;
+}
+
+#endif
