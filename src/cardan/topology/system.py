@@ -8,6 +8,7 @@ there, whatever frame the user described the body in; ``frames`` keep the user's
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..elements.forces.force import ForceElement
@@ -186,7 +187,9 @@ class System:
     """A scene as a graph with expressions.
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
-    ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped.
+    ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
+    ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
+    what the user should know.
     """
 
     name: str
@@ -204,9 +207,10 @@ class System:
     nu: int
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
-    shapes: tuple[tuple[int, dict[str, object]], ...] = ()
+    shapes: tuple[tuple[int, Mapping[str, object]], ...] = ()
     snaps: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    structural: dict[str, float] = field(default_factory=dict, repr=False)
 
     def children(self, body: int) -> list[int]:
         """Bodies jointed outboard to a body (-1: to the ground)."""

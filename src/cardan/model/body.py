@@ -1,0 +1,123 @@
+"""Rigid bodies as the user describes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ModelError
+from .frame import Frame, Located, triple
+from .shape import Shape
+
+if TYPE_CHECKING:
+    from .model import Model
+
+INERTIA_ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Body(Located):
+    """A rigid body; made by :meth:`Model.body`. It stands for its own origin frame.
+
+    Attributes:
+        model: The model it belongs to.
+        name: Its name.
+        mass: Mass as written [kg].
+        com: Centre of mass in body axes (3) [m].
+        inertia: Tensor entries xx xy xz yy yz zz about the centre of mass, body axes [kg m^2].
+        pose: Position and orientation in the reference configuration, or None.
+        shapes: What to draw.
+    """
+
+    model: Model = field(repr=False)
+    name: str
+    mass: Any
+    com: tuple[Any, Any, Any]
+    inertia: tuple[Any, ...]
+    pose: tuple[tuple[Any, Any, Any], Any] | None = None
+    shapes: tuple[Shape, ...] = ()
+
+    @property
+    def body(self) -> Body:  # type: ignore[override]
+        return self
+
+    def at(
+        self, x: Any = 0, y: Any = 0, z: Any = 0, *, rotation: Any = None, name: str | None = None
+    ) -> Frame:
+        """A frame fixed to the body.
+
+        Args:
+            x, y, z: Its origin in body axes [m].
+            rotation: Orientation: R from its axes to body axes (3, 3), a SciPy ``Rotation`` or a
+                sequence and three angles such as ``("XYZ", a, b, c)``.
+            name: Under which it is known to ``pose``, ``velocity`` and the like.
+
+        Returns:
+            The frame.
+
+        Raises:
+            ModelError: the name is taken.
+        """
+        return self.model.add_frame(self, (x, y, z), rotation, name)
+
+    def __repr__(self) -> str:
+        return f"Body({self.name!r})"
+
+
+def tensor(value: Any, name: str) -> tuple[Any, ...]:
+    """Entries xx xy xz yy yz zz of an inertia as written: 3x3, three principal values or a dict.
+
+    Raises:
+        ModelError: another shape, an unknown entry or a tensor that is not symmetric.
+    """
+    if value is None:
+        return (0, 0, 0, 0, 0, 0)
+    if isinstance(value, Mapping):
+        unknown = [key for key in value if key not in INERTIA_ENTRIES]
+        if unknown:
+            raise ModelError(
+                f"body '{name}': inertia has no entry {unknown[0]!r}. "
+                f"Entries: {', '.join(INERTIA_ENTRIES)}"
+            )
+        return tuple(value.get(key, 0) for key in INERTIA_ENTRIES)
+    rows = value.tolist() if hasattr(value, "tolist") else list(value)
+    if len(rows) == 3 and not any(isinstance(row, (list, tuple)) for row in rows):
+        return rows[0], 0, 0, rows[1], 0, rows[2]
+    if len(rows) != 3 or any(len(row) != 3 for row in rows):
+        raise ModelError(
+            f"body '{name}': inertia is 3x3, three principal values or dict(xx=, yy=, zz=, xy=, "
+            f"yz=, xz=), not {value!r}"
+        )
+    return _symmetric(rows, name)
+
+
+def _symmetric(rows: list[list[Any]], name: str) -> tuple[Any, ...]:
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        a, b = rows[i][j], rows[j][i]
+        close = a == b
+        if not close and isinstance(a, (int, float)) and isinstance(b, (int, float)):
+            close = abs(a - b) <= 1e-12 * max(abs(a), abs(b))
+        if not close:
+            raise ModelError(
+                f"body '{name}': inertia is not symmetric: entry {'xyz'[i]}{'xyz'[j]} is {a}, "
+                f"{'xyz'[j]}{'xyz'[i]} is {b}"
+            )
+    return rows[0][0], rows[0][1], rows[0][2], rows[1][1], rows[1][2], rows[2][2]
+
+
+def placed(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
+    """Position and orientation of ``pose=``: (x, y, z), (position, rotation) or a 4x4 matrix.
+
+    Raises:
+        ModelError: another shape.
+    """
+    if pose is None:
+        return None
+    rows = pose.tolist() if hasattr(pose, "tolist") else list(pose)
+    if len(rows) == 4:
+        position = triple([row[3] for row in rows[:3]], f"body '{name}': pose")
+        return position, tuple(tuple(row[:3]) for row in rows[:3])
+    if len(rows) == 2:
+        return triple(rows[0], f"body '{name}': pose"), rows[1]
+    return triple(rows, f"body '{name}': pose"), None

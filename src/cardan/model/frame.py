@@ -1,0 +1,97 @@
+"""Frames fixed to bodies, and named placeholders for their motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Union
+
+from ..errors import ModelError
+
+if TYPE_CHECKING:
+    from .body import Body
+
+Place = Union["Frame", "Body"]
+
+
+class Located:
+    """Something with a position and axes whose motion may be used in expressions.
+
+    The methods return SymPy objects whose symbols are placeholders: the equations replace them by
+    the motion of the frame. They may stand wherever a number may: in force laws, outputs, joints.
+    """
+
+    __slots__ = ()
+
+    body: Body
+    name: str
+
+    def _atoms(self, quantity: str, unit: str, rows: int, columns: int, *others: Any) -> Any:
+        import sympy
+
+        symbols = self.body.model.placeholders(self, quantity, unit, rows * columns, others)
+        return sympy.ImmutableMatrix(rows, columns, symbols)
+
+    def position(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+        """Position of the origin (3, 1) [m], against ``wrt``, in the axes of ``in_``.
+
+        Args:
+            wrt: Frame or body from whose origin it is measured; the ground by default.
+            in_: Frame or body whose axes it is given in; the ground by default.
+        """
+        return self._atoms("position", "m", 3, 1, wrt, in_)
+
+    def velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+        """Velocity of the origin (3, 1) [m/s] as seen from ``wrt``, in the axes of ``in_``."""
+        return self._atoms("velocity", "m/s", 3, 1, wrt, in_)
+
+    def acceleration(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+        """Acceleration of the origin (3, 1) [m/s^2] as seen from ``wrt``, in axes of ``in_``."""
+        return self._atoms("acceleration", "m/s^2", 3, 1, wrt, in_)
+
+    def angular_velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+        """Angular velocity (3, 1) [rad/s] against ``wrt``, in the axes of ``in_``."""
+        return self._atoms("angular_velocity", "rad/s", 3, 1, wrt, in_)
+
+    def rotation(self, wrt: Place | None = None) -> Any:
+        """R (3, 3): coordinates in these axes to coordinates in those of ``wrt`` (the ground)."""
+        return self._atoms("rotation", "", 3, 3, wrt, None)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Frame(Located):
+    """A frame fixed to a body; made by :meth:`Body.at`.
+
+    Attributes:
+        body: The body it is fixed to.
+        coordinates: Origin in body axes (3) [m].
+        orientation: Orientation as written, None for the axes of the body.
+        name: Its own name, or a made one such as ``upper.at1``.
+        named: True where the user gave the name.
+    """
+
+    body: Body
+    coordinates: tuple[Any, Any, Any]
+    orientation: Any
+    name: str
+    named: bool
+
+    def __repr__(self) -> str:
+        return f"Frame({self.name!r} on {self.body.name!r})"
+
+
+def body_of(place: Place) -> Body:
+    """The body a frame is fixed to; a body stands for its own origin frame."""
+    return place.body
+
+
+def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
+    """Three entries of a vector as written.
+
+    Raises:
+        ModelError: there are not three.
+    """
+    entries = tuple(value) if isinstance(value, Sequence) or hasattr(value, "__iter__") else ()
+    if len(entries) != 3:
+        raise ModelError(f"{what}: three entries are wanted, not {value!r}")
+    return entries

@@ -1,0 +1,365 @@
+"""The model: what the user says about a scene, kept as written."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..elements.forces.force import ForceElement
+from ..elements.joints.joint import Joint as JointElement
+from ..errors import ModelError, near
+from . import checks
+from .body import Body, placed, tensor
+from .connections import Couple, Force, Joint, Limits
+from .frame import Frame, Located, Place, triple
+from .parameters import Declared, Output, Placeholder
+from .shape import Shape
+from .units import unit as unit_of
+
+if TYPE_CHECKING:
+    from ..topology.graph_view import GraphView
+
+COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 9: tuple(f"{i}{j}" for i in "xyz" for j in "xyz")}
+
+
+class Model:
+    """A scene: bodies, joints, forces, parameters, inputs and outputs.
+
+    Args:
+        name: Its name.
+        gravity: Acceleration of free fall in ground axes (3) [m/s^2].
+
+    Attributes:
+        ground: The body that does not move.
+        bodies, joints, forces: By name, in the order of declaration.
+        frames: By name; those made by :meth:`Body.at`.
+        parameters, inputs, outputs: By name.
+        notes: What a file says that this model does not act on.
+        snaps: Numbers of a file that were replaced by exact ones.
+    """
+
+    def __init__(self, name: str, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
+        self.name = checks.name("model", name)
+        self.gravity = triple(gravity, "gravity")
+        self.ground = Body(self, "ground", 0, (0, 0, 0), (0,) * 6, ((0, 0, 0), None))
+        self.bodies: dict[str, Body] = {}
+        self.joints: dict[str, Joint] = {}
+        self.forces: dict[str, Force] = {}
+        self.frames: dict[str, Frame] = {}
+        self.parameters: dict[str, Declared] = {}
+        self.inputs: dict[str, Declared] = {}
+        self.outputs: dict[str, Output] = {}
+        self.atoms: dict[str, Placeholder] = {}
+        self.notes: list[str] = []
+        self.snaps: list[str] = []
+
+    # what expressions are made of
+
+    def parameter(self, name: str, value: float, unit: str | None = None) -> Any:
+        """Declare a parameter.
+
+        Args:
+            name: Its name.
+            value: Default value in the given unit.
+            unit: Such as "kg" or "mm"; the value is converted to SI. Without one the parameter
+                fits anywhere.
+
+        Returns:
+            Its SymPy symbol.
+
+        Raises:
+            ModelError: the name is taken, the value is not a finite number or the unit is unknown.
+        """
+        self._declare(self.parameters, "parameter", name, value, unit)
+        return _symbol(name)
+
+    def input(self, name: str, default: float = 0.0, unit: str | None = None) -> Any:
+        """Declare an input: a control or a prescribed signal.
+
+        Returns:
+            Its SymPy symbol.
+
+        Raises:
+            ModelError: the name is taken, the default is not a finite number or the unit unknown.
+        """
+        self._declare(self.inputs, "input", name, default, unit)
+        return _symbol(name)
+
+    def _declare(
+        self, where: dict[str, Declared], what: str, name: str, value: float, unit: str | None
+    ) -> None:
+        checks.name(what, name)
+        if name == "t":
+            raise ModelError(f"{what} 't': t is the time; choose another name")
+        if name in self.parameters or name in self.inputs:
+            raise ModelError(f"{what} '{name}': the name is taken by a parameter or an input")
+        measured = unit_of(unit or "")
+        number = checks.number(f"{what} '{name}'", value) * measured.factor
+        where[name] = Declared(name, number, measured.si, unit is not None)
+
+    def output(self, name: str, expression: Any, unit: str = "") -> None:
+        """Name an expression to be computed along with the motion.
+
+        Raises:
+            ModelError: the name is taken or the unit unknown.
+        """
+        checks.new("output", name, self.outputs)
+        self.outputs[name] = Output(name, expression, unit_of(unit).si)
+
+    def q(self, coordinate: str) -> Any:
+        """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several."""
+        return self._coordinate("q", coordinate, coordinate)
+
+    def u(self, speed: str) -> Any:
+        """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
+        joint, _, component = speed.partition(".")
+        if speed in self.joints:
+            joint, component = speed, ""
+        return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
+
+    def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
+        name = max((j for j in self.joints if given == j or given.startswith(j + ".")), default="")
+        if not name:
+            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
+        kind = self.joints[name].kind
+        parts = {c.name: c for c in (kind.coordinates if quantity == "q" else kind.speeds)}
+        component = given[len(name) + 1 :]
+        if component not in parts:
+            known = [f"{name}.{c}" if c else name for c in parts]
+            raise ModelError(f"{quantity}('{given}'): no such component." + near(given, known))
+        unit = parts[component].unit
+        self.atoms[symbol] = Placeholder(quantity, name, None, None, component, unit)
+        return _symbol(symbol)
+
+    def placeholders(
+        self, place: Located, quantity: str, unit: str, count: int, others: Sequence[Any]
+    ) -> list[Any]:
+        """Symbols that stand for the motion of a frame, see :class:`Located`."""
+        names = [self.place(f"{place.name}.{quantity}", o) if o else "" for o in others]
+        suffix = "".join(f"@{n}" if n else "" for n in names)
+        if names[1] and not names[0]:
+            suffix = "@" + suffix
+        symbols = []
+        for k, component in enumerate(COMPONENTS[count]):
+            text = f"{place.name}.{quantity}{suffix}.{component}"
+            self.atoms[text] = Placeholder(quantity, place, *others, k, unit)
+            symbols.append(_symbol(text))
+        return symbols
+
+    # bodies and frames
+
+    def body(
+        self,
+        name: str,
+        mass: Any = None,
+        com: Sequence[Any] = (0, 0, 0),
+        inertia: Any = None,
+        pose: Any = None,
+        shape: Shape | Iterable[Shape] | None = None,
+    ) -> Body:
+        """Add a rigid body.
+
+        Args:
+            name: Its name.
+            mass: [kg]; left out: massless.
+            com: Center of mass in body axes (3) [m].
+            inertia: About the center of mass in body axes [kg m^2]: 3x3 with I_xy = -∫xy dm, three
+                principal values, or a dict of xx, yy, zz, xy, yz, xz; left out: a point mass.
+            pose: Place in the reference configuration in ground axes: (x, y, z), (position,
+                rotation) or a 4x4 matrix.
+            shape: What to draw; by default something is made of com and inertia.
+
+        Returns:
+            The body; it stands for its own origin frame.
+
+        Raises:
+            ModelError: the name is taken, or a number cannot be what it says.
+        """
+        self._new_place("body", name)
+        center = triple(com, f"body '{name}': com")
+        entries = tensor(inertia, name)
+        checks.mass(name, mass, entries)
+        shapes = (shape,) if isinstance(shape, Shape) else tuple(shape or ())
+        made = Body(self, name, 0 if mass is None else mass, center, entries, None, shapes)
+        made = dataclasses.replace(made, pose=placed(pose, name))
+        self.bodies[name] = made
+        return made
+
+    def add_frame(
+        self, body: Body, position: Sequence[Any], rotation: Any, name: str | None
+    ) -> Frame:
+        """The work of :meth:`Body.at`."""
+        named = name is not None
+        if name is None:
+            count = 1
+            while f"{body.name}.at{count}" in self.frames:
+                count += 1
+            name = f"{body.name}.at{count}"
+        self._new_place("frame", name)
+        frame = Frame(body, triple(position, f"frame '{name}'"), rotation, name, named)
+        self.frames[name] = frame
+        return frame
+
+    def _new_place(self, what: str, name: str) -> None:
+        checks.new(what, name, self.bodies)
+        if name in self.frames or name == "ground":
+            raise ModelError(f"{what} '{name}': the name is taken by a frame")
+
+    def place(self, who: str, place: Place | str, role: str = "frame") -> Place:
+        """A frame or body of this model.
+
+        Raises:
+            ModelError: it belongs to another model or does not exist.
+        """
+        if isinstance(place, Located):
+            if place.body.model is not self:
+                raise ModelError(
+                    f"{who}: {role} '{place.name}' belongs to model '{place.body.model.name}', "
+                    f"not to '{self.name}'; include that model"
+                )
+            return place  # type: ignore[return-value]
+        if place == "ground":
+            return self.ground
+        found = self.bodies.get(place) or self.frames.get(place) if isinstance(place, str) else None
+        if found is None:
+            known = ["ground", *self.bodies]
+            listed = near(str(place), known).replace(" Known:", " Bodies:")
+            raise ModelError(f"{who}: {role} '{place}' does not exist.{listed}")
+        return found
+
+    # joints and forces
+
+    def joint(
+        self,
+        name: str,
+        kind: JointElement | type[JointElement],
+        parent: Place | str,
+        child: Place | str,
+        motion: Any = None,
+        cut: bool = False,
+        q0: float | Sequence[float] | None = None,
+        u0: float | Sequence[float] | None = None,
+        limits: Mapping[str, float] | Sequence[float] | None = None,
+        at: Sequence[Any] | None = None,
+        axis: Any = None,
+        couple: tuple[Any, ...] | None = None,
+    ) -> Joint:
+        """Join two bodies.
+
+        Args:
+            name: Its name.
+            kind: A joint element such as ``Revolute("y")``; its axis is given in the parent frame.
+            parent, child: Frames, bodies (their origin frames) or their names; they coincide at
+                q = 0. Where the child has ``pose=`` and the parent is a body, the frame on the
+                parent follows from the poses.
+            motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed.
+            cut: Ask for this joint to close a circuit.
+            q0, u0: Initial values.
+            limits: (lower, upper), or a mapping with lower, upper, speed, effort.
+            at: Place of the joint in ground axes at the reference configuration; its frames are
+                then parallel to the ground axes there. A child without ``pose=`` has its origin
+                there.
+            axis: Direction of the kind's axis; in ground axes where ``at`` is given.
+            couple: ``(leader, ratio)`` or ``(leader, ratio, offset)``: the coordinate follows
+                that of another joint.
+
+        Returns:
+            The joint.
+
+        Raises:
+            ModelError: unknown or foreign bodies, wrong lengths or a name that is taken.
+        """
+        checks.new("joint", name, self.joints)
+        element = _element(name, kind, axis)
+        who = f"joint '{name}' ({element.kind})"
+        inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
+        if inboard.body is outboard.body:
+            raise ModelError(f"{who}: parent and child are the same body '{inboard.body.name}'")
+        if cut:
+            raise checks.circuits(f"{who} with cut=True closes a circuit")
+        if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
+            raise ModelError(f"{who}: at= needs bodies, not frames: it makes the frames itself")
+        made = Joint(
+            name,
+            element,
+            inboard,
+            outboard,
+            motion,
+            checks.initial(who, "q0", q0, len(element.coordinates)),
+            checks.initial(who, "u0", u0, len(element.speeds)),
+            _limits(who, limits),
+            None if at is None else triple(at, f"{who}: at"),
+            _couple(who, couple),
+        )
+        self.joints[name] = made
+        return made
+
+    def force(self, name: str, element: ForceElement) -> Force:
+        """Add a force element such as ``Force``, ``SpringDamper`` or ``JointForce``.
+
+        Raises:
+            ModelError: the name is taken.
+        """
+        checks.new("force", name, self.forces)
+        if not isinstance(element, ForceElement):
+            raise ModelError(f"force '{name}': {element!r} is no force element")
+        made = Force(name, element)
+        self.forces[name] = made
+        return made
+
+    @property
+    def graph(self) -> GraphView:
+        """The graph of bodies and joints: incidence, path and circuit matrices, drawings."""
+        from ..topology.graph_view import view
+
+        return view(self)
+
+
+def _symbol(name: str) -> Any:
+    from sympy import Symbol
+
+    return Symbol(name)
+
+
+def _element(name: str, kind: JointElement | type[JointElement], axis: Any) -> JointElement:
+    """The joint element, its axis replaced where one is given."""
+    if isinstance(kind, type) and issubclass(kind, JointElement):
+        kind = kind()
+    if not isinstance(kind, JointElement):
+        raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
+    if axis is None:
+        return kind
+    if "axis" not in kind.quantities():
+        raise ModelError(f"joint '{name}' ({kind.kind}): this kind takes no axis=")
+    made: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
+    return made
+
+
+def _limits(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:
+    if limits is None:
+        return (None, None, None, None)
+    names = ("lower", "upper", "speed", "effort")
+    if not isinstance(limits, Mapping):
+        limits = dict(zip(names, limits, strict=False))
+    for key in limits:
+        if key not in names:
+            raise ModelError(f"{who}: limits have no entry '{key}'." + near(key, names))
+    values = [limits.get(key) for key in names]
+    for key, value in zip(names, values, strict=True):
+        if value is not None and math.isnan(value):
+            raise ModelError(f"{who}: limit '{key}' is not a number")
+    lower, upper, speed, effort = (None if v is None else float(v) for v in values)
+    if lower is not None and upper is not None and lower > upper:
+        raise ModelError(f"{who}: the lower limit {lower} is above the upper limit {upper}")
+    return lower, upper, speed, effort
+
+
+def _couple(who: str, couple: tuple[Any, ...] | None) -> Couple | None:
+    if couple is None:
+        return None
+    if not isinstance(couple, tuple) or len(couple) not in (2, 3):
+        raise ModelError(f"{who}: couple is (leader, ratio) or (leader, ratio, offset)")
+    leader = couple[0] if isinstance(couple[0], str) else couple[0].name
+    return Couple(leader, couple[1], couple[2] if len(couple) == 3 else 0)

@@ -1,0 +1,107 @@
+"""Shapes for pictures. They have no mass and touch nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Something to draw on a body.
+
+    Attributes:
+        kind: cylinder, box, sphere, capsule or mesh.
+        size: Its measures by name [m]; for a mesh ``file`` and ``scale``.
+        position: Its center in body axes (3) [m].
+        rotation: Its orientation as :meth:`Body.at` takes it.
+        color: Red, green, blue, opacity in 0 ... 1, or None.
+    """
+
+    kind: str
+    size: tuple[tuple[str, Any], ...]
+    position: tuple[Any, Any, Any] = (0, 0, 0)
+    rotation: Any = None
+    color: tuple[float, float, float, float] | None = None
+
+    def record(self) -> dict[str, object]:
+        """Plain data for a viewer."""
+        made: dict[str, object] = {"kind": self.kind, **dict(self.size)}
+        made |= {"position": self.position, "rotation": self.rotation, "color": self.color}
+        return made
+
+
+def cylinder(
+    radius: Any,
+    length: Any,
+    *,
+    axis: str = "z",
+    position: Sequence[Any] = (0, 0, 0),
+    rotation: Any = None,
+    color: Sequence[float] | None = None,
+) -> Shape:
+    """A cylinder along an axis, its center at ``position``."""
+    size = (("radius", radius), ("length", length), ("axis", axis))
+    return _shape("cylinder", size, position, rotation, color)
+
+
+def capsule(
+    radius: Any,
+    length: Any,
+    *,
+    axis: str = "z",
+    position: Sequence[Any] = (0, 0, 0),
+    rotation: Any = None,
+    color: Sequence[float] | None = None,
+) -> Shape:
+    """A cylinder with half spheres on its ends; ``length`` is that of the cylinder."""
+    size = (("radius", radius), ("length", length), ("axis", axis))
+    return _shape("capsule", size, position, rotation, color)
+
+
+def box(
+    x: Any,
+    y: Any,
+    z: Any,
+    *,
+    position: Sequence[Any] = (0, 0, 0),
+    rotation: Any = None,
+    color: Sequence[float] | None = None,
+) -> Shape:
+    """A box with edges x, y, z, its center at ``position``."""
+    return _shape("box", (("x", x), ("y", y), ("z", z)), position, rotation, color)
+
+
+def sphere(
+    radius: Any, *, position: Sequence[Any] = (0, 0, 0), color: Sequence[float] | None = None
+) -> Shape:
+    """A sphere with its center at ``position``."""
+    return _shape("sphere", (("radius", radius),), position, None, color)
+
+
+def mesh(
+    file: str,
+    *,
+    scale: Sequence[float] = (1.0, 1.0, 1.0),
+    position: Sequence[Any] = (0, 0, 0),
+    rotation: Any = None,
+    color: Sequence[float] | None = None,
+) -> Shape:
+    """A mesh file (STL, OBJ, DAE), scaled along its own axes."""
+    return _shape("mesh", (("file", file), ("scale", tuple(scale))), position, rotation, color)
+
+
+def _shape(
+    kind: str,
+    size: tuple[tuple[str, Any], ...],
+    position: Sequence[Any],
+    rotation: Any,
+    color: Sequence[float] | None,
+) -> Shape:
+    x, y, z = position
+    paint = None
+    if color is not None:
+        red, green, blue, *rest = (float(c) for c in color)
+        paint = (red, green, blue, rest[0] if rest else 1.0)
+    return Shape(kind, size, (x, y, z), rotation, paint)

@@ -1,0 +1,37 @@
+"""What a user should know about a system before its equations are derived."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from ..model.model import Model
+from .system import System
+
+
+def announce(system: System, model: Model, used: set[str]) -> System:
+    """The system with notes: what does not act, what is unused, massless tips."""
+    notes = list(model.notes)
+    for what, names in (("parameter", model.parameters), ("input", model.inputs)):
+        notes += [
+            f"{what} '{name}' is declared but used nowhere" for name in names if name not in used
+        ]
+    notes += [
+        f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it"
+        for name, joint in massless_tips(system)
+    ]
+    return dataclasses.replace(system, notes=tuple(notes))
+
+
+def massless_tips(system: System) -> list[tuple[str, str]]:
+    """Bodies without any mass from there outward, with their joints; M is singular there."""
+    count = len(system.bodies)
+    heavy = [bool(b.mass or any(b.inertia)) for b in system.bodies]
+    for k in range(count - 1, -1, -1):
+        parent = system.bodies[k].parent
+        if heavy[k] and parent >= 0:
+            heavy[parent] = True
+    return [
+        (body.name, joint.name)
+        for body, joint, some in zip(system.bodies, system.joints, heavy, strict=True)
+        if not some and joint.motion is None and joint.coupling is None
+    ]

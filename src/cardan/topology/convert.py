@@ -1,0 +1,254 @@
+"""What was written becomes expressions: numbers parameters, SymPy expressions nodes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from ..elements.quantity import Quantity
+from ..errors import ModelError
+from ..ir.function import Function, Output
+from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
+from ..ir.interpreter import evaluate
+from ..ir.matrix import Matrix
+from ..model import dimensions
+from ..model.checks import is_number
+from ..model.model import Model
+from .system import Nodes, Parameter
+
+IDENTITY: Nodes = (ONE, ZERO, ZERO, ZERO, ONE, ZERO, ZERO, ZERO, ONE)
+ORIGIN: Nodes = (ZERO, ZERO, ZERO)
+QUARTER = math.pi / 2
+
+
+class Converter:
+    """Converts quantities of one model into nodes of one graph.
+
+    A number becomes a parameter ``("var", "p", k)`` under its dotted name, except 0 anywhere and
+    +-1 in ratios, which are structural: part of the form of the equations.
+
+    Attributes:
+        graph: Where the nodes live.
+        parameters: Entries of p: declared ones first, then numbers in order of conversion.
+        structural: Names and values of the numbers that are part of the form.
+        used: Names of the symbols that some expression has.
+        symbols: Names of the symbols an expression may have -> node.
+    """
+
+    def __init__(self, model: Model, graph: Graph) -> None:
+        self.graph = graph
+        self.parameters: list[Parameter] = []
+        self.structural: dict[str, float] = {}
+        self.used: set[str] = set()
+        self.symbols: dict[str, int] = {}
+        self.units: dict[str, str | None] = {"t": "s"}
+        self._names: set[str] = set()
+        for entry in model.parameters.values():
+            self._names.add(entry.name)
+            node = self._parameter(entry.name, entry.value, entry.unit, True)
+            self.define(entry.name, node, entry.unit if entry.stated else None)
+        self.define("t", graph.var("t", 0), "s")
+
+    def define(self, name: str, node: int, unit: str | None) -> None:
+        """Give a symbol its meaning; ``unit`` None fits anywhere."""
+        self.symbols[name] = node
+        self.units[name] = unit
+
+    def _parameter(self, name: str, value: float, unit: str, declared: bool = False) -> int:
+        self.parameters.append(Parameter(name, value, unit, declared))
+        return self.graph.var("p", len(self.parameters) - 1)
+
+    def scalar(self, value: Any, name: str, unit: str = "", ratio: bool = False) -> int:
+        """One entry as written -> node.
+
+        Raises:
+            ModelError: not a finite number, or an expression with unknown symbols or wrong units.
+        """
+        if not is_number(value):
+            return self.expression(value, name, unit)
+        number = float(value)
+        if number == 0.0 or (ratio and abs(number) == 1.0):
+            self.structural[name] = number
+            return ZERO if number == 0.0 else ONE if number > 0 else MINUS_ONE
+        if not math.isfinite(number):
+            raise ModelError(f"'{name}' must be a finite number, not {number}")
+        if name in self._names:
+            raise ModelError(f"the name '{name}' stands for two numbers; rename one of its owners")
+        self._names.add(name)
+        return self._parameter(name, number, unit)
+
+    def defaults(self, nodes: Sequence[int]) -> list[float]:
+        """Values of expressions of the parameters at their defaults."""
+        values = {"p": [parameter.value for parameter in self.parameters]}
+        output = Output("values", (len(nodes),), tuple(nodes))
+        found = evaluate(Function("values", self.graph, (), (output,)), values)["values"]
+        return [float(x) for x in found]
+
+    def expression(self, value: Any, name: str, unit: str = "") -> int:
+        """A SymPy expression -> node.
+
+        Raises:
+            ModelError: no expression, unknown symbols, unsupported functions or wrong units.
+        """
+        symbols = getattr(value, "free_symbols", None)
+        if symbols is None:
+            raise ModelError(f"'{name}': a number or an expression is wanted, not {value!r}")
+        known = {
+            symbol: self.symbols[symbol.name] for symbol in symbols if symbol.name in self.symbols
+        }
+        self.used.update(symbol.name for symbol in symbols)
+        if value.is_Symbol and value in known:
+            node = known[value]
+        else:
+            from sympy import Symbol
+
+            from ..ir.sympy_bridge import from_sympy
+
+            if len(known) < len(symbols):
+                # the whole list, so that the message can suggest a near name
+                known = {Symbol(key): n for key, n in self.symbols.items()} | known
+            try:
+                node = from_sympy(self.graph, value, known)
+            except ModelError as problem:
+                raise ModelError(f"'{name}': {problem}") from problem
+        dimensions.check(value, unit, self.units, name)
+        return node
+
+    def vector(
+        self,
+        values: Sequence[Any],
+        name: str,
+        unit: str = "",
+        ratio: bool = False,
+        labels: Sequence[str] = "xyz",
+    ) -> Nodes:
+        """Entries as written -> nodes; their names are ``name.x`` and so on."""
+        return tuple(
+            [
+                self.scalar(value, f"{name}.{label}", unit, ratio)
+                for value, label in zip(values, labels, strict=True)
+            ]
+        )
+
+    def quantity(self, quantity: Quantity, name: str) -> tuple[int, int, Nodes]:
+        """A quantity of an element -> rows, columns and nodes."""
+        value, unit, ratio = quantity.value, quantity.unit, quantity.ratio
+        value = value.tolist() if hasattr(value, "tolist") else value
+        if not isinstance(value, (list, tuple)):
+            return 1, 1, (self.scalar(value, name, unit, ratio),)
+        rows = [row if isinstance(row, (list, tuple)) else (row,) for row in value]
+        columns = len(rows[0]) if rows else 0
+        flat = [entry for row in rows for entry in row]
+        labels: Sequence[str] = quantity.labels
+        if not labels:
+            vector = len(rows) <= 3 and columns == 1
+            labels = "xyz"[: len(rows)] if vector else [str(k) for k in range(len(flat))]
+        return len(rows), columns, self.vector(flat, name, unit, ratio, labels)
+
+    # rotations
+
+    def rotation(self, value: Any, name: str) -> Nodes:
+        """An orientation as written -> R (9), coordinates in its axes to coordinates outside.
+
+        Raises:
+            ModelError: not a rotation.
+        """
+        if value is None:
+            return IDENTITY
+        if hasattr(value, "as_matrix"):
+            value = value.as_matrix()
+        value = value.tolist() if hasattr(value, "tolist") else value
+        if len(value) == 4 and isinstance(value[0], str):
+            return self.sequence(value[0], value[1:], name)
+        rows = [list(row) for row in value]
+        if len(rows) != 3 or any(len(row) != 3 for row in rows):
+            raise ModelError(
+                f"'{name}': a rotation is 3x3, a SciPy Rotation or like ('XYZ', a, b, c), "
+                f"not {value!r}"
+            )
+        flat = [entry for row in rows for entry in row]
+        labels = [i + j for i in "xyz" for j in "xyz"]
+        if not all(is_number(entry) for entry in flat):
+            return self.vector(flat, name, ratio=True, labels=labels)
+        _orthonormal(rows, name)
+        if all(entry in (0, 1, -1) for entry in flat):
+            return self.vector(flat, name, ratio=True, labels=labels)
+        return self.sequence("xyz", _roll_pitch_yaw(rows), name)
+
+    def sequence(self, axes: str, angles: Sequence[Any], name: str) -> Nodes:
+        """Three turns in SciPy's case rule: "XYZ" about body-fixed, "xyz" about fixed axes."""
+        if len(axes) != 3 or axes.lower().strip("xyz") or not (axes.islower() or axes.isupper()):
+            raise ModelError(
+                f"'{name}': a sequence is three letters of XYZ (body-fixed) or xyz (fixed axes), "
+                f"not {axes!r}"
+            )
+        labels = ("roll", "pitch", "yaw") if axes == "xyz" else ("angle1", "angle2", "angle3")
+        turns = [
+            self._turn(axis, self._angle(angle, f"{name}.{label}"))
+            for axis, angle, label in zip(axes.lower(), angles, labels, strict=True)
+        ]
+        if axes.islower():
+            turns.reverse()
+        product = IDENTITY
+        for turn in turns:
+            product = compose(self.graph, product, turn)
+        return product
+
+    def _angle(self, value: Any, name: str) -> int | tuple[int, int]:
+        """A node, or (cosine, sine) of an exact multiple of a quarter turn."""
+        if not is_number(value) or not math.isfinite(value):
+            return self.scalar(value, name, "rad")
+        turns = round(value / QUARTER)
+        if abs(value - turns * QUARTER) > 4e-16 * abs(value):
+            return self.scalar(value, name, "rad")
+        self.structural[name] = float(value)
+        return ((ONE, ZERO), (ZERO, ONE), (MINUS_ONE, ZERO), (ZERO, MINUS_ONE))[turns % 4]
+
+    def _turn(self, axis: str, angle: int | tuple[int, int]) -> Nodes:
+        g = self.graph
+        c, s = angle if isinstance(angle, tuple) else (g.apply("cos", angle), g.apply("sin", angle))
+        n = g.neg(s)
+        if axis == "x":
+            return ONE, ZERO, ZERO, ZERO, c, n, ZERO, s, c
+        if axis == "y":
+            return c, ZERO, s, ZERO, ONE, ZERO, n, ZERO, c
+        return c, n, ZERO, s, c, ZERO, ZERO, ZERO, ONE
+
+
+def compose(graph: Graph, a: Nodes, b: Nodes) -> Nodes:
+    """Product of two rotations (9)."""
+    if a == IDENTITY:
+        return b
+    if b == IDENTITY:
+        return a
+    return (Matrix(graph, 3, 3, a) @ Matrix(graph, 3, 3, b)).nodes
+
+
+def _orthonormal(rows: list[list[float]], name: str) -> None:
+    for i in range(3):
+        for j in range(3):
+            product = sum(rows[i][k] * rows[j][k] for k in range(3))
+            if not abs(product - (i == j)) < 1e-6:
+                raise ModelError(
+                    f"'{name}': not a rotation: rows {i + 1} and {j + 1} have the product {product}"
+                )
+    (a, b, c), (d, e, f), (g, h, k) = rows
+    if a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g) < 0:
+        raise ModelError(f"'{name}': a reflection, not a rotation: its determinant is -1")
+
+
+def _roll_pitch_yaw(rows: list[list[float]]) -> tuple[float, float, float]:
+    """Angles of R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    across = math.hypot(rows[0][0], rows[1][0])
+    pitch = math.atan2(-rows[2][0], across)
+    if across < 1e-9:
+        # gimbal lock: only a combination of roll and yaw counts
+        return math.atan2(-rows[1][2], rows[1][1]), pitch, 0.0
+    return math.atan2(rows[2][1], rows[2][2]), pitch, math.atan2(rows[1][0], rows[0][0])
+
+
+def symmetric(entries: Nodes) -> Nodes:
+    """Entries xx xy xz yy yz zz as a symmetric 3x3 (9)."""
+    xx, xy, xz, yy, yz, zz = entries
+    return xx, xy, xz, xy, yy, yz, xz, yz, zz

@@ -1,0 +1,141 @@
+"""Coordinates that do not move freely: prescribed ones, coupled ones, inputs that prescribe."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..elements.joints.joint import Component
+from ..errors import ModelError, near
+from ..ir.derivative import forward
+from ..ir.graph import ONE
+from ..model.connections import Joint as UserJoint
+from ..model.model import Model
+from .convert import Converter
+from .system import Coupling, Input, Joint, Prescribed
+
+replaced = dataclasses.replace
+
+
+def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
+    """Slots of the inputs; one that prescribes a motion takes value, rate and acceleration."""
+    prescribing: set[str] = set()
+    for joint in model.joints.values():
+        for symbol in getattr(joint.motion, "free_symbols", ()):
+            prescribing.add(symbol.name)
+    inputs: list[Input] = []
+    for entry in model.inputs.values():
+        unit = entry.unit
+        node = convert.graph.var("r", len(inputs))
+        convert.define(entry.name, node, unit if entry.stated else None)
+        inputs.append(Input(entry.name, unit, entry.value))
+        if entry.name in prescribing:
+            inputs.append(Input(f"{entry.name}.rate", f"{unit}/s" if unit else ""))
+            inputs.append(Input(f"{entry.name}.acceleration", f"{unit}/s^2" if unit else ""))
+    return tuple(inputs)
+
+
+def define_coordinates(
+    convert: Converter,
+    joint: str,
+    coordinates: Sequence[Component],
+    speeds: Sequence[Component],
+    slots: tuple[int, int] | None,
+) -> None:
+    """Symbols of the coordinates and speeds of a joint; placeholders where it has no slots.
+
+    Raises:
+        ModelError: a parameter or an input has the name of a coordinate.
+    """
+    if slots is None:
+        return
+    for block, start, prefix, components in (
+        ("q", slots[0], joint, coordinates),
+        ("u", slots[1], f"{joint}.u", speeds),
+    ):
+        for k, component in enumerate(components):
+            name = f"{prefix}.{component.name}" if component.name else prefix
+            if name in convert.symbols:
+                raise ModelError(
+                    f"joint '{joint}': the name of its coordinate '{name}' is taken by a "
+                    "parameter or an input; rename one of them"
+                )
+            convert.define(name, convert.graph.var(block, start + k), component.unit)
+
+
+def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> Prescribed:
+    """Value, rate and acceleration of a prescribed coordinate.
+
+    Raises:
+        ModelError: the joint has several coordinates, or the motion depends on more than t,
+            inputs and parameters.
+    """
+    g, who = convert.graph, f"joint '{joint.name}' ({joint.kind.kind})"
+    if len(joint.kind.coordinates) != 1:
+        raise ModelError(
+            f"{who}: motion= prescribes one coordinate, this kind has "
+            f"{len(joint.kind.coordinates)}; chain joints with one coordinate by massless bodies"
+        )
+    allowed = {"t"} | {entry.name for entry in inputs}
+    allowed |= {p.name for p in convert.parameters if p.declared}
+    for symbol in sorted(getattr(joint.motion, "free_symbols", ()), key=str):
+        if symbol.name not in allowed:
+            raise ModelError(
+                f"{who}: motion= is a function of t, inputs and parameters; it has "
+                f"'{symbol.name}'." + near(symbol.name, allowed)
+            )
+    with g.made_by(joint.name, "motion"):
+        unit = joint.kind.coordinates[0].unit
+        value = convert.scalar(joint.motion, f"{joint.name}.motion", unit)
+        seeds = {g.var("t", 0): ONE}
+        for k, entry in enumerate(inputs):
+            if k + 2 < len(inputs) and inputs[k + 1].name == f"{entry.name}.rate":
+                seeds[g.var("r", k)] = g.var("r", k + 1)
+                seeds[g.var("r", k + 1)] = g.var("r", k + 2)
+        (rate,) = forward(g, [value], seeds)
+        (acceleration,) = forward(g, [rate], seeds)
+    return Prescribed(value, rate, acceleration)
+
+
+def coupling(
+    convert: Converter, joint: UserJoint, numbers: Mapping[str, int], joints: Sequence[Joint]
+) -> Coupling:
+    """What a coupled joint follows.
+
+    Raises:
+        ModelError: an unknown or fixed leader, or joints with several coordinates.
+    """
+    couple: Any = joint.couple
+    who = f"joint '{joint.name}' ({joint.kind.kind})"
+    if couple.leader not in numbers:
+        listed = near(couple.leader, numbers).replace(" Known:", " Joints:")
+        raise ModelError(f"{who}: it follows '{couple.leader}', which does not move.{listed}")
+    leader = joints[numbers[couple.leader]]
+    for name, kind in ((joint.name, joint.kind), (leader.name, leader.element)):
+        if len(kind.coordinates) != 1:
+            raise ModelError(
+                f"{who}: only joints with one coordinate can be coupled; '{name}' "
+                f"({kind.kind}) has {len(kind.coordinates)}"
+            )
+    with convert.graph.made_by(joint.name, "coupling"):
+        ratio = convert.scalar(couple.ratio, f"{joint.name}.ratio", ratio=True)
+        offset = convert.scalar(couple.offset, f"{joint.name}.offset")
+    return Coupling(numbers[couple.leader], ratio, offset)
+
+
+def check_couplings(joints: Sequence[Joint]) -> None:
+    """Followers end at a joint that moves by itself.
+
+    Raises:
+        ModelError: they follow each other in a ring.
+    """
+    for joint in joints:
+        seen, leader = [joint.name], joint.coupling
+        while leader is not None:
+            follower = joints[leader.leader]
+            if follower.name in seen:
+                ring = ", ".join(f"'{name}'" for name in seen)
+                raise ModelError(f"joints {ring} follow each other in a ring; let one move freely")
+            seen.append(follower.name)
+            leader = follower.coupling

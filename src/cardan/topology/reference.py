@@ -1,0 +1,97 @@
+"""Placement in the reference configuration: ``pose=`` of bodies and ``at=`` of joints."""
+
+from __future__ import annotations
+
+from ..errors import ModelError
+from ..model.body import Body
+from ..model.connections import Joint
+from ..model.model import Model
+from .convert import IDENTITY, Converter
+from .placement import HERE, Placement
+
+
+class Reference:
+    """Poses of the bodies in ground axes at the default coordinates.
+
+    A body with ``pose=`` has that; the others get theirs from their inboard joint. Nothing is
+    computed in a model that uses neither ``pose=`` nor ``at=``.
+    """
+
+    def __init__(self, convert: Converter, model: Model) -> None:
+        self.convert = convert
+        self.active = any(b.pose is not None for b in model.bodies.values()) or any(
+            j.at is not None for j in model.joints.values()
+        )
+        self.poses: dict[Body, Placement] = {model.ground: HERE}
+
+    def sides(
+        self, joint: Joint, parent: Placement, child: Placement
+    ) -> tuple[Placement, Placement]:
+        """The joint frame on the parent and on the child, each in its user body.
+
+        Args:
+            joint: The joint.
+            parent, child: Its frames as written, in their user bodies.
+        """
+        if not self.active:
+            return parent, child
+        g = self.convert.graph
+        if joint.parent.body not in self.poses:
+            return self._backwards(joint, parent, child)
+        base = self.poses[joint.parent.body]
+        body = joint.child.body
+        given = self._given(body)
+        if joint.at is not None:
+            place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
+            self.poses[body] = given or place
+            return base.inverse(g).then(g, place), self.poses[body].inverse(g).then(g, place)
+        if given is not None and isinstance(joint.parent, Body):
+            # the frame on the parent follows from where the child is
+            self.poses[body] = given
+            return base.inverse(g).then(g, given.then(g, child)), child
+        found = base.then(g, parent).then(g, child.inverse(g))
+        if given is not None:
+            self._agree(joint, found, given)
+        self.poses[body] = given or found
+        return parent, child
+
+    def _backwards(
+        self, joint: Joint, parent: Placement, child: Placement
+    ) -> tuple[Placement, Placement]:
+        """A fixed joint whose child is nearer to the ground."""
+        if joint.at is not None:
+            raise ModelError(
+                f"joint '{joint.name}': with at= the parent must be nearer to the ground; "
+                "exchange parent and child"
+            )
+        g = self.convert.graph
+        base = self.poses[joint.child.body].then(g, child)
+        body = joint.parent.body
+        self.poses[body] = self._given(body) or base.then(g, parent.inverse(g))
+        return parent, child
+
+    def _given(self, body: Body) -> Placement | None:
+        if body.pose is None:
+            return None
+        position, rotation = body.pose
+        return Placement(
+            self.convert.rotation(rotation, f"{body.name}.pose.rotation"),
+            self.convert.vector(position, f"{body.name}.pose.position", "m"),
+        )
+
+    def _agree(self, joint: Joint, found: Placement, given: Placement) -> None:
+        """Frames on both sides and a pose say the same, at the default parameters.
+
+        Raises:
+            ModelError: they do not.
+        """
+        pairs = zip(
+            (*found.rotation, *found.position), (*given.rotation, *given.position), strict=True
+        )
+        worst = max(abs(a - b) for a, b in (self.convert.defaults(pair) for pair in pairs))
+        if worst > 1e-9:
+            raise ModelError(
+                f"joint '{joint.name}': its frames put body '{joint.child.body.name}' "
+                f"{worst:.3g} away from its pose=. Leave out one of them, or give the parent as "
+                "a body: then its frame follows from the pose"
+            )
