@@ -1,0 +1,144 @@
+/* Derivative of y = [x, e] along a run, and the inputs that it needs.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "run.h"
+#include <math.h>
+
+/* Fill r at t: signals by pieces, then functions of the user. Constants stay as they are. */
+static int inputs_at(cardan_run *run, real t, const real *x, int asked)
+{
+    for (ptrdiff_t i = 0; i < run->signal_count; i++) {
+        const cardan_signal *s = run->signals + i;
+        const real *c = s->coefficients + 4 * s->where;
+        real d = t - s->breaks[s->where];
+        run->r[s->input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0];
+    }
+    if (run->inputs && asked && run->inputs(t, x, run->r) != 0)
+        return CARDAN_INPUT;
+    return 0;
+}
+
+/* r at t, for rows that come out; a sampled function keeps its value. */
+void cardan_inputs_at(cardan_run *run, real t, const real *x)
+{
+    (void)inputs_at(run, t, x, !run->sampled);
+}
+
+/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT. */
+int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+{
+    cardan_in in = {0};
+    int status = inputs_at(run, t, y, !run->sampled);
+
+    if (status != 0)
+        return status;
+    in.t = &t;
+    in.q = y;
+    in.u = y + run->nq;
+    in.r = run->r;
+    in.w = run->rhs_w;
+    in.tau = in.wrench = run->at_rest;
+    run->evaluations++;
+    status = run->rhs(&in, f, run->work);
+    if (status == 0 && run->power) {
+        in.w = run->power_w;
+        status = run->power(&in, f + run->nx, run->work);
+    }
+    if (status == 0)
+        return 0;
+    run->model_status = status;
+    return CARDAN_MODEL;
+}
+
+/* Make f the derivative at t, y unless it is. */
+int cardan_refresh(cardan_run *run)
+{
+    int status = 0;
+
+    if (!run->fresh) {
+        status = cardan_derivative(run, run->t, run->y, run->f);
+        run->fresh = status == 0;
+    }
+    return status;
+}
+
+/* Start the segment that lies ahead of t: choose the pieces of its inputs.
+ *
+ * All stages of its steps lie between two stops, so that one piece serves them all and a corner
+ * or jump of an input is never inside a step.
+ */
+int cardan_segment(cardan_run *run)
+{
+    real middle = 0.5 * (run->t + run->stops[run->next_stop]);
+
+    run->segment = run->t;
+    run->in_segment = 0;
+    run->fresh = 0;
+    for (ptrdiff_t i = 0; i < run->signal_count; i++) {
+        cardan_signal *s = run->signals + i;
+        while (s->where + 1 < s->pieces && s->breaks[s->where + 1] < middle)
+            s->where++;
+        while (s->where > 0 && s->breaks[s->where] > middle)
+            s->where--;
+    }
+    return inputs_at(run, run->t, run->y, 1);
+}
+
+/* Scale every quaternion in q to unit length; one of length 0 becomes NaN. */
+void cardan_normalize(const cardan_run *run, real *y)
+{
+    for (ptrdiff_t i = 0; i < run->quaternion_count; i++) {
+        real *q = y + run->quaternions[i];
+        real norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+        for (int j = 0; j < 4; j++)
+            q[j] /= norm;
+    }
+}
+
+/* Index of the first entry that is NaN or infinite, -1 if all are finite. */
+ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        if (!(y[i] - y[i] == 0))
+            return i;
+    return -1;
+}
+
+/* The step to t, y succeeded: make it the present state and evaluate its derivative.
+ *
+ * y may be `trial`; it is normalized here. Nothing has changed when the status is not 0.
+ */
+int cardan_commit(cardan_run *run, real t, const real *y)
+{
+    real *next = run->trial;
+    int status;
+
+    if (next != y)
+        for (ptrdiff_t i = 0; i < run->n; i++)
+            next[i] = y[i];
+    cardan_normalize(run, next);
+    run->culprit = cardan_not_finite(next, run->n);
+    if (run->culprit >= 0)
+        return CARDAN_NOT_FINITE;
+    /* y_old serves as room for the new derivative until nothing can fail any more */
+    status = cardan_derivative(run, t, next, run->y_old);
+    if (status == 0) {
+        run->culprit = cardan_not_finite(run->y_old, run->n);
+        status = run->culprit >= 0 ? CARDAN_NOT_FINITE : 0;
+    }
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < run->n; i++) {
+        run->f[i] = run->y_old[i];
+        run->y_old[i] = run->y[i];
+        run->y[i] = next[i];
+    }
+    run->t_old = run->t;
+    run->t = t;
+    run->fresh = 1;
+    run->is_dense = 0;
+    run->steps++;
+    run->in_segment++;
+    return 0;
+}

@@ -1,0 +1,64 @@
+/* The classical Runge-Kutta method: 4 stages, order 4, fixed step.
+ *
+ * Part of cardan. Caller owns all memory; k holds 4 derivatives.
+ * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
+ * sections II.1 and II.6.
+ */
+#include "run.h"
+#include <math.h>
+
+/* h is the wanted step; its sign comes from the direction of the run. */
+int cardan_rk4_init(cardan_run *run)
+{
+    run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
+    return cardan_refresh(run);
+}
+
+/* End of the next step: on the grid of the segment, or the stop if that is as near. */
+static real grid(const cardan_run *run)
+{
+    real stop = run->stops[run->next_stop];
+    real t = run->segment + (real)(run->in_segment + 1) * run->h;
+
+    return (stop - t) / run->h < 1e-9 ? stop : t;
+}
+
+/* One step from t, y. */
+int cardan_rk4_step(cardan_run *run)
+{
+    static const real c[4] = {0, 0.5, 0.5, 1};
+    ptrdiff_t n = run->n;
+    real *k = run->k, *y = run->y, *trial = run->trial;
+    real t_new = grid(run), h = t_new - run->t;
+    int status = cardan_refresh(run);
+
+    run->culprit = -1;
+    for (ptrdiff_t i = 0; i < n; i++)
+        k[i] = run->f[i];
+    for (int s = 1; s < 4 && status == 0; s++) {
+        for (ptrdiff_t i = 0; i < n; i++)
+            trial[i] = y[i] + h * c[s] * k[(s - 1) * n + i];
+        status = cardan_derivative(run, s < 3 ? run->t + c[s] * h : t_new, trial, k + s * n);
+    }
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < n; i++)
+        trial[i] = y[i] + h / 6 * (k[i] + 2 * (k[n + i] + k[2 * n + i]) + k[3 * n + i]);
+    return cardan_commit(run, t_new, trial);
+}
+
+/* Cubic through values and derivatives at both ends of the last step. */
+int cardan_rk4_dense(cardan_run *run)
+{
+    ptrdiff_t n = run->n;
+    real h = run->t - run->t_old;
+
+    for (ptrdiff_t i = 0; i < n; i++) {
+        real rise = run->y[i] - run->y_old[i];
+        run->spread[i] = rise;
+        run->spread[n + i] = h * run->k[i] - rise;
+        run->spread[2 * n + i] = 2 * rise - h * (run->k[i] + run->f[i]);
+    }
+    run->is_dense = 1;
+    return 0;
+}

@@ -1,0 +1,146 @@
+/* Drive an integrator to the end of its run and write the rows that are wanted.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "run.h"
+#include <math.h>
+
+/* For bindings: the size they must agree with. */
+size_t cardan_run_size(void)
+{
+    return sizeof(cardan_run);
+}
+
+/* y (n) inside a step from its dense output; theta in 0 ... 1, `rows` odd.
+ *
+ * y_old + theta (F0 + (1 - theta) (F1 + theta (F2 + ...))): F0 alone is the chord, every further
+ * row vanishes at both ends.
+ */
+void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
+                        const real *spread, real *y)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        real sum = 0;
+        for (ptrdiff_t j = rows - 1; j >= 0; j--)
+            sum = (sum + spread[j * n + i]) * (j % 2 == 0 ? theta : 1 - theta);
+        y[i] = y_old[i] + sum;
+    }
+}
+
+/* y (n) at a time inside the last step. */
+int cardan_run_at(cardan_run *run, real t, real *y)
+{
+    real h = run->t - run->t_old;
+    int status = 0;
+
+    if (t == run->t) {
+        for (ptrdiff_t i = 0; i < run->n; i++)
+            y[i] = run->y[i];
+        return 0;
+    }
+    if (!run->is_dense)
+        status = run->dense(run);
+    if (status != 0)
+        return status;
+    cardan_interpolate(run->dense_rows, run->n, (t - run->t_old) / h, run->y_old, run->spread, y);
+    cardan_normalize(run, y);
+    return 0;
+}
+
+/* Write a row for time t. */
+static int put(cardan_run *run, real t)
+{
+    real *row = run->rows + run->count * (1 + run->n + run->nr);
+    int status = cardan_run_at(run, t, row + 1);
+
+    if (status != 0)
+        return status;
+    row[0] = t;
+    cardan_inputs_at(run, t, row + 1);
+    for (ptrdiff_t i = 0; i < run->nr; i++)
+        row[1 + run->n + i] = run->r[i];
+    run->count++;
+    return 0;
+}
+
+/* Rows of the present step that are still to be written. */
+static int write_rows(cardan_run *run)
+{
+    int status = 0;
+    real direction = run->stops[run->stop_count - 1] - run->t_start;
+
+    if (run->times) {
+        while (run->next_time < run->time_count
+               && (run->times[run->next_time] - run->t) * direction <= 0) {
+            if (run->count == run->capacity)
+                return CARDAN_FULL;
+            status = put(run, run->times[run->next_time]);
+            if (status != 0)
+                return status;
+            run->next_time++;
+        }
+    } else if (run->row_open) {
+        if (run->count == run->capacity)
+            return CARDAN_FULL;
+        /* the first row belongs to no step */
+        if (run->spreads && run->steps > 0) {
+            ptrdiff_t size = run->dense_rows * run->n;
+            status = run->is_dense ? 0 : run->dense(run);
+            for (ptrdiff_t i = 0; i < size && status == 0; i++)
+                run->spreads[run->count * size + i] = run->spread[i];
+        }
+        if (status == 0)
+            status = put(run, run->t);
+        run->row_open = status != 0;
+    }
+    return status;
+}
+
+/* Begin at t, y: the first segment, the derivative, the first step size, the first row. */
+int cardan_run_start(cardan_run *run)
+{
+    int status;
+
+    run->t_start = run->t_old = run->t;
+    cardan_normalize(run, run->y);
+    run->culprit = cardan_not_finite(run->y, run->n);
+    if (run->culprit >= 0)
+        return CARDAN_NOT_FINITE;
+    status = cardan_segment(run);
+    if (status == 0)
+        status = cardan_refresh(run);
+    if (status == 0) {
+        run->culprit = cardan_not_finite(run->f, run->n);
+        status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
+    }
+    run->row_open = 1;
+    return status == 0 ? write_rows(run) : status;
+}
+
+/* Step until the run is over, the budget is spent, or there is no room for a row. */
+int cardan_run_drive(cardan_run *run)
+{
+    int status;
+
+    for (ptrdiff_t i = 0; i < run->budget; i++) {
+        status = write_rows(run);
+        if (status != 0)
+            return status;
+        if (run->stop)
+            return CARDAN_STOPPED;
+        /* at a stop: the next segment, or the end */
+        if (run->t == run->stops[run->next_stop]) {
+            if (run->next_stop + 1 == run->stop_count)
+                return CARDAN_DONE;
+            run->next_stop++;
+            status = cardan_segment(run);
+        }
+        if (status == 0)
+            status = run->step(run);
+        if (status != 0)
+            return status;
+        run->row_open = 1;
+    }
+    status = write_rows(run);
+    return status != 0 ? status : CARDAN_MORE;
+}

@@ -1,0 +1,128 @@
+/* One run of an integrator: the record that init, step and interpolate work on.
+ *
+ * Part of cardan. The caller owns the record and every array it points to; nothing here allocates
+ * or keeps state elsewhere, so that copying record and arrays is a checkpoint.
+ *
+ * The integrated vector is y = [x, e], n = nx + sources long: the state x = [q, u] and the energy e
+ * [J] that every source has given since the start. e is a quadrature: it takes no part in the error
+ * control.
+ */
+#ifndef CARDAN_RUN_H
+#define CARDAN_RUN_H
+
+#include "cardan.h"
+#include <stddef.h>
+
+typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);
+typedef struct cardan_run cardan_run;
+
+/* what an integrator says: not negative: the run may go on or is over; negative: it broke down */
+enum {
+    CARDAN_DONE = 0,
+    CARDAN_MORE = 1,       /* the budget of steps is spent */
+    CARDAN_FULL = 2,       /* no room for another row */
+    CARDAN_STOPPED = 3,    /* somebody set `stop` */
+    CARDAN_NOT_FINITE = -1,
+    CARDAN_TOO_SMALL = -2, /* the step size fell below what t can resolve */
+    CARDAN_MODEL = -3,     /* a generated function returned a status */
+    CARDAN_INPUT = -4      /* the callback of the inputs returned a status */
+};
+
+/* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
+typedef struct cardan_signal {
+    ptrdiff_t input;          /* index in r */
+    ptrdiff_t pieces;
+    ptrdiff_t where;          /* piece of the present segment */
+    const real *breaks;       /* (pieces + 1), ascending; two equal ones are a jump */
+    const real *coefficients; /* (pieces, 4): c0 c1 c2 c3 */
+} cardan_signal;
+
+struct cardan_run {
+    /* the method */
+    int (*init)(cardan_run *run);
+    int (*step)(cardan_run *run);
+    int (*dense)(cardan_run *run);
+
+    /* the model */
+    cardan_function rhs;
+    cardan_function power; /* NULL without sources */
+    const wreal *rhs_w;
+    const wreal *power_w;
+    int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
+    cardan_signal *signals;
+    const ptrdiff_t *quaternions; /* first entry of each in q */
+    ptrdiff_t nq, nx, n, nr;
+    ptrdiff_t signal_count, quaternion_count;
+    ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
+
+    /* memory */
+    real *y;        /* (n) at t */
+    real *y_old;    /* (n) at t_old, the start of the last step */
+    real *trial;    /* (n) */
+    real *k;        /* (stages, n) derivatives of the last step */
+    real *f;        /* (n) derivative at t, y; valid while `fresh` */
+    real *r;        /* (nr) inputs as last asked for */
+    real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense` */
+    const real *at_rest; /* zeros for the blocks tau and wrench */
+    real *work;     /* work of rhs and power */
+    ptrdiff_t stages, dense_rows;
+
+    /* time: a segment ends where an input has a corner; the last one ends the run */
+    const real *stops; /* (stop_count), the last one is the end */
+    ptrdiff_t stop_count, next_stop;
+    real t, t_old, t_start;
+    real segment; /* start of the present segment */
+    ptrdiff_t in_segment; /* steps since then */
+
+    /* step size control */
+    real rtol, atol, max_step;
+    real h;    /* next step, signed */
+    real last; /* error of the last accepted step, for the controller */
+    ptrdiff_t fresh, is_dense, rejected;
+
+    /* rows that come out: t, y, r */
+    real *rows;    /* (capacity, 1 + n + nr) */
+    real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
+    const real *times; /* (time_count) wanted times, NULL for a row at every step */
+    ptrdiff_t time_count, next_time;
+    ptrdiff_t capacity, count, row_open;
+
+    /* counters and answers */
+    ptrdiff_t steps, rejections, evaluations;
+    ptrdiff_t budget;      /* steps per call of cardan_run_drive */
+    ptrdiff_t culprit;     /* entry of y that broke the run, -1 if none is to blame */
+    ptrdiff_t model_status;
+    volatile ptrdiff_t stop; /* set by anybody at any time */
+};
+
+/* run.c */
+size_t cardan_run_size(void);
+int cardan_run_start(cardan_run *run);
+int cardan_run_drive(cardan_run *run);
+int cardan_run_at(cardan_run *run, real t, real *y);
+void cardan_inputs_at(cardan_run *run, real t, const real *x);
+void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
+                        const real *spread, real *y);
+
+/* what the methods build on: derivative.c and control.c */
+int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
+int cardan_refresh(cardan_run *run);
+int cardan_segment(cardan_run *run);
+int cardan_commit(cardan_run *run, real t, const real *y);
+void cardan_normalize(const cardan_run *run, real *y);
+ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
+int cardan_first_step(cardan_run *run, int order);
+int cardan_trial_step(cardan_run *run, real *h, real *t_new);
+void cardan_accept_step(cardan_run *run, real h, real error, int order);
+int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
+real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
+
+/* the methods */
+int cardan_rk4_init(cardan_run *run);
+int cardan_rk4_step(cardan_run *run);
+int cardan_rk4_dense(cardan_run *run);
+int cardan_dop853_init(cardan_run *run);
+int cardan_dop853_step(cardan_run *run);
+int cardan_dop853_dense(cardan_run *run);
+
+#endif
