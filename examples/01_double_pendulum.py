@@ -36,7 +36,7 @@ print("udot at rest, bent:", model.forward_dynamics([0.5, 1.0], [0.0, 0.0]))
 # The compiled functions drive a compiled integrator.
 motion = model.simulate(10.0, q={"shoulder": 1.0}, rtol=1e-10, atol=1e-12)
 print(motion)
-energy = model.energy(motion.q, motion.u)["total"]
+energy = motion.energy.total
 print(f"energy drift {abs(energy - energy[0]).max():.1e} J")
 
 # New numbers need no new compilation.

@@ -22,10 +22,10 @@ def test_total_energy_stays(name: str) -> None:
     motion = model.simulate(TIME, q=dict(first.q), u=dict(first.u), rtol=1e-10, atol=1e-13)
     assert motion.success
     assert motion.t[-1] == TIME
-    energy = model.energy(motion.q, motion.u)
-    drift = np.abs(energy["total"] - energy["total"][0]).max()
+    energy = motion.energy
+    drift = np.abs(energy.total - energy.total[0]).max()
     # 1e-10 per step leaves two digits for the steps of ten seconds
-    assert drift <= 1e-8 * energy["kinetic"].max()
+    assert drift <= 1e-8 * energy.kinetic.max()
     if member.margin is not None:
         rotations = model.pose(member.frame, motion.q)[:, :3, :3]
         assert min(member.margin(r) for r in rotations) >= 0.2
@@ -65,5 +65,4 @@ def test_ledger_closes(name: str) -> None:
     first = member.states[0]
     motion = model.simulate(TIME, q=dict(first.q), u=dict(first.u), rtol=1e-10, atol=1e-13)
     assert motion.success
-    energy = model.energy(motion.q, motion.u)
-    assert np.abs(motion.drift).max() <= 1e-7 * max(energy["kinetic"].max(), 1e-3)
+    assert np.abs(motion.drift).max() <= 1e-7 * max(motion.energy.kinetic.max(), 1e-3)

@@ -128,8 +128,8 @@ def test_joints_whose_speeds_are_rates(name: str) -> None:
         np.testing.assert_allclose(model.mass_matrix(place), mass, rtol=0, atol=1e-14 * mass.max())
         kinetic, potential = lagrangian.energy(place, speed)
         energy = model.energy(place, speed)
-        assert energy["kinetic"] == pytest.approx(kinetic, rel=1e-13)
-        assert energy["potential"] == pytest.approx(potential, rel=1e-13, abs=1e-13)
+        assert energy.kinetic == pytest.approx(kinetic, rel=1e-13)
+        assert energy.potential == pytest.approx(potential, rel=1e-13, abs=1e-13)
 
 
 @pytest.mark.parametrize("rotation", ["XYZ", "ZXZ", "zyx"])

@@ -103,7 +103,7 @@ def take(
     simulated = perf_counter() - start
     show("drawing")
     files = write(motion, out, picture)
-    kinetic = model.energy(motion.q, motion.u)["kinetic"].max()
+    kinetic = motion.energy.kinetic.max()
     return Tour(
         graph=scene.graph.text(),
         bodies=len(equations.system.bodies),
