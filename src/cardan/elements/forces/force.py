@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
+from ...errors import ModelError
 from ...ir.arithmetic import Scalar
+from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ..quantity import Quantity
@@ -98,3 +100,25 @@ class ForceElement(ABC):
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         """Inertia (nu, nu) it adds to the speeds of a joint, by role; such as a geared rotor."""
         return {}
+
+
+def constant(x: Matrix) -> bool:
+    """True where a quantity depends on parameters alone, so that a potential may hold it."""
+    graph = x.graph
+    leaves = (graph.nodes[i] for i in live(graph, x.nodes))
+    return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
+
+
+def one_coordinate(motion: Motion, joint: int, who: str) -> tuple[Scalar, Scalar]:
+    """Coordinate and speed of a joint that must have one.
+
+    Raises:
+        ModelError: it has another number.
+    """
+    q, u = motion.q(joint), motion.u(joint)
+    if q.rows != 1 or u.rows != 1:
+        raise ModelError(
+            f"{who}: the joint has {q.rows} coordinates; this element needs a joint with one. "
+            "Use a JointForce with an expression"
+        )
+    return q[0], u[0]

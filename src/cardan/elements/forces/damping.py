@@ -1,0 +1,54 @@
+"""Viscous damping in a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+from ..written import number
+from .force import Action, ForceElement, JointLoad, Motion
+
+
+@dataclass(frozen=True)
+class Damping(ForceElement):
+    """Viscous damping along all speeds of a joint: -damping u.
+
+    Args:
+        joint: Name of the joint.
+        damping: [N m s/rad] for turning, [N s/m] for sliding.
+
+    Raises:
+        ModelError: no finite number or expression.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    """
+
+    kind: ClassVar[str] = "damping"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
+    )
+    joint: str
+    damping: Any
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "damping", number("damping", "damping", self.damping))
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"damping": Quantity(self.damping, "N*m*s/rad")}
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        joint = joints["joint"]
+        drag = -(motion.u(joint) * data["damping"][0])
+        return () if drag.is_zero else (Action(joint_loads=(JointLoad(joint, drag),)),)

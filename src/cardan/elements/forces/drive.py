@@ -1,0 +1,137 @@
+"""A motor with gear on a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+from ..written import number
+from .force import Action, ForceElement, JointLoad, Motion, one_coordinate
+
+
+@dataclass(frozen=True)
+class Rotor:
+    """The body a drive needs besides those of the scene.
+
+    It turns about the joint's axis in the joint's parent, ``ratio`` times as fast as the joint;
+    with ``elastic`` it has a coordinate of its own instead.
+    """
+
+    inertia: Any
+    ratio: Any
+    elastic: bool
+
+
+@dataclass(frozen=True)
+class Drive(ForceElement):
+    """A motor whose rotor turns ``ratio`` times as fast as the joint it drives.
+
+    Rigid and not gyroscopic, the rotor adds ratio^2 inertia to the joint and no more. With
+    ``gyroscopic`` it is a body that turns in the joint's parent and feels the parent's motion.
+    With ``stiffness`` gear and shaft are elastic: the rotor has a coordinate ``<drive>.rotor`` and
+    the joint torque is stiffness (rotor / ratio - q) + damping (its rate).
+
+    Args:
+        joint: Name of a joint with one coordinate.
+        inertia: Of the rotor about its axis [kg m^2].
+        ratio: Turns of the rotor per turn of the joint.
+        torque: Of the motor on the rotor [N m]: number, parameter, input or expression.
+        friction: Viscous, on the rotor [N m s/rad].
+        gyroscopic: Couple the rotor to the motion of the parent.
+        stiffness: Of the shaft at the joint side [N m/rad]; None: rigid.
+        damping: Of the shaft at the joint side [N m s/rad].
+
+    Raises:
+        ModelError: a value that is no finite number or expression.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.3.
+    """
+
+    kind: ClassVar[str] = "drive"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3"
+    )
+    joint: str
+    inertia: Any
+    ratio: Any = 1.0
+    torque: Any = 0.0
+    friction: Any = 0.0
+    gyroscopic: bool = False
+    stiffness: Any = None
+    damping: Any = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("inertia", "ratio", "torque", "friction", "damping"):
+            object.__setattr__(self, name, number("drive", name, getattr(self, name)))
+        if self.stiffness is not None:
+            object.__setattr__(self, "stiffness", number("drive", "stiffness", self.stiffness))
+
+    def rotor(self) -> Rotor | None:
+        """The extra body, None where the inertia of the rotor is added to the joint's."""
+        if self.stiffness is None and not self.gyroscopic:
+            return None
+        return Rotor(self.inertia, self.ratio, elastic=self.stiffness is not None)
+
+    def quantities(self) -> dict[str, Quantity]:
+        shaft = (
+            {}
+            if self.stiffness is None
+            else {
+                "stiffness": Quantity(self.stiffness, "N*m/rad"),
+                "damping": Quantity(self.damping, "N*m*s/rad"),
+            }
+        )
+        own = {} if self.rotor() else {"inertia": Quantity(self.inertia, "kg*m^2")}
+        return (
+            own
+            | shaft
+            | {
+                "ratio": Quantity(self.ratio, "", ratio=True),
+                "torque": Quantity(self.torque, "N*m"),
+                "friction": Quantity(self.friction, "N*m*s/rad"),
+            }
+        )
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
+        if self.rotor() is not None:
+            return {}
+        ratio = data["ratio"][0]
+        return {"joint": data["inertia"] * (ratio * ratio)}
+
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        joint, ratio = joints["joint"], data["ratio"][0]
+        q, u = one_coordinate(motion, joint, f"drive on joint '{self.joint}'")
+        if self.stiffness is None:
+            speed, gear, target = u * ratio, ratio, joint
+        else:
+            (angle,), (speed,) = motion.q(joints["rotor"]), motion.u(joints["rotor"])
+            gear, target = ratio / ratio, joints["rotor"]
+        motor = (data["torque"][0] - data["friction"][0] * speed) * gear
+        actions = [Action(joint_loads=(_load(motion, target, motor),))]
+        if self.stiffness is not None:
+            twist, rate = angle / ratio - q, speed / ratio - u
+            spring, damper = data["stiffness"][0] * twist, data["damping"][0] * rate
+            energy = spring * twist * 0.5
+            for torque, potential in ((spring, energy), (damper, None)):
+                pair = (
+                    _load(motion, joint, torque),
+                    _load(motion, target, -(torque / ratio)),
+                )
+                actions.append(Action(joint_loads=pair, potential=potential))
+        return tuple(actions)
+
+
+def _load(motion: Motion, joint: int, force: Any) -> JointLoad:
+    return JointLoad(joint, Matrix.vector(motion.graph, [force]))

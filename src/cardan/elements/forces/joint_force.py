@@ -1,0 +1,68 @@
+"""A generalized force along a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+from ..written import number, vector
+from .force import Action, ForceElement, JointLoad, Motion
+
+
+@dataclass(frozen=True)
+class JointForce(ForceElement):
+    """A force along the speeds of a joint: a motor, a muscle, a measured characteristic.
+
+    Args:
+        joint: Name of the joint.
+        force: One value per speed of the joint, a bare one where it has one: [N m] for turning,
+            [N] for sliding. Numbers, parameters, expressions, or a table of measured data such as
+            ``cd.table(angles, torques)(scene.q("knee"))``.
+
+    Raises:
+        ModelError: values that are no finite numbers or expressions.
+
+    Source: Kane and Levinson, Dynamics: Theory and Applications, section 4.6.
+    """
+
+    kind: ClassVar[str] = "joint_force"
+    source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.6"
+    joint: str
+    force: Any
+
+    def __post_init__(self) -> None:
+        several = isinstance(self.force, Sequence) or hasattr(self.force, "tolist")
+        if several and not isinstance(self.force, str):
+            entries = vector("joint_force", "force", self.force)
+        else:
+            entries = (number("joint_force", "force", self.force),)
+        object.__setattr__(self, "force", entries)
+
+    def quantities(self) -> dict[str, Quantity]:
+        labels = tuple(str(i + 1) for i in range(len(self.force)))
+        value = self.force[0] if len(self.force) == 1 else self.force
+        return {"force": Quantity(value, "", labels=labels if len(labels) > 1 else ())}
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        joint, force = joints["joint"], data["force"]
+        speeds = motion.u(joint).rows
+        if force.rows * force.columns != speeds:
+            raise ModelError(
+                f"joint_force on joint '{self.joint}': {len(self.force)} values for a joint with "
+                f"{speeds} speeds; give {speeds}"
+            )
+        column = Matrix(motion.graph, speeds, 1, force.nodes)
+        return (Action(joint_loads=(JointLoad(joint, column),)),)

@@ -1,0 +1,97 @@
+"""A spring and damper between two points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Scalar, norm, select
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+from ..written import number
+from .force import Action, ForceElement, Load, Motion, constant
+
+
+@dataclass(frozen=True)
+class SpringDamper(ForceElement):
+    """A straight spring with a damper in parallel between the origins of two frames.
+
+    The force along the line is stiffness (distance - length) + damping d(distance)/dt, pulling the
+    frames together where positive. Where the points meet it has no direction and is zero, unless
+    the free length is zero: then the spring is smooth there.
+
+    Args:
+        frame_a, frame_b: Frames or bodies at its ends.
+        stiffness: [N/m].
+        damping: [N s/m].
+        length: Free length [m].
+
+    Raises:
+        ModelError: a value that is no finite number or expression.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    """
+
+    kind: ClassVar[str] = "spring_damper"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
+    )
+    frame_a: Any
+    frame_b: Any
+    stiffness: Any = 0.0
+    damping: Any = 0.0
+    length: Any = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("stiffness", "damping", "length"):
+            object.__setattr__(self, name, number("spring_damper", name, getattr(self, name)))
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "stiffness": Quantity(self.stiffness, "N/m"),
+            "damping": Quantity(self.damping, "N*s/m"),
+            "length": Quantity(self.length, "m"),
+        }
+
+    def frames(self) -> dict[str, Any]:
+        return {"a": self.frame_a, "b": self.frame_b}
+
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        a, b = frames["a"], frames["b"]
+        span = motion.position(b) - motion.position(a)
+        stiffness, damping, free = (data[n][0] for n in ("stiffness", "damping", "length"))
+        actions = []
+        if not data["stiffness"].is_zero:
+            if data["length"].is_zero:
+                pull, energy = span * stiffness, span.dot(span) * stiffness * 0.5
+            else:
+                distance = norm(*span)
+                stretch = distance - free
+                pull = _direction(span, distance) * (stiffness * stretch)
+                energy = stiffness * stretch**2 * 0.5
+            fixed = constant(data["stiffness"]) and constant(data["length"])
+            actions.append(_between(motion, a, b, pull, energy if fixed else None))
+        if not data["damping"].is_zero:
+            along = _direction(span, norm(*span))
+            rate = along.dot(motion.velocity(b) - motion.velocity(a))
+            actions.append(_between(motion, a, b, along * (damping * rate), None))
+        return tuple(actions)
+
+
+def _direction(span: Matrix, distance: Scalar) -> Matrix:
+    """Unit vector along a span, zero where it has no direction."""
+    apart = (distance * 0).apply("lt", distance)
+    return span * (select(apart, 1, 0) / select(apart, distance, 1))
+
+
+def _between(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
+    """A force that pulls a towards b and b towards a."""
+    none = Matrix.zeros(motion.graph, 3)
+    return Action((Load(a, none, pull), Load(b, none, -pull)), potential=energy)

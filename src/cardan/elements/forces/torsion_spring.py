@@ -1,0 +1,76 @@
+"""A spring and damper along a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ..quantity import Quantity
+from ..written import number
+from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
+
+
+@dataclass(frozen=True)
+class TorsionSpring(ForceElement):
+    """A spring with a damper in parallel along the coordinate of a joint.
+
+    The generalized force is -stiffness (q - rest) - damping u.
+
+    Args:
+        joint: Name of a joint with one coordinate, turning or sliding.
+        stiffness: [N m/rad] or [N/m].
+        damping: [N m s/rad] or [N s/m].
+        rest: Coordinate without load [rad] or [m].
+
+    Raises:
+        ModelError: a value that is no finite number or expression.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    """
+
+    kind: ClassVar[str] = "torsion_spring"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
+    )
+    joint: str
+    stiffness: Any = 0.0
+    damping: Any = 0.0
+    rest: Any = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("stiffness", "damping", "rest"):
+            object.__setattr__(self, name, number("torsion_spring", name, getattr(self, name)))
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "stiffness": Quantity(self.stiffness, "N*m/rad"),
+            "damping": Quantity(self.damping, "N*m*s/rad"),
+            "rest": Quantity(self.rest, "rad"),
+        }
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def act(
+        self,
+        motion: Motion,
+        data: Mapping[str, Matrix],
+        frames: Mapping[str, int],
+        joints: Mapping[str, int],
+    ) -> tuple[Action, ...]:
+        joint = joints["joint"]
+        q, u = one_coordinate(motion, joint, f"torsion_spring on joint '{self.joint}'")
+        stiffness, damping, rest = (data[n][0] for n in ("stiffness", "damping", "rest"))
+        actions = []
+        if not data["stiffness"].is_zero:
+            turn = q - rest
+            fixed = constant(data["stiffness"]) and constant(data["rest"])
+            energy = stiffness * turn**2 * 0.5 if fixed else None
+            back = Matrix.vector(motion.graph, [-(stiffness * turn)])
+            actions.append(Action(joint_loads=(JointLoad(joint, back),), potential=energy))
+        if not data["damping"].is_zero:
+            drag = Matrix.vector(motion.graph, [-(damping * u)])
+            actions.append(Action(joint_loads=(JointLoad(joint, drag),)))
+        return tuple(actions)
