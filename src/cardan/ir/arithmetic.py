@@ -97,3 +97,9 @@ def select(condition: Scalar, then: Number, otherwise: Number) -> Scalar:
 def stumpff(k: int, x: Scalar) -> Scalar:
     """Stumpff function c_k(x), see :func:`cardan.ir.ops.stumpff`."""
     return Scalar(x.graph, x.graph.apply("stumpff", x.graph.const(float(k)), x.node))
+
+
+def norm(*entries: Scalar) -> Scalar:
+    """Length of a vector; its derivative is v/|v|, and 0 at v = 0."""
+    squares = [x * x for x in entries]
+    return sqrt(sum(squares[1:], squares[0]))

@@ -2,7 +2,7 @@
 
 from .damping import Damping
 from .drive import Drive
-from .force import Action, ForceElement, JointLoad, Load, Motion
+from .force import ForceElement
 from .force_on_frame import Force
 from .joint_force import JointForce
 from .spring_damper import SpringDamper

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import Quantity
 from ..written import number
@@ -113,25 +114,25 @@ class Drive(ForceElement):
     ) -> tuple[Action, ...]:
         joint, ratio = joints["joint"], data["ratio"][0]
         q, u = one_coordinate(motion, joint, f"drive on joint '{self.joint}'")
+        torque, friction = data["torque"][0], data["friction"][0]
         if self.stiffness is None:
-            speed, gear, target = u * ratio, ratio, joint
-        else:
-            (angle,), (speed,) = motion.q(joints["rotor"]), motion.u(joints["rotor"])
-            gear, target = ratio / ratio, joints["rotor"]
-        motor = (data["torque"][0] - data["friction"][0] * speed) * gear
-        actions = [Action(joint_loads=(_load(motion, target, motor),))]
-        if self.stiffness is not None:
-            twist, rate = angle / ratio - q, speed / ratio - u
-            spring, damper = data["stiffness"][0] * twist, data["damping"][0] * rate
-            energy = spring * twist * 0.5
-            for torque, potential in ((spring, energy), (damper, None)):
-                pair = (
-                    _load(motion, joint, torque),
-                    _load(motion, target, -(torque / ratio)),
-                )
-                actions.append(Action(joint_loads=pair, potential=potential))
-        return tuple(actions)
+            motor = (torque - friction * (u * ratio)) * ratio
+            return (Action(joint_loads=(_load(motion, joint, motor),)),)
+        # an elastic shaft: the rotor moves by itself and pulls the joint along
+        rotor = joints["rotor"]
+        angle, speed = motion.q(rotor)[0], motion.u(rotor)[0]
+        twist, rate = angle / ratio - q, speed / ratio - u
+        spring, damper = data["stiffness"][0] * twist, data["damping"][0] * rate
+
+        def pair(shaft: Scalar) -> tuple[JointLoad, JointLoad]:
+            return _load(motion, joint, shaft), _load(motion, rotor, -(shaft / ratio))
+
+        return (
+            Action(joint_loads=pair(spring), potential=spring * twist * 0.5),
+            Action(joint_loads=pair(damper)),
+            Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
+        )
 
 
-def _load(motion: Motion, joint: int, force: Any) -> JointLoad:
+def _load(motion: Motion, joint: int, force: Scalar) -> JointLoad:
     return JointLoad(joint, Matrix.vector(motion.graph, [force]))
