@@ -1,0 +1,83 @@
+"""Call generated functions through ctypes: the same interface as the extension ``_abi``.
+
+Used where the extension was not built. A batch runs in the C loop of the kernels library, so
+results are the same to the bit; only the overhead of a call is larger.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import kernels
+
+if TYPE_CHECKING:
+    from .calling import Caller
+
+NAME = "ctypes"
+SLOTS = 15
+Pointers = ctypes.c_void_p * SLOTS
+Strides = ctypes.c_ssize_t * SLOTS
+FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
+PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
+
+
+def run(
+    address: int,
+    blocks: Sequence[NDArray[np.float64] | None],
+    strides: Sequence[int],
+    count: int,
+    out: NDArray[np.float64],
+    work_size: int,
+) -> tuple[int, int]:
+    """Call a function at ``count`` states.
+
+    Args:
+        address: The C function.
+        blocks: 15 arrays in the order of cardan_in, float64; only where they start matters.
+        strides: Numbers from one state to the next, 0 for a block all states share.
+        out: (count, output size), C-contiguous.
+        work_size: Numbers of work memory.
+
+    Returns:
+        (first status that is not 0, index of that state or -1).
+    """
+    pointers = Pointers(*(None if b is None else b.ctypes.data for b in blocks))
+    work = np.empty(work_size)
+    if count == 1:
+        status = FUNCTION(address)(ctypes.addressof(pointers), out.ctypes.data, work.ctypes.data)
+        return status, 0 if status else -1
+    failed = ctypes.c_ssize_t(-1)
+    status = kernels.library().cardan_map(
+        ctypes.c_void_p(address),
+        pointers,
+        Strides(*strides),
+        ctypes.c_ssize_t(count),
+        ctypes.c_void_p(out.ctypes.data),
+        ctypes.c_ssize_t(out.strides[0] // 8),
+        ctypes.c_void_p(work.ctypes.data),
+        ctypes.byref(failed),
+    )
+    return status, failed.value
+
+
+def prepare(address: int, p: NDArray[np.float64], w: NDArray[np.float64]) -> None:
+    """Call a ``prepare_`` function for every row of p, (count, np) -> (count, nw)."""
+    function = PREPARE(address)
+    for row, result in zip(p, w, strict=True):
+        function(row.ctypes.data, result.ctypes.data)
+
+
+def first_bad(x: NDArray[np.float64]) -> int:
+    """Flat index of the first entry that is NaN or infinite, -1 if all are finite."""
+    finite = np.isfinite(x).reshape(-1)
+    return -1 if finite.all() else int(np.argmin(finite))
+
+
+def fast(caller: Caller) -> Caller:
+    """The quickest way to call one function for one state; here: the general one."""
+    return caller

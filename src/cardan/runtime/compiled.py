@@ -1,0 +1,340 @@
+"""A compiled model: its functions on arrays, as fast C."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import ModelError, near
+from . import kernels
+from .calling import Array, by_name
+from .dynamics import Dynamics
+from .evaluation import Values
+from .layout import READS, Layout
+from .loaded import LoadedFunction, assemble
+from .objects import Key, Objects, Provide
+from .parameters import Parameters
+from .states import random_state
+
+if TYPE_CHECKING:
+    from .report import Report
+    from .trajectory import Trajectory
+    from .verify import Verification
+
+
+class _Calls(dict[Key, Any]):
+    """The quick way into every function; filled on first use."""
+
+    def __init__(self, load: Callable[[str, str | None], LoadedFunction]) -> None:
+        self.load = load
+
+    def __missing__(self, key: Key) -> Any:
+        self[key] = fast = self.load(*key).fast
+        return fast
+
+
+@final
+class CompiledModel(Dynamics):
+    """Functions of a system as compiled C.
+
+    All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill
+    ``out=``), may be called from several threads at once, and release the GIL where they work
+    long. A vector may be given by names, ``{"elbow": 0.3}``; the rest then takes its default.
+
+    Conventions: the speeds u are what robotics calls v, tau is a generalized applied force; the
+    equations are M udot + h = f + tau with gravity inside h; quaternions are (w, x, y, z) and must
+    have length 1; 6-vectors have the angular part first. SI units, radians.
+
+    Raises (every function):
+        ValueError: wrong shape. ModelError: unknown name, or a function that was not compiled.
+        SolveError: a number given is not finite; or, for one state, the result is not. In a batch
+            the states that fail hold NaN and a SolveWarning names the first.
+    """
+
+    def __init__(
+        self, directory: str | Path, provide: Provide | None = None, *, reproducible: bool = False
+    ) -> None:
+        """Open a model directory.
+
+        Args:
+            directory: With ``manifest.json`` and the C files.
+            provide: ``provide(function, of)`` writes what is missing there, returns its C name.
+            reproducible: Equal bits from every compiler, 10-30 % slower.
+
+        Raises:
+            ModelError: no readable manifest.
+        """
+        self._objects = Objects(Path(directory), provide, reproducible)
+        self._set(Parameters(self._objects.manifest))
+
+    def _set(self, parameters: Parameters) -> None:
+        self._layout = Layout(self._objects.manifest)
+        self._parameters = parameters
+        self._functions: dict[Key, LoadedFunction] = {}
+        self._calls = _Calls(self._function)
+
+    # what it is
+
+    @property
+    def name(self) -> str:
+        """Name of the model."""
+        return str(self.manifest["name"])
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """Everything the compiler says about the model; see ``docs/manifest.schema.json``."""
+        return self._objects.manifest
+
+    @property
+    def directory(self) -> Path:
+        """Where its C files and manifest are."""
+        return self._objects.directory
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of q."""
+        return self._layout.coordinates
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+        return self._layout.speeds
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of r."""
+        return self._layout.inputs
+
+    @property
+    def frames(self) -> tuple[str, ...]:
+        """Names of the frames that pose, velocity and others take."""
+        return tuple(row["name"] for row in self.manifest["frames"])
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Names of the bodies that can move."""
+        return self._layout.parts
+
+    @property
+    def part_of(self) -> dict[str, str | None]:
+        """Frame -> the body it is fixed to, None for the ground."""
+        return {row["name"]: row.get("part") for row in self.manifest["frames"]}
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints, the fixed ones last."""
+        return (*(row["name"] for row in self.manifest["joints"]), *self.manifest["fixed"])
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return len(self.coordinates)
+
+    @property
+    def nu(self) -> int:
+        """Number of speeds."""
+        return len(self.speeds)
+
+    @property
+    def nx(self) -> int:
+        """Length of the state x = [q, u]."""
+        return self.nq + self.nu
+
+    @property
+    def nr(self) -> int:
+        """Number of inputs."""
+        return len(self.inputs)
+
+    @property
+    def nlam(self) -> int:
+        """Number of Lagrange multipliers."""
+        return len(self.manifest["multipliers"])
+
+    @property
+    def limits(self) -> dict[str, dict[str, float | None]]:
+        """Limits of the joints that have some: lower, upper, speed, effort."""
+        return {row["name"]: row["limits"] for row in self.manifest["joints"] if row["limits"]}
+
+    @property
+    def parameters(self) -> Parameters:
+        """Parameter values by dotted name; read-only, see :meth:`with_parameters`."""
+        return self._parameters
+
+    @property
+    def source(self) -> dict[str, str]:
+        """C text by C name, of every function written so far."""
+        names = self.manifest["functions"]
+        return {name: self._objects.text_path(name).read_text("utf-8") for name in names}
+
+    @property
+    def operations(self) -> dict[str, dict[str, int]]:
+        """Number of each operator by C name, of every function written so far."""
+        return {name: entry["operations"] for name, entry in self.manifest["functions"].items()}
+
+    def __repr__(self) -> str:
+        return (
+            f"CompiledModel('{self.name}', {self.manifest['method']}: {len(self.bodies)} bodies, "
+            f"{self.nq} coordinates, {self.nu} speeds, {len(self.parameters)} parameters)"
+        )
+
+    def with_parameters(self, values: Values | None = None, **named: ArrayLike) -> CompiledModel:
+        """The same model with other parameter values; nothing is compiled again.
+
+        Args:
+            values: Dotted name -> value, ``{"upper.mass": 2.0}``.
+            named: The same for plain names, ``m=2.0``.
+
+        Raises:
+            ModelError: unknown or structural parameter.
+        """
+        vector = self._parameters.changed({**(values or {}), **named})
+        if vector.ndim != 1:
+            raise ValueError(
+                "with_parameters takes one number per name; a batch of parameter sets goes into "
+                "parameters= of a function"
+            )
+        return self._with(Parameters(self.manifest, vector))
+
+    def _with(self, parameters: Parameters) -> CompiledModel:
+        """This model over the same loaded code with other values."""
+        other = object.__new__(CompiledModel)
+        other._objects = self._objects
+        other._set(parameters)
+        return other
+
+    # loading
+
+    def _function(self, name: str, of: str | None = None) -> LoadedFunction:
+        """A function, compiled and loaded if it was not yet."""
+        return self._load([(name, of)])[0]
+
+    def _load(self, keys: Iterable[Key]) -> list[LoadedFunction]:
+        """Several functions; those that must be compiled are compiled side by side."""
+        wanted = list(keys)
+        missing = [key for key in dict.fromkeys(wanted) if key not in self._functions]
+        for name, of in missing:
+            self._check_of(name, of)
+        codes = self._objects.load([self._objects.symbol(*key) for key in missing])
+        for (name, of), code in zip(missing, codes, strict=True):
+            arguments = self._layout.reads(name)
+            p = self._parameters.vector
+            self._functions[name, of] = assemble(name, of, code, arguments, p)
+        fresh = [key for key, code in zip(missing, codes, strict=True) if code.built.fresh]
+        if fresh:
+            from .verify import verify_built
+
+            verify_built(self, fresh)
+        return [self._functions[key] for key in wanted]
+
+    def _check_of(self, name: str, of: str | None) -> None:
+        if name not in READS:
+            raise ModelError(f"function '{name}' does not exist.{near(name, READS)}")
+        kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
+        if of is not None and of not in known:
+            raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")
+
+    def prepare(self, *functions: str | Key) -> None:
+        """Compile functions before they are needed, several at once.
+
+        Args:
+            functions: Such as ``"rhs"`` or ``("pose", "hand")``; all that were written if empty.
+        """
+        keys = [(f, None) if isinstance(f, str) else f for f in functions]
+        if not functions:
+            keys = [(n, e.get("of")) for n, e in self.manifest["functions"].items() if n in READS]
+        self._load(keys)
+
+    @property
+    def saved(self) -> tuple[str, ...]:
+        """Names of the functions whose expressions are stored beside the C."""
+        return tuple(self._objects.saved())
+
+    def _evaluate_saved(self, name: str, arithmetic: str = "numpy", **values: Any) -> Any:
+        """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`."""
+        from ..ir.interpreter import evaluate
+        from ..ir.serialize import from_dict
+
+        return evaluate(from_dict(self._objects.saved()[name]), values, arithmetic)
+
+    def _kernels(self) -> ctypes.CDLL:
+        """The library of integrators and loops."""
+        return kernels.library(self._objects.reproducible)
+
+    def _evaluate(
+        self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
+    ) -> Array:
+        if parameters is None:
+            result: Array = self._calls[key](out, *values)
+            return result
+        function = self._function(*key)
+        w = function.prepared(self._parameters.changed(parameters))
+        return function.caller(out, *values, w=w)
+
+    def _vector(self, block: str, value: Any) -> Any:
+        if not isinstance(value, Mapping):
+            return np.asarray(value, dtype=np.float64)
+        return by_name(block, self._layout.arguments[block], value)
+
+    # states
+
+    def split(self, x: ArrayLike) -> tuple[Array, Array]:
+        """q (..., nq) and u (..., nu) of a state x (..., nx): views where x is an array."""
+        array = np.asarray(x, dtype=np.float64)
+        if array.ndim == 0 or array.shape[-1] != self.nx:
+            raise ValueError(f"x has shape {array.shape}, expected (..., {self.nx}): [q, u]")
+        return array[..., : self.nq], array[..., self.nq :]
+
+    def initial(self, q: Values | None = None, u: Values | None = None) -> Array:
+        """A state x (nx,) from named values; the rest from q0 and u0 of the joints, then 0."""
+        from .initial import initial_state
+
+        state: Array = initial_state(self.manifest, q or {}, u or {})[0]
+        return state
+
+    def random_state(
+        self, rng: np.random.Generator | int | None = None, shape: tuple[int, ...] = ()
+    ) -> Array:
+        """States x (*shape, nx) inside limits and domains; speeds within +-1."""
+        return random_state(self.manifest, np.random.default_rng(rng), shape)
+
+    # checks and runs
+
+    def verify(self, states: int = 3, seed: int = 1) -> Verification:
+        """Compare the C with an independent NumPy Newton-Euler; see :mod:`.verify`.
+
+        Raises:
+            BuildError: they differ.
+        """
+        from .verify import verify
+
+        return verify(self, states=states, seed=seed)
+
+    def report(self, t: float | None = None) -> Report:
+        """Measure every function: operations, time, error against 40 digits; prints a table."""
+        from .report import report
+
+        return report(self, t)
+
+    def simulate(self, t: Any, **options: Any) -> Trajectory:
+        """Motion over time; see :func:`cardan.analyses.simulate.simulate` for the options."""
+        from ..analyses.simulate import simulate
+
+        return simulate(self, t, **options)
+
+    def stepper(self, **options: Any) -> Any:
+        """Motion step by step; see :class:`cardan.analyses.stepper.Stepper`."""
+        from ..analyses.stepper import stepper
+
+        return stepper(self, **options)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # source and manifest travel, never a binary
+        from .saved import restore, texts
+
+        values = self._parameters.vector.tolist()
+        return restore, (texts(self.directory), values, self._objects.reproducible)

@@ -1,0 +1,217 @@
+"""Dynamics of a compiled model: accelerations, forces, powers, reactions."""
+
+from __future__ import annotations
+
+from abc import ABC
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import wrenches as outside
+from .calling import Array
+from .evaluation import State, Values, into
+from .kinematics import Kinematics
+
+
+class Dynamics(Kinematics, ABC):
+    """Functions of M udot + h = f + tau; ``...`` are leading axes that broadcast."""
+
+    def rhs(
+        self,
+        t: ArrayLike,
+        x: ArrayLike,
+        r: State | None = None,
+        *,
+        tau: State | None = None,
+        wrenches: Values | None = None,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Time derivative (..., nx) of the state x = [q, u], as SciPy's solvers want it."""
+        if tau is None and wrenches is None:
+            return self._evaluate(("rhs", None), (t, x, r), parameters, out)
+        # the C of rhs knows no outer forces: qdot and udot one by one
+        q, u = self.split(x)
+        rest: dict[str, Any] = {"r": r, "t": t, "parameters": parameters}
+        rates = self.qdot(q, u, **rest)
+        udot = self.forward_dynamics(q, u, tau=tau, wrenches=wrenches, **rest)
+        lead = np.broadcast_shapes(rates.shape[:-1], udot.shape[:-1])
+        both = [np.broadcast_to(a, (*lead, a.shape[-1])) for a in (rates, udot)]
+        result: Array = np.concatenate(both, axis=-1, out=out)
+        return result
+
+    def forward_dynamics(
+        self,
+        q: State,
+        u: State,
+        *,
+        tau: State | None = None,
+        wrenches: Values | None = None,
+        r: State | None = None,
+        z: ArrayLike | None = None,
+        s: ArrayLike | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """udot (..., nu) with M udot + h = f + tau.
+
+        Args:
+            q: Coordinates (..., nq); quaternions (w, x, y, z) of length 1.
+            u: Speeds (..., nu): v of robotics.
+            tau: Generalized applied forces (..., nu) besides those of the model.
+            wrenches: Frame -> (..., 6), moment then force at the frame origin, ground axes.
+        """
+        if parameters is None and wrenches is None:
+            result: Array = self._calls["forward_dynamics", None](out, t, q, u, z, s, r, tau)
+            return result
+        if wrenches is not None:
+            more = outside.generalized(self, wrenches, q, r=r, t=t, parameters=parameters)
+            tau = more if tau is None else self._vector("tau", tau) + more
+        key = ("forward_dynamics", None)
+        return self._evaluate(key, (t, q, u, z, s, r, tau), parameters, out)
+
+    def inverse_dynamics(
+        self,
+        q: State,
+        u: State,
+        udot: State,
+        *,
+        wrenches: Values | None = None,
+        r: State | None = None,
+        z: ArrayLike | None = None,
+        s: ArrayLike | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """tau (..., nu) with M udot + h = f + tau, f being the forces of the model.
+
+        Args:
+            q: Coordinates (..., nq). u: Speeds (..., nu). udot: Their derivatives (..., nu).
+            wrenches: Frame -> (..., 6), moment then force at the frame origin, ground axes; they
+                act too, so that tau is what is left to do.
+        """
+        if parameters is None and wrenches is None:
+            result: Array = self._calls["inverse_dynamics", None](out, t, q, u, udot, z, s, r)
+            return result
+        key = ("inverse_dynamics", None)
+        tau = self._evaluate(key, (t, q, u, udot, z, s, r), parameters, None)
+        if wrenches is not None:
+            rest: dict[str, Any] = {"r": r, "t": t, "parameters": parameters}
+            tau = tau - outside.generalized(self, wrenches, q, **rest)
+        return into(tau, out)
+
+    def mass_matrix(
+        self,
+        q: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """M (..., nu, nu): the kinetic energy is 1/2 uᵀ M u where nothing is prescribed."""
+        return self._evaluate(("mass_matrix", None), (t, q, r), parameters, out)
+
+    def bias(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """h (..., nu): velocity products and gravity, as in Pinocchio and MuJoCo."""
+        return self._evaluate(("bias", None), (t, q, u, r), parameters, out)
+
+    def gravity(
+        self,
+        q: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """The part of h that is left at rest, (..., nu)."""
+        return self._evaluate(("gravity", None), (t, q, r), parameters, out)
+
+    def coriolis(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """The vector h - gravity, (..., nu)."""
+        return self._evaluate(("coriolis", None), (t, q, u, r), parameters, out)
+
+    def applied(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """f (..., nu): generalized forces of the model's force elements."""
+        return self._evaluate(("applied", None), (t, q, u, r), parameters, out)
+
+    def power(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Power [W] of everything that has no potential, one number per source."""
+        return self._evaluate(("power", None), (t, q, u, r), parameters, out)
+
+    def reaction(
+        self,
+        joint: str,
+        q: State,
+        u: State,
+        *,
+        tau: State | None = None,
+        wrenches: Values | None = None,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Wrench of parent on child (..., 6) at the child joint frame, in its axes.
+
+        Args:
+            joint: A joint with motion or a fixed one.
+            tau, wrenches: As for :meth:`forward_dynamics`: the system accelerates under them.
+        """
+        block = None
+        if wrenches is not None:
+            block = outside.by_part(self, wrenches, q, r=r, t=t, parameters=parameters)
+        return self._evaluate(("reaction", joint), (t, q, u, r, tau, block), parameters, out)
+
+    def outputs(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """The declared outputs, then the forces of prescribed motions (..., ny)."""
+        return self._evaluate(("outputs", None), (t, q, u, r), parameters, out)

@@ -1,0 +1,70 @@
+"""What the functions of a compiled model share: how they are called."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .calling import Array
+from .objects import Key
+
+Values = Mapping[str, ArrayLike]
+State = ArrayLike | Values
+
+
+class Evaluation(ABC):
+    """Functions on states; ``...`` are leading axes that broadcast.
+
+    Every function takes ``parameters={name: value}`` for values other than the model's own; the
+    values may have leading axes too. ``t`` and ``r`` matter where motions are prescribed.
+    """
+
+    _calls: Mapping[Key, Any]
+
+    @abstractmethod
+    def _evaluate(
+        self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
+    ) -> Array:
+        """Call a function, with parameter values of its own where they are given."""
+
+    @abstractmethod
+    def _vector(self, block: str, value: Any) -> Array:
+        """A vector given as an array or by names, as an array."""
+
+    @abstractmethod
+    def split(self, x: ArrayLike) -> tuple[Array, Array]:
+        """q and u of a state x."""
+
+    @property
+    @abstractmethod
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+
+    @property
+    @abstractmethod
+    def bodies(self) -> tuple[str, ...]:
+        """Names of the bodies that can move, in the order of the block ``wrench``."""
+
+    @property
+    @abstractmethod
+    def frames(self) -> tuple[str, ...]:
+        """Names of frames."""
+
+    @property
+    @abstractmethod
+    def part_of(self) -> dict[str, str | None]:
+        """Frame -> the body it is fixed to, None for the ground."""
+
+
+def into(result: Array, out: Array | None) -> Array:
+    """The result, in ``out`` if that was given."""
+    if out is None:
+        return result
+    if out.shape != np.shape(result):
+        raise ValueError(f"out has shape {out.shape}, expected {np.shape(result)}")
+    out[...] = result
+    return out

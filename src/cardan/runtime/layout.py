@@ -1,0 +1,112 @@
+"""What the manifest says about the blocks of a model, as arguments of its functions."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from .calling import SLOT, Argument, Array
+
+READS = {
+    "rhs": "t x r",
+    "forward_dynamics": "t q u z s r tau",
+    "inverse_dynamics": "t q u udot z s r",
+    "mass_matrix": "t q r",
+    "bias": "t q u r",
+    "gravity": "t q r",
+    "coriolis": "t q u r",
+    "applied": "t q u r",
+    "qdot": "t q u r",
+    "energy": "t q u r",
+    "pose": "t q r",
+    "velocity": "t q u r",
+    "acceleration": "t q u udot r",
+    "frame_jacobian": "t q r",
+    "com": "t q r",
+    "momentum": "t q u r",
+    "reaction": "t q u r tau wrench",
+    "outputs": "t q u r",
+    "power": "t q u r",
+    "integrate": "q du",
+    "difference": "q0 q",
+}
+
+AXES = ("mx", "my", "mz", "fx", "fy", "fz")
+
+
+class Layout:
+    """Names, sizes and defaults of the blocks of a model."""
+
+    def __init__(self, manifest: dict[str, Any]) -> None:
+        self.manifest = manifest
+        self.coordinates = tuple(row["name"] for row in manifest["coordinates"])
+        self.speeds = tuple(row["name"] for row in manifest["speeds"])
+        self.inputs = tuple(row["name"] for row in manifest["inputs"])
+        self.parts = tuple(part for body in manifest["bodies"] for part in body["parts"])
+
+    @cached_property
+    def places(self) -> dict[str, dict[str, slice]]:
+        """Block -> name -> where its entries lie; a joint's name stands for its whole block."""
+        q = {name: slice(k, k + 1) for k, name in enumerate(self.coordinates)}
+        u = {name: slice(k, k + 1) for k, name in enumerate(self.speeds)}
+        for joint in self.manifest["joints"]:
+            for places, letter in ((q, "q"), (u, "u")):
+                start, size = joint[letter] or (0, 0)
+                if size:
+                    places.setdefault(joint["name"], slice(start, start + size))
+        r = {name: slice(k, k + 1) for k, name in enumerate(self.inputs)}
+        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r}
+
+    def names(self, block: str) -> tuple[str, ...]:
+        """Name of every entry of a block."""
+        if block in ("q", "q0"):
+            return self.coordinates
+        return self.inputs if block == "r" else self.speeds
+
+    def start(self, block: str) -> Array:
+        """Entries of a block that are not named: defaults of q and r, else zeros."""
+        rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs"}.get(block)
+        if rows is None:
+            return np.zeros(len(self.speeds))
+        return np.array([row["default"] or 0.0 for row in self.manifest[rows]], dtype=np.float64)
+
+    @cached_property
+    def arguments(self) -> dict[str, Argument]:
+        """Every argument by name."""
+        nq, nu, none = len(self.coordinates), len(self.speeds), np.zeros(0)
+        wrench = tuple(f"{p}.{a}" for p in self.parts for a in AXES)
+        q_and_u = ((SLOT["q"], 0), (SLOT["u"], nq))
+        listed = [
+            Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
+            Argument("x", (nq + nu,), self.coordinates + self.speeds, q_and_u, None, "entries"),
+            self._vector("q", "coordinates"),
+            self._vector("q0", "coordinates"),
+            self._vector("u", "speeds"),
+            self._vector("udot", "accelerations of"),
+            self._vector("du", "increments along"),
+            self._vector("tau", "forces along", np.zeros(nu)),
+            self._vector("r", "inputs", self.start("r")),
+            Argument("z", (0,), (), ((SLOT["z"], 0),), none),
+            Argument("s", (0,), (), ((SLOT["s"], 0),), none),
+            Argument(
+                "wrench",
+                (len(self.parts), 6),
+                wrench,
+                ((SLOT["wrench"], 0),),
+                np.zeros((len(self.parts), 6)),
+            ),
+        ]
+        return {argument.name: argument for argument in listed}
+
+    def _vector(self, block: str, what: str, default: Array | None = None) -> Argument:
+        names = self.names(block)
+        slots, places = ((SLOT[block], 0),), self.places[block]
+        return Argument(
+            block, (len(names),), names, slots, default, what, places, self.start(block)
+        )
+
+    def reads(self, function: str) -> list[Argument]:
+        """Arguments of a function in the order of :data:`READS`."""
+        return [self.arguments[name] for name in READS[function].split()]

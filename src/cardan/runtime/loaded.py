@@ -1,0 +1,111 @@
+"""One function of one model: loaded C, prepared parameters, and the way to call it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from ..errors import BuildError
+from . import abi
+from .calling import ORDER, Argument, Array, Caller
+from .objects import Code
+
+
+@dataclass(frozen=True)
+class LoadedFunction:
+    """A compiled function with the parameter values of a model.
+
+    Attributes:
+        name, of: As asked for: ``("pose", "hand")``.
+        code: The C.
+        w: Prepared parameters, (prepared_size,).
+        caller: For any batch.
+        fast: For one state: ``fast(out, *values)``; hands everything else to ``caller``.
+    """
+
+    name: str
+    of: str | None
+    code: Code
+    w: Array = field(repr=False)
+    caller: Caller = field(repr=False)
+    fast: Any = field(repr=False)
+
+    @property
+    def symbol(self) -> str:
+        """C name."""
+        return self.code.symbol
+
+    @property
+    def address(self) -> int:
+        """Address of the C function."""
+        return self.code.address
+
+    @property
+    def entry(self) -> dict[str, Any]:
+        """Entry in the manifest."""
+        return self.code.entry
+
+    @property
+    def work_size(self) -> int:
+        """Numbers of work memory a call needs."""
+        return int(self.code.entry["work_size"])
+
+    @property
+    def outputs(self) -> list[dict[str, Any]]:
+        """Name, shape, entries and units of every result."""
+        return list(self.code.entry["outputs"])
+
+    def prepared(self, p: Array) -> Array:
+        """w of parameter vectors, (..., np) -> (..., nw)."""
+        return prepare(self.code, p)
+
+
+def prepare(code: Code, p: Array) -> Array:
+    """Prepared parameters w of parameter vectors p, (..., np) -> (..., nw)."""
+    lead, size = p.shape[:-1], int(code.entry["prepared_size"])
+    rows = np.ascontiguousarray(p, dtype=np.float64).reshape(prod(lead), p.shape[-1])
+    w = np.empty((prod(lead), size))
+    if size:
+        abi.prepare(code.prepare, rows, w)
+    return w.reshape(*lead, size)
+
+
+def assemble(
+    name: str, of: str | None, code: Code, arguments: list[Argument], p: Array
+) -> LoadedFunction:
+    """A loaded function out of its C, what it takes and parameter values.
+
+    Raises:
+        BuildError: the C reads a block that is no argument.
+    """
+    given = {ORDER[slot] for argument in arguments for slot, _ in argument.blocks} | {"p", "w"}
+    unknown = [block for block in code.entry["inputs"] if block not in given]
+    if unknown:
+        raise BuildError(f"{code.symbol} reads {', '.join(unknown)}, which {name} does not take")
+    outputs = code.entry["outputs"]
+    # one result keeps its shape; several are handed on as one flat row
+    shape = tuple(outputs[0]["shape"]) if len(outputs) == 1 else (int(code.entry["output_size"]),)
+    w = prepare(code, p)
+    caller = Caller(
+        f"{name}('{of}')" if of else name,
+        code.address,
+        arguments,
+        shape,
+        entry_names(outputs),
+        int(code.entry["work_size"]),
+        w,
+    )
+    return LoadedFunction(name, of, code, w, caller, abi.fast(caller))
+
+
+def entry_names(outputs: list[dict[str, Any]]) -> list[str]:
+    """Name of every number of a result, such as ``elbow.udot``."""
+    names: list[str] = []
+    for output in outputs:
+        size = prod(output["shape"])
+        own = output.get("entries") or []
+        names += own if len(own) == size else [f"{output['name']}[{k}]" for k in range(size)]
+    return names

@@ -1,0 +1,77 @@
+"""Parameter values of a compiled model by their dotted names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import ModelError, near
+from .calling import Array
+
+
+class Parameters(Mapping[str, float]):
+    """Ordered, read-only: name -> value in SI units. Prints as a table with units."""
+
+    def __init__(self, manifest: dict[str, Any], values: ArrayLike | None = None) -> None:
+        self._rows = manifest["parameters"]
+        self._structural = manifest.get("structural", {})
+        self._place = {row["name"]: k for k, row in enumerate(self._rows)}
+        self._values = np.array(
+            [row["default"] for row in self._rows] if values is None else values, dtype=np.float64
+        )
+        self._values.flags.writeable = False
+
+    @property
+    def vector(self) -> Array:
+        """The values in the order of the manifest, (np,); read-only."""
+        return self._values
+
+    def __getitem__(self, name: str) -> float:
+        if name not in self._place:
+            raise KeyError(f"parameter '{name}' does not exist.{near(name, self._place)}")
+        return float(self._values[self._place[name]])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._place)
+
+    def __len__(self) -> int:
+        return len(self._place)
+
+    def __repr__(self) -> str:
+        width = max((len(name) for name in self._place), default=0)
+        lines = [f"{name:{width}}  {self[name]:12.6g} {self.unit(name)}" for name in self]
+        return "\n".join(line.rstrip() for line in lines) or "no parameters"
+
+    def unit(self, name: str) -> str:
+        """Unit of a parameter."""
+        return str(self._rows[self._place[name]]["unit"])
+
+    def changed(self, values: Mapping[str, ArrayLike]) -> Array:
+        """The vector with some values replaced; values of shape (...) give (..., np).
+
+        Raises:
+            ModelError: unknown or structural name, or a value that is not finite.
+        """
+        read = {name: self._check(name, value) for name, value in values.items()}
+        lead = np.broadcast_shapes(*(value.shape for value in read.values()))
+        result = np.broadcast_to(self._values, (*lead, len(self))).copy()
+        for name, value in read.items():
+            result[..., self._place[name]] = value
+        return result
+
+    def _check(self, name: str, value: ArrayLike) -> Array:
+        if name in self._structural:
+            raise ModelError(
+                f"parameter '{name}' is structural: its value {self._structural[name]} is built "
+                "into the equations. Declare it with model.parameter(name, value) to set it later"
+            )
+        if name not in self._place:
+            known = [*self._place, *self._structural]
+            raise ModelError(f"parameter '{name}' does not exist.{near(name, known)}")
+        array = np.asarray(value, dtype=np.float64)
+        if not np.isfinite(array).all():
+            raise ModelError(f"parameter '{name}' must be finite, not {value!r}")
+        return array

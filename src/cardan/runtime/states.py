@@ -1,0 +1,63 @@
+"""Random states of a model, inside limits and away from singular coordinates."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from .calling import Array
+from .rotations import PARAMETERS
+
+SPEED = 1.0
+TURN = math.pi
+MOVE = 1.0
+OTHER = 0.3
+
+
+def random_state(
+    manifest: dict[str, Any], rng: np.random.Generator, shape: tuple[int, ...] = ()
+) -> Array:
+    """States x = [q, u] (*shape, nx).
+
+    Angles fill their limits or +-pi, displacements their limits or +-1 m, rotations every
+    direction up to an angle at which the parametrization is still regular; speeds +-1.
+    """
+    rows = manifest["coordinates"]
+    q = np.zeros((*shape, len(rows)))
+    turned = _rotations(manifest)
+    covered = {k for start, name in turned for k in range(start, start + PARAMETERS[name].size)}
+    for k, row in enumerate(rows):
+        if k not in covered:
+            lower, upper = _range(row, manifest)
+            q[..., k] = rng.uniform(lower, upper, shape)
+    for start, name in turned:
+        kind = PARAMETERS[name]
+        direction = rng.normal(size=(*shape, 3))
+        direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
+        vector = direction * rng.uniform(0.1, kind.reach, (*shape, 1))
+        q[..., start : start + kind.size] = kind.of_vector(vector)
+    u = rng.uniform(-SPEED, SPEED, (*shape, len(manifest["speeds"])))
+    return np.concatenate([q, u], axis=-1)
+
+
+def _rotations(manifest: dict[str, Any]) -> list[tuple[int, str]]:
+    """(first coordinate, parametrization) of every rotation in q."""
+    names = manifest.get("scene", {}).get("rotations", [])
+    pairs = zip(manifest["joints"], names, strict=False)
+    return [(joint["q"][0], name) for joint, name in pairs if name in PARAMETERS and joint["q"]]
+
+
+def _range(row: dict[str, Any], manifest: dict[str, Any]) -> tuple[float, float]:
+    """Where to draw a coordinate from."""
+    limits = next((j["limits"] for j in manifest["joints"] if j["name"] == row["name"]), None)
+    limits = limits or {}
+    reach = {"rad": TURN, "m": MOVE}.get(row["unit"], OTHER)
+    middle = row["default"] or 0.0
+    lower, upper = limits.get("lower"), limits.get("upper")
+    if row["unit"] == "rad":
+        middle = 0.0
+    low = middle - reach if lower is None else max(lower, -1e3)
+    high = middle + reach if upper is None else min(upper, 1e3)
+    return (low, high) if low <= high else (high, high)

@@ -1,0 +1,269 @@
+"""Check compiled functions against an independent Newton-Euler in NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import BuildError
+from .calling import Array
+from .newton_euler import KINDS, Scene, inverse_dynamics, joint_motion, mass_matrix, own
+from .objects import Key
+from .rotations import PARAMETERS
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+# Rounding of either side stays below 1e-12 of the largest term even for chains of a hundred bodies;
+# a wrong formula is wrong in the first digits. In between lies the bound.
+BOUND = 1e-9
+STEP = 1e-30
+CHECKED = (
+    "mass_matrix",
+    "bias",
+    "gravity",
+    "coriolis",
+    "inverse_dynamics",
+    "forward_dynamics",
+    "qdot",
+    "rhs",
+)
+
+
+@dataclass(frozen=True)
+class Check:
+    """One function against the independent route.
+
+    Attributes:
+        function: Its name.
+        error: Largest difference over the largest term of its equation; NaN if not checked.
+        reason: Why it could not be checked, "" if it was.
+    """
+
+    function: str
+    error: float
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What was checked, and how well it agrees.
+
+    Attributes:
+        model: Name of the model.
+        states: Number of random states.
+        checks: One per function.
+    """
+
+    model: str
+    states: int
+    checks: tuple[Check, ...]
+
+    @property
+    def worst(self) -> float:
+        """Largest error of all functions checked; NaN if there are none."""
+        return max((c.error for c in self.checks if not c.reason), default=float("nan"))
+
+    @property
+    def checked(self) -> tuple[str, ...]:
+        """Functions that were checked."""
+        return tuple(c.function for c in self.checks if not c.reason)
+
+    def __str__(self) -> str:
+        lines = [f"'{self.model}' at {self.states} random states against NumPy Newton-Euler"]
+        for c in self.checks:
+            lines.append(f"  {c.function:18} {c.reason or f'{c.error:.1e}'}")
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class _Truth:
+    """The independent numbers at some states, (n, ...)."""
+
+    q: Array
+    u: Array
+    udot: Array
+    tau: Array
+    t: float
+    M: Array
+    h: Array
+    gravity: Array
+    f: Array | None
+    motion: Array | None
+
+
+def verify(
+    model: CompiledModel, states: int = 3, seed: int = 1, functions: Iterable[str] | None = None
+) -> Verification:
+    """Compare functions at random states; those that cannot be checked are named with the reason.
+
+    Args:
+        functions: Names; by default every one that is compiled or was written.
+
+    Raises:
+        BuildError: a function differs by more than 1e-9 of the largest term in its equation.
+    """
+    if functions is None:
+        functions = [name for name in CHECKED if name in model.manifest["functions"]]
+    wanted = [name for name in functions if name in CHECKED]
+    reason = unknown(model)
+    if reason or not wanted:
+        return Verification(model.name, 0, tuple(Check(n, np.nan, reason) for n in wanted))
+    scene = scene_of(model)
+    truth = _truth(model, scene, states, seed)
+    checks = tuple(_check(model, scene, truth, name) for name in wanted)
+    result = Verification(model.name, states, checks)
+    wrong = [c for c in checks if not c.reason and not c.error <= BOUND]
+    if wrong:
+        raise BuildError(
+            f"model '{model.name}': the compiled {wrong[0].function} differs from an independent "
+            f"Newton-Euler by {wrong[0].error:.1e} of its largest term (bound {BOUND:.0e}). This "
+            f"is a fault of cardan or of the compiler: please report it with {model.directory}. "
+            "Until then try another method= or compiler (CC)"
+        )
+    return result
+
+
+def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
+    """Check functions that were compiled just now; one that fails leaves the cache.
+
+    Raises:
+        BuildError: a function is wrong.
+    """
+    names = [name for name, of in fresh if of is None and name in CHECKED]
+    try:
+        verify(model, functions=names)
+    except BuildError:
+        for name in names:
+            model._functions.pop((name, None)).code.built.discard()
+        raise
+
+
+def unknown(model: CompiledModel) -> str:
+    """Why the scene of a model cannot be judged; "" if it can."""
+    manifest = model.manifest
+    scene = manifest.get("scene") or {}
+    if not scene or "scene" not in model.saved:
+        return "not checked: the directory holds no scene"
+    reasons = [str(r) for r in scene.get("unknown", [])]
+    for joint, kind, rotation in zip(
+        manifest["joints"], scene["kinds"], scene["rotations"], strict=True
+    ):
+        if kind not in KINDS:
+            reasons.append(f"joint '{joint['name']}' is {kind}")
+        elif kind in ("spherical", "free") and rotation not in PARAMETERS:
+            reasons.append(f"joint '{joint['name']}' is described by {rotation}")
+    moved = any(joint["prescribed"] for joint in manifest["joints"])
+    if moved and "scene_motion" not in model.saved:
+        reasons.append("the motion of prescribed joints is not saved")
+    return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
+
+
+def scene_of(model: CompiledModel) -> Scene:
+    """The flat scene of a model with its parameter values."""
+    joints, scene = model.manifest["joints"], model.manifest["scene"]
+    place = {joint["name"]: i for i, joint in enumerate(joints)}
+    given = model._evaluate_saved("scene", p=model.parameters.vector)
+    numbers = {"axis2": np.zeros((len(joints), 3)), **given}
+    leaders = [place[j["coupled"]["leader"]] if j["coupled"] else -1 for j in joints]
+    return Scene(
+        parents=tuple(scene["parents"]),
+        kinds=tuple(scene["kinds"]),
+        rotations=tuple(scene["rotations"]),
+        q=tuple((j["q"] or (0, 0))[:2] for j in joints),
+        u=tuple((j["u"] or (0, 0))[:2] for j in joints),
+        leaders=tuple(leaders),
+        prescribed=tuple(bool(j["prescribed"]) for j in joints),
+        numbers=numbers,
+        nu=model.nu,
+    )
+
+
+def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth:
+    rng = np.random.default_rng(seed)
+    q, u = model.split(model.random_state(rng, (states,)))
+    udot, tau = rng.uniform(-1, 1, (2, states, model.nu))
+    t, r, p = 0.3, model._layout.start("r"), model.parameters.vector
+    motion = None
+    if any(scene.prescribed):
+        motion = model._evaluate_saved("scene_motion", t=[t], r=r, p=p)["motion"]
+    still = np.zeros(model.nu)
+    h = inverse_dynamics(scene, q, u, still, motion)
+    at_rest = None if motion is None else motion * [1.0, 0.0, 0.0]
+    gravity = inverse_dynamics(scene, q, still, still, at_rest)
+    f = None
+    if "applied" in model.saved:
+        values = model._evaluate_saved("applied", t=np.array([t]), q=q, u=u, r=r, p=p)
+        f = np.broadcast_to(values["f"], h.shape)
+    elif model.manifest["scene"].get("forces") == []:
+        f = np.zeros_like(h)
+    M = mass_matrix(scene, q, motion)
+    return _Truth(q, u, udot, tau, t, M, h, gravity, f, motion)
+
+
+def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Check:
+    """One function; forces of the model come from its saved Function ``applied``."""
+    if truth.f is None and name in ("inverse_dynamics", "forward_dynamics", "rhs"):
+        return Check(name, np.nan, "not checked: the forces of the model are not saved")
+    q, u, t = truth.q, truth.u, truth.t
+    if name == "mass_matrix":
+        return Check(name, _error(model.mass_matrix(q, t=t) - truth.M, truth.M))
+    if name in ("bias", "gravity", "coriolis"):
+        known = {"bias": truth.h, "gravity": truth.gravity, "coriolis": truth.h - truth.gravity}
+        states = (q,) if name == "gravity" else (q, u)
+        value = getattr(model, name)(*states, t=t)
+        return Check(name, _error(value - known[name], truth.h, truth.gravity))
+    if name == "qdot":
+        return Check(name, _rates_error(scene, truth, model.qdot(q, u, t=t)))
+    if name == "inverse_dynamics":
+        value = model.inverse_dynamics(q, u, truth.udot, t=t)
+        return Check(name, _balance(truth, truth.udot, value))
+    if name == "forward_dynamics":
+        value = model.forward_dynamics(q, u, tau=truth.tau, t=t)
+        return Check(name, _balance(truth, value, truth.tau))
+    xdot = model.rhs(t, np.concatenate([q, u], axis=-1))
+    qdot, udot = model.split(xdot)
+    error = max(_rates_error(scene, truth, qdot), _balance(truth, udot, np.zeros(model.nu)))
+    return Check(name, error)
+
+
+def _error(difference: Array, *terms: Array) -> float:
+    """Largest difference of a state over its largest term, the worst of all states."""
+    axes = tuple(range(1, difference.ndim))
+    size = np.max([np.abs(term).max(axis=axes, initial=0.0) for term in terms], axis=0)
+    worst = np.abs(difference).max(axis=axes, initial=0.0)
+    return float(np.max(worst / np.where(size > 0, size, 1.0), initial=0.0))
+
+
+def _balance(truth: _Truth, udot: Array, tau: Array) -> float:
+    """Residual of M udot + h = f + tau, over the largest product or force in it."""
+    products = truth.M * udot[:, None, :]
+    f = np.zeros_like(truth.h) if truth.f is None else truth.f
+    residual = products.sum(axis=-1) + truth.h - f - tau
+    tau = np.broadcast_to(tau, truth.h.shape)
+    return _error(residual, np.abs(products).max(axis=-1, initial=0.0), truth.h, f, tau)
+
+
+def _rates_error(scene: Scene, truth: _Truth, qdot: Array) -> float:
+    """Whether the rates of the coordinates turn and shift every joint as its speeds say.
+
+    A complex step along qdot differentiates the pose of the joint exactly.
+    """
+    worst = 0.0
+    for i in range(len(scene.parents)):
+        if scene.prescribed[i] or scene.leaders[i] >= 0:
+            continue
+        qi, ui = own(scene, i, truth.q, (truth.u,), truth.motion)
+        ri = own(scene, i, qdot, (), truth.motion)[0]
+        now, moved = (joint_motion(scene, i, x, ui) for x in (qi, qi + 1j * STEP * ri))
+        turning: Any = np.swapaxes(now.rotation, -1, -2) @ (moved.rotation.imag / STEP)
+        spin = (now.turn @ ui[..., None])[..., 0]
+        found = np.stack([turning[..., 2, 1], turning[..., 0, 2], turning[..., 1, 0]], axis=-1)
+        shift = (now.shift @ ui[..., None])[..., 0]
+        path = moved.position.imag / STEP
+        difference = np.concatenate([found - spin, path - shift], axis=-1)
+        worst = max(worst, _error(difference, np.concatenate([spin, shift], axis=-1)))
+    return worst

@@ -1,0 +1,64 @@
+"""Wrenches on frames, turned into what the compiled functions read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import ModelError, near
+from .calling import Array
+
+if TYPE_CHECKING:
+    from .kinematics import Kinematics
+
+
+def _read(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
+    """Wrenches as arrays (..., 6), their frames known."""
+    result = {}
+    for frame, value in wrenches.items():
+        if frame not in model.frames:
+            raise ModelError(
+                f"wrenches: frame '{frame}' does not exist.{near(frame, model.frames)}"
+            )
+        array = np.asarray(value, dtype=np.float64)
+        if array.ndim == 0 or array.shape[-1] != 6:
+            raise ValueError(
+                f"wrenches: '{frame}' has shape {array.shape}, "
+                "expected (..., 6): moment, then force"
+            )
+        result[frame] = array
+    return result
+
+
+def generalized(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+    """The generalized force (..., nu) of wrenches at frame origins in ground axes: sum of Jᵀ w."""
+    total: Array = np.zeros(len(model.speeds))
+    for frame, wrench in _read(model, wrenches).items():
+        jacobian = model.frame_jacobian(frame, q, **rest)
+        total = total + np.einsum("...ij,...i->...j", jacobian, wrench)
+    return total
+
+
+def by_part(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+    """The block ``wrench``: (..., parts, 6), each at the origin of the part's own frame."""
+    parts, part_of = model.bodies, model.part_of
+    rows: dict[str, Array] = {}
+    for frame, wrench in _read(model, wrenches).items():
+        part = part_of[frame]
+        if part is None:
+            continue
+        if part != frame:
+            # the same force at the origin of the part has the moment of its arm
+            arm = model.pose(frame, q, **rest)[..., :3, 3] - model.pose(part, q, **rest)[..., :3, 3]
+            moment = wrench[..., :3] + np.cross(arm, wrench[..., 3:])
+            force = np.broadcast_to(wrench[..., 3:], moment.shape)
+            wrench = np.concatenate([moment, force], axis=-1)
+        rows[part] = rows[part] + wrench if part in rows else wrench
+    lead = np.broadcast_shapes(*(row.shape[:-1] for row in rows.values()))
+    result = np.zeros((*lead, len(parts), 6))
+    for part, row in rows.items():
+        result[..., parts.index(part), :] = row
+    return result
