@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from .graph import Graph, Node
 from .ops import LEAVES, OPERATORS
@@ -72,7 +73,12 @@ class Function:
 
     def live(self) -> list[int]:
         """Indices of the nodes the outputs need, in topological order."""
-        return live(self.graph, self.roots)
+        return list(self._live)
+
+    @cached_property
+    def _live(self) -> tuple[int, ...]:
+        # a graph only grows: what the results need stays the same
+        return tuple(live(self.graph, self.roots))
 
     def operations(self) -> dict[str, int]:
         """Number of live nodes per operator."""
