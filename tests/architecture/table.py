@@ -27,7 +27,12 @@ RUNNING = frozenset({"runtime", "analyses", "view"})
 RUNNING_MAY_IMPORT = RUNNING | {"errors", "ir"}
 
 # public methods whose work lives further down: (module, function) -> module imported inside it
-DOWNWARD: dict[tuple[str, str], frozenset[str]] = {}
+DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
+    ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
+    ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
+    ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
+    ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
+}
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand
 SYMPY_AT_IMPORT: frozenset[str] = frozenset({"cardan.ir.sympy_bridge", "cardan.ir.sympy_out"})
@@ -36,7 +41,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset({"cardan.ir.sympy_bridge", "cardan.i
 FAMILIES: dict[str, frozenset[str]] = {
     "elements.joints": frozenset({"joint"}),
     "elements.forces": frozenset({"force"}),
-    "spatial.rotations": frozenset(),
+    "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
     "passes": frozenset(),
     "codegen.languages": frozenset(),

@@ -56,9 +56,13 @@ def values(equations: Any, **given: Any) -> dict[str, Any]:
 
 
 def call(equations: Any, function: str, of: str | None = None, **given: Any) -> dict[str, Any]:
-    """A function of the equations in NumPy, over leading axes."""
+    """A function of the equations in NumPy; results have the leading axes of q."""
     blocks = values(equations, **given)
-    return evaluate(equations.function(function, of), blocks, arithmetic="numpy")
+    wanted = equations.function(function, of)
+    found = evaluate(wanted, blocks, arithmetic="numpy")
+    # what does not depend on the state comes without them
+    lead = np.shape(given["q"])[:-1]
+    return {o.name: np.broadcast_to(found[o.name], lead + o.shape) for o in wanted.outputs}
 
 
 @cache

@@ -79,7 +79,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     try:
         return int(options.run(options))
-    except CardanError as problem:
+    except (CardanError, OSError) as problem:
         print(f"cardan {options.command}: {problem}", file=sys.stderr)
     except KeyboardInterrupt:
         print(f"cardan {options.command}: interrupted", file=sys.stderr)

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from .. import compile, load
+from ..model import load
+from ..pipeline import compile
 
 STATES = 20
 SEED = 4

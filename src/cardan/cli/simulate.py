@@ -87,7 +87,8 @@ def _named(text: str) -> tuple[str, float | list[float]]:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, simulate, report."""
-    from .. import compile, load
+    from ..model import load
+    from ..pipeline import compile
     from .terminal import progress
 
     if options.file.suffix.lower() != ".urdf":

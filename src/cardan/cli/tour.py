@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import compile, derive, load
 from ..codegen import generate
 from ..ir.interpreter import evaluate
+from ..model import load
+from ..pipeline import compile, derive
 from .peer import agreement
 
 if TYPE_CHECKING:

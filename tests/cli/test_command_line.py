@@ -1,0 +1,121 @@
+"""The command line as a user meets it: words, results, exit status."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from cardan.cli import COMMANDS, main
+
+ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def status(*words: str) -> int:
+    """Exit status, whether returned or raised."""
+    try:
+        return main(words)
+    except SystemExit as stop:
+        return int(stop.code or 0)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_teaches(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status(command, "--help") == 0
+    text = capsys.readouterr().out
+    assert "examples:" in text
+    assert f"cardan {command}" in text
+
+
+def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("--help") == 0
+    text = capsys.readouterr().out
+    assert all(name in text and summary in text for name, (_, summary) in COMMANDS.items())
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        (),
+        ("simulat",),
+        ("simulate",),
+        ("simulate", "arm.urdf", "--time", "-1"),
+        ("simulate", "arm.urdf", "--q", "elbow"),
+        ("simulate", "arm.urdf", "--q", "elbow=nan"),
+        ("demo", "pandas"),
+    ],
+)
+def test_wrong_use(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    assert status(*words) == 2
+    found = capsys.readouterr()
+    assert "usage: cardan" in found.err
+    assert found.out == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (("missing.urdf",), "missing.urdf"),
+        (("arm.yml",), "arm.yml"),
+        ((str(ARM), "--q", "elbo=0.3"), "elbow"),
+    ],
+)
+def test_fault_of_the_scene(
+    words: tuple[str, ...], named: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert status("simulate", *words) == 1
+    found = capsys.readouterr()
+    assert named in found.err
+    assert "Traceback" not in found.err
+    assert found.out == ""
+
+
+def test_simulate_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("--time", "0.5", "--q", "elbow=0.3", "--json", "-o", "run.nc", "--view", "run.html")
+    assert status("simulate", str(ARM), *words) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["success"] is True
+    assert found["time"] == 0.5
+    assert found["start"]["elbow"] == 0.3
+    assert found["start"]["waist"] == 0.0
+    # the ledger counts what damping took: the rest is the integrator's
+    assert abs(found["energy_drift"]) < 1e-6
+    assert found["files"] == ["run.nc", "run.html"]
+    assert (tmp_path / "run.nc").stat().st_size > 0
+    assert "<html" in (tmp_path / "run.html").read_text(encoding="utf-8").lower()
+
+
+def test_simulate_prints_a_table(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("simulate", str(ARM), "--time", "0.1") == 0
+    text = capsys.readouterr().out
+    assert all(name in text for name in ("waist", "shoulder", "elbow", "energy drift"))
+
+
+def test_demo(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("demo") == 0
+    text = capsys.readouterr().out
+    for words in ("derived 5 bodies in", "ns per call", "against 40 digits", "10 s simulated in"):
+        assert words in text
+    assert (tmp_path / "out" / "demo" / "motion.html").is_file()
+    source = (tmp_path / "out" / "demo" / "c" / "forward_dynamics.c").read_text(encoding="utf-8")
+    # the six lines shown are lines of the file, and name joints
+    shown = [line.strip() for line in text.splitlines() if line.strip() in source and "=" in line]
+    assert len(shown) >= 6
+    assert any("knee" in line or "hip" in line or "grip" in line for line in shown)
+    # the program shown is the one that ran
+    assert 'acrobat.urdf")' in text
+    assert "cd.compile(scene)" in text
+
+
+def test_demo_of_a_robot_that_is_not_installed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("importlib.metadata.files", lambda name: [])
+    assert status("demo", "panda") == 1
+    assert "cardan[demo]" in capsys.readouterr().err
