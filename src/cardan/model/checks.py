@@ -68,7 +68,7 @@ def initial(
     """
     if value is None:
         return None
-    entries = tuple(value) if isinstance(value, Sequence) or hasattr(value, "__len__") else (value,)
+    entries = (value,) if isinstance(value, (int, float)) else tuple(value)
     if len(entries) != count:
         raise ModelError(f"{who}: {what} has {len(entries)} entries, but {count} are wanted")
     return tuple(number(f"{who}: {what}", entry) for entry in entries)
@@ -99,17 +99,16 @@ def unphysical(inertia: Sequence[float]) -> str:
     Source: Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial
     parameter identification, 2018.
     """
-    xx, xy, xz, yy, yz, zz = inertia
+    scale = max(abs(entry) for entry in inertia)
+    if scale == 0:
+        return ""
+    xx, xy, xz, yy, yz, zz = (entry / scale for entry in inertia)
     half = (xx + yy + zz) / 2
-    # pseudo-inertia s/2 - I of the mass distribution; its leading minors of all three orders
+    # s/2 - I; all its principal minors must not be negative, apart from rounding in files
     a, b, c, d, e, f = half - xx, -xy, -xz, half - yy, -yz, half - zz
-    scale = max(abs(half), 1e-300)
-    small = 1e-6
-    minors = [v / scale for v in (a, d, f)]
-    minors += [v / scale**2 for v in (a * d - b * b, a * f - c * c, d * f - e * e)]
-    determinant = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d)
-    minors.append(determinant / scale**3)
-    if min(minors) >= -small:
+    minors = [a, d, f, a * d - b * b, a * f - c * c, d * f - e * e]
+    minors.append(a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
+    if min(minors) >= -1e-6:
         return ""
     return (
         "its inertia violates the triangle inequality (no body has principal moments of which one "

@@ -34,6 +34,7 @@ class Joint:
         limits: Lower, upper, speed, effort, as far as given.
         at: Its place in ground axes at the reference configuration, or None.
         couple: What it follows, or None.
+        friction: Dry friction of a file [N m or N]; it does not act yet.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Joint:
     limits: Limits = (None, None, None, None)
     at: tuple[Any, Any, Any] | None = None
     couple: Couple | None = None
+    friction: float = 0.0
 
     def __repr__(self) -> str:
         ends = f"{self.parent.name!r} -> {self.child.name!r}"

@@ -38,6 +38,7 @@ class Model:
         parameters, inputs, outputs: By name.
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
+        values: Numbers by dotted name that replace those written, such as ``upper.mass``.
     """
 
     def __init__(self, name: str, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
@@ -54,6 +55,7 @@ class Model:
         self.atoms: dict[str, Placeholder] = {}
         self.notes: list[str] = []
         self.snaps: list[str] = []
+        self.values: dict[str, float] = {}
 
     # what expressions are made of
 
@@ -144,7 +146,7 @@ class Model:
         symbols = []
         for k, component in enumerate(COMPONENTS[count]):
             text = f"{place.name}.{quantity}{suffix}.{component}"
-            self.atoms[text] = Placeholder(quantity, place, *others, k, unit)
+            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k, unit)
             symbols.append(_symbol(text))
         return symbols
 
@@ -219,7 +221,7 @@ class Model:
                     f"{who}: {role} '{place.name}' belongs to model '{place.body.model.name}', "
                     f"not to '{self.name}'; include that model"
                 )
-            return place  # type: ignore[return-value]
+            return place
         if place == "ground":
             return self.ground
         found = self.bodies.get(place) or self.frames.get(place) if isinstance(place, str) else None

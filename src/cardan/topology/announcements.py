@@ -5,15 +5,18 @@ from __future__ import annotations
 import dataclasses
 
 from ..model.model import Model
+from .convert import Converter
 from .system import System
 
 
-def announce(system: System, model: Model, used: set[str]) -> System:
+def announce(system: System, model: Model, convert: Converter) -> System:
     """The system with notes: what does not act, what is unused, massless tips."""
     notes = list(model.notes)
     for what, names in (("parameter", model.parameters), ("input", model.inputs)):
         notes += [
-            f"{what} '{name}' is declared but used nowhere" for name in names if name not in used
+            f"{what} '{name}' is declared but used nowhere"
+            for name in names
+            if name not in convert.used
         ]
     notes += [
         f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it"

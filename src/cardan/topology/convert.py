@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..elements.quantity import Quantity
-from ..errors import ModelError
+from ..errors import ModelError, near
 from ..ir.function import Function, Output
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
 from ..ir.interpreter import evaluate
@@ -34,6 +34,8 @@ class Converter:
         structural: Names and values of the numbers that are part of the form.
         used: Names of the symbols that some expression has.
         symbols: Names of the symbols an expression may have -> node.
+        values: Numbers by dotted name that replace those written, as far as not yet used.
+        same: Dotted name -> the name under which the same number is kept.
     """
 
     def __init__(self, model: Model, graph: Graph) -> None:
@@ -43,10 +45,13 @@ class Converter:
         self.used: set[str] = set()
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {"t": "s"}
-        self._names: set[str] = set()
+        self.values = dict(model.values)
+        self._nodes: dict[str, int] = {}
+        self.same: dict[str, str] = {}
         for entry in model.parameters.values():
-            self._names.add(entry.name)
-            node = self._parameter(entry.name, entry.value, entry.unit, True)
+            value = self.values.pop(entry.name, entry.value)
+            node = self._parameter(entry.name, value, entry.unit, True)
+            self._nodes[entry.name] = node
             self.define(entry.name, node, entry.unit if entry.stated else None)
         self.define("t", graph.var("t", 0), "s")
 
@@ -67,16 +72,19 @@ class Converter:
         """
         if not is_number(value):
             return self.expression(value, name, unit)
-        number = float(value)
+        name = self.same.get(name, name)
+        number = float(self.values.pop(name, value)) if self.values else float(value)
         if number == 0.0 or (ratio and abs(number) == 1.0):
             self.structural[name] = number
             return ZERO if number == 0.0 else ONE if number > 0 else MINUS_ONE
         if not math.isfinite(number):
             raise ModelError(f"'{name}' must be a finite number, not {number}")
-        if name in self._names:
+        if name in self._nodes:
+            if name in self.same.values():
+                return self._nodes[name]
             raise ModelError(f"the name '{name}' stands for two numbers; rename one of its owners")
-        self._names.add(name)
-        return self._parameter(name, number, unit)
+        self._nodes[name] = self._parameter(name, number, unit)
+        return self._nodes[name]
 
     def defaults(self, nodes: Sequence[int]) -> list[float]:
         """Values of expressions of the parameters at their defaults."""
@@ -85,8 +93,8 @@ class Converter:
         found = evaluate(Function("values", self.graph, (), (output,)), values)["values"]
         return [float(x) for x in found]
 
-    def expression(self, value: Any, name: str, unit: str = "") -> int:
-        """A SymPy expression -> node.
+    def expression(self, value: Any, name: str, unit: str | None = "") -> int:
+        """A SymPy expression -> node; with ``unit`` None it may be measured in anything.
 
         Raises:
             ModelError: no expression, unknown symbols, unsupported functions or wrong units.
@@ -112,7 +120,8 @@ class Converter:
                 node = from_sympy(self.graph, value, known)
             except ModelError as problem:
                 raise ModelError(f"'{name}': {problem}") from problem
-        dimensions.check(value, unit, self.units, name)
+        if unit is not None:
+            dimensions.check(value, unit, self.units, name)
         return node
 
     def vector(
@@ -131,9 +140,19 @@ class Converter:
             ]
         )
 
-    def quantity(self, quantity: Quantity, name: str) -> tuple[int, int, Nodes]:
-        """A quantity of an element -> rows, columns and nodes."""
-        value, unit, ratio = quantity.value, quantity.unit, quantity.ratio
+    def quantity(
+        self, quantity: Quantity, name: str, sliding: bool = False
+    ) -> tuple[int, int, Nodes]:
+        """A quantity of an element -> rows, columns and nodes.
+
+        Args:
+            quantity: As written.
+            name: Its dotted name.
+            sliding: It belongs to a joint that slides: of a unit with two forms, such as
+                "N*m*s/rad|N*s/m", the second holds.
+        """
+        value, ratio = quantity.value, quantity.ratio
+        unit = quantity.unit.split("|")[-1 if sliding else 0]
         value = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(value, (list, tuple)):
             return 1, 1, (self.scalar(value, name, unit, ratio),)
@@ -145,6 +164,17 @@ class Converter:
             vector = len(rows) <= 3 and columns == 1
             labels = "xyz"[: len(rows)] if vector else [str(k) for k in range(len(flat))]
         return len(rows), columns, self.vector(flat, name, unit, ratio, labels)
+
+    def finish(self) -> None:
+        """All given values have been used.
+
+        Raises:
+            ModelError: one has a name that no number has.
+        """
+        for name in self.values:
+            known = [parameter.name for parameter in self.parameters]
+            listed = near(name, known).replace(" Known:", " Parameters:")
+            raise ModelError(f"parameters: no number of the scene is called '{name}'.{listed}")
 
     # rotations
 

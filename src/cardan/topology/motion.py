@@ -64,6 +64,22 @@ def define_coordinates(
             convert.define(name, convert.graph.var(block, start + k), component.unit)
 
 
+def prescribed(
+    model: Model,
+    joints: Sequence[Joint],
+    numbers: Mapping[str, int],
+    convert: Converter,
+    inputs: Sequence[Input],
+) -> list[Joint]:
+    """The joints, those with ``motion=`` with value, rate and acceleration."""
+    found = list(joints)
+    for user in model.joints.values():
+        if user.motion is not None and user.name in numbers:
+            k = numbers[user.name]
+            found[k] = replaced(found[k], motion=prescribe(convert, user, inputs))
+    return found
+
+
 def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> Prescribed:
     """Value, rate and acceleration of a prescribed coordinate.
 

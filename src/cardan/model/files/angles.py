@@ -1,0 +1,75 @@
+"""Angles of files: rounded quarter turns become exact ones; rotations of plain numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+Rows = list[list[float]]
+QUARTER = math.pi / 2
+# below this, 2 or 1.6 would be taken for pi/2
+FEWEST_DECIMALS = 2
+_NAMES = {1: "pi/2", -1: "-pi/2", 2: "pi", -2: "-pi"}
+
+
+def snapped(word: str, value: float) -> float:
+    """The multiple of a quarter turn that a printed number is a rounding of, or the value.
+
+    A number is a rounding where it is within half a unit of its last printed digit.
+    """
+    turns = round(value / QUARTER)
+    exact = turns * QUARTER
+    if turns == 0 or value == exact:
+        return value
+    mantissa, _, power = word.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2]) - int(power or 0)
+    # the slack is for the rounding of the printed number to binary
+    half_unit = 0.5 * 10.0**-decimals if decimals < 300 else 0.0
+    near = abs(value - exact) <= half_unit + 4e-16 * abs(value)
+    return exact if near and decimals >= FEWEST_DECIMALS else value
+
+
+def snap_all(words: Sequence[str], angles: list[float], who: str, snaps: list[str]) -> list[float]:
+    """Roll, pitch and yaw with roundings replaced; each is listed in ``snaps``."""
+    found = []
+    for word, value, name in zip(words, angles, ("roll", "pitch", "yaw"), strict=True):
+        exact = snapped(word, value)
+        if exact != value:
+            turns = round(exact / QUARTER)
+            snaps.append(f"{who} {name}: {word} -> {_NAMES.get(turns, f'{turns} pi/2')}")
+        found.append(exact)
+    return found
+
+
+def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:
+    """Entries xx xy xz yy yz zz of R I Rᵀ with R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    if not any(rpy):
+        return tuple(inertia)
+    rotation = matrix(rpy)
+    xx, xy, xz, yy, yz, zz = inertia
+    rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    turned_rows = product(product(rotation, rows), [list(c) for c in zip(*rotation, strict=True)])
+    return tuple(turned_rows[i][j] for i in range(3) for j in range(i, 3))
+
+
+def matrix(rpy: Sequence[float]) -> Rows:
+    """R = Rz(yaw) Ry(pitch) Rx(roll), exact where the angles are quarter turns."""
+    (cr, sr), (cp, sp), (cy, sy) = (cosine_sine(angle) for angle in rpy)
+    return [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+
+
+def cosine_sine(angle: float) -> tuple[float, float]:
+    """Cosine and sine, exact at multiples of a quarter turn."""
+    turns = round(angle / QUARTER)
+    if angle == turns * QUARTER:
+        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
+    return math.cos(angle), math.sin(angle)
+
+
+def product(a: Rows, b: Rows) -> Rows:
+    """Product of two 3x3 matrices."""
+    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]

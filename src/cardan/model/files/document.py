@@ -1,0 +1,143 @@
+"""XML documents of strangers: parsed safely, numbers read strictly."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ...errors import ModelError
+
+LARGEST_FILE = 64 * 2**20
+DEEPEST = 200
+LARGEST_NUMBER = 1e30
+
+
+def content(path: Path) -> bytes:
+    """The bytes of a file of sane size.
+
+    Raises:
+        ModelError: it cannot be read or is too large.
+    """
+    try:
+        size = path.stat().st_size
+        if size > LARGEST_FILE:
+            raise ModelError(
+                f"file '{path.name}' has {size / 2**20:.0f} MiB; at most "
+                f"{LARGEST_FILE // 2**20} MiB are read"
+            )
+        return path.read_bytes()
+    except OSError as problem:
+        raise ModelError(f"file '{path.name}' cannot be read: {problem.strerror}") from problem
+
+
+def parse(text: str | bytes, name: str) -> Any:
+    """The root element of an XML document.
+
+    Raises:
+        ModelError: no XML, entities or external references, or nested too deeply.
+    """
+    from defusedxml import DefusedXmlException
+    from defusedxml.ElementTree import ParseError, fromstring
+
+    try:
+        root = fromstring(text)
+    except DefusedXmlException as problem:
+        raise ModelError(
+            f"file '{name}': it declares entities or refers to other documents; remove that"
+        ) from problem
+    except (ParseError, ValueError, LookupError, RecursionError) as problem:
+        raise ModelError(f"file '{name}' is no XML: {problem}") from problem
+    _check_depth(root, name)
+    return root
+
+
+def _check_depth(root: Any, name: str) -> None:
+    level, depth = [root], 0
+    while level:
+        depth += 1
+        if depth > DEEPEST:
+            raise ModelError(f"file '{name}': elements are nested more than {DEEPEST} deep")
+        level = [child for element in level for child in element]
+
+
+class Element:
+    """An XML element with strict access; errors say where it stands.
+
+    Args:
+        raw: The parsed element.
+        where: Such as ``joint 'elbow'``.
+    """
+
+    __slots__ = ("raw", "where")
+
+    def __init__(self, raw: Any, where: str) -> None:
+        self.raw = raw
+        self.where = where
+
+    def child(self, tag: str) -> Element | None:
+        """The first child of that name."""
+        found = self.raw.find(tag)
+        return None if found is None else Element(found, self.where)
+
+    def children(self, tag: str) -> Iterator[Element]:
+        return (Element(raw, self.where) for raw in self.raw.findall(tag))
+
+    def text(self, name: str, default: str | None = None) -> str:
+        """An attribute.
+
+        Raises:
+            ModelError: it is missing and has no default.
+        """
+        value = self.raw.get(name)
+        if value is None:
+            if default is None:
+                raise ModelError(f"{self.where}: <{self.raw.tag}> lacks the attribute '{name}'")
+            return default
+        return str(value)
+
+    def number(self, name: str, default: str | None = None) -> float:
+        """An attribute that is a finite number of sane size."""
+        return self.numbers(name, 1, default)[0]
+
+    def numbers(self, name: str, count: int, default: str | None = None) -> list[float]:
+        """An attribute of several numbers.
+
+        Raises:
+            ModelError: another count, text, NaN or an absurd size.
+        """
+        words = self.text(name, default).split()
+        if len(words) != count:
+            raise ModelError(
+                f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
+                f"{len(words)} numbers, but {count} are wanted"
+            )
+        return [self._finite(name, word) for word in words]
+
+    def _finite(self, name: str, word: str) -> float:
+        try:
+            value = float(word) if "_" not in word else math.nan
+        except ValueError:
+            value = math.nan
+        if not abs(value) <= LARGEST_NUMBER:
+            raise ModelError(
+                f"{self.where}: {name} of <{self.raw.tag}> has {word[:40]!r}, which is no number "
+                f"up to {LARGEST_NUMBER:g}"
+            )
+        return value
+
+    def optional(self, name: str) -> float | None:
+        """An attribute that may be missing or infinite: then None."""
+        word = self.raw.get(name)
+        if word is None:
+            return None
+        try:
+            value = float(word)
+        except ValueError as problem:
+            raise ModelError(
+                f"{self.where}: {name} of <{self.raw.tag}> is {word[:40]!r}, no number"
+            ) from problem
+        if math.isnan(value):
+            raise ModelError(f"{self.where}: {name} of <{self.raw.tag}> is not a number")
+        return value if abs(value) <= LARGEST_NUMBER else None

@@ -1,0 +1,117 @@
+"""Shapes of URDF links; mesh files stay below declared folders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from ...errors import ModelError
+from .. import shape
+from ..shape import Shape
+from .document import Element
+
+Origin = Callable[[Element, str], tuple[list[float], list[float]]]
+
+
+@dataclass
+class Meshes:
+    """Finds mesh files below declared folders.
+
+    Attributes:
+        packages: Folders below which ``package://`` and absolute paths must lie.
+        folder: Of the file that refers to them; relative paths stay below it.
+        missing: What was not found.
+    """
+
+    packages: tuple[Path, ...]
+    folder: Path | None
+    missing: list[str] = field(default_factory=list)
+
+    def find(self, reference: str, where: str) -> str:
+        """Path of a mesh, or the reference as written where no such file exists.
+
+        Raises:
+            ModelError: it leads out of the declared folders.
+        """
+        if "\0" in reference or len(reference) > 4096:
+            raise ModelError(f"{where}: mesh {reference[:60]!r} is no file name")
+        scheme, _, rest = reference.partition("://")
+        if not rest:
+            scheme, rest = "", reference
+        elif scheme not in ("package", "model", "file"):
+            raise ModelError(f"{where}: mesh '{reference[:80]}': '{scheme}' paths are not read")
+        parts = PurePosixPath(rest).parts
+        if ".." in parts and not self._stays(parts):
+            raise ModelError(
+                f"{where}: mesh '{reference[:80]}' leads out of the declared folders (packages=)"
+            )
+        for candidate in self._candidates(rest):
+            if candidate.is_file():
+                return str(candidate)
+        self.missing.append(reference)
+        return reference
+
+    def _stays(self, parts: tuple[str, ...]) -> bool:
+        depth = 0
+        for part in parts:
+            depth += -1 if part == ".." else 1
+            if depth < 0 or part == "/":
+                return False
+        return True
+
+    def _candidates(self, rest: str) -> list[Path]:
+        """Places to look, links followed, that lie below a declared folder."""
+        roots = [*self.packages, *([self.folder] if self.folder else [])]
+        found = []
+        for root in roots:
+            home = root.resolve()
+            tries = [home / rest]
+            first, _, after = rest.partition("/")
+            if first == home.name:
+                tries.append(home / after)
+            found += [p for t in tries if (p := t.resolve()).is_relative_to(home)]
+        return found
+
+    def notes(self) -> list[str]:
+        if not self.missing:
+            return []
+        more = ", ..." if len(self.missing) > 1 else ""
+        return [
+            f"{len(self.missing)} mesh files were not found ({self.missing[0]}{more}); "
+            "packages= names the folders to look in"
+        ]
+
+
+def shapes(link: Element, meshes: Meshes, origin: Origin) -> tuple[Shape, ...]:
+    """What to draw for a link: its <visual> elements."""
+    found = []
+    for visual in link.children("visual"):
+        geometry = visual.child("geometry")
+        if geometry is None:
+            continue
+        position, rpy = origin(visual, f"{link.where} visual")
+        made = _shape(geometry, meshes, position, ("xyz", *rpy) if any(rpy) else None)
+        if made is not None:
+            found.append(made)
+    return tuple(found)
+
+
+def _shape(
+    geometry: Element, meshes: Meshes, position: list[float], rotation: object
+) -> Shape | None:
+    box, cylinder = geometry.child("box"), geometry.child("cylinder")
+    sphere, mesh = geometry.child("sphere"), geometry.child("mesh")
+    if box is not None:
+        x, y, z = box.numbers("size", 3)
+        return shape.box(x, y, z, position=position, rotation=rotation)
+    if cylinder is not None:
+        radius, length = cylinder.number("radius"), cylinder.number("length")
+        return shape.cylinder(radius, length, position=position, rotation=rotation)
+    if sphere is not None:
+        return shape.sphere(sphere.number("radius"), position=position)
+    if mesh is not None:
+        file = meshes.find(mesh.text("filename"), geometry.where)
+        scale = mesh.numbers("scale", 3, "1 1 1")
+        return shape.mesh(file, scale=scale, position=position, rotation=rotation)
+    return None

@@ -1,0 +1,253 @@
+"""Bodies, frames and joints of the system, in the order of the spanning tree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..ir.graph import ZERO
+from ..model.body import Body as UserBody
+from ..model.connections import Joint as UserJoint
+from ..model.frame import Frame as UserFrame
+from ..model.frame import Place
+from ..model.model import Model
+from . import motion
+from .convert import IDENTITY, ORIGIN, Converter, symmetric
+from .placement import HERE, Placement, moved_mass
+from .reference import Reference
+from .system import GROUND, Body, Frame, Joint, Part
+from .tree import Branch
+
+ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
+
+
+@dataclass
+class Rigid:
+    """A rigid body being assembled.
+
+    Attributes:
+        name: Of its first part.
+        parent: Number of the body it is jointed to.
+        parts: The bodies of the user in it.
+        index: Name of a part -> its number.
+    """
+
+    name: str
+    parent: int
+    parts: list[Part] = field(default_factory=list)
+    index: dict[str, int] = field(default_factory=dict)
+
+
+class Assembly:
+    """Grows the lists of the system branch by branch.
+
+    Args:
+        model: The scene, rotors of drives included.
+        convert: Makes expressions of what is written.
+        rotors: Joint of a rotor -> the joint whose place it shares.
+    """
+
+    def __init__(self, model: Model, convert: Converter, rotors: Mapping[str, str]) -> None:
+        self.model = model
+        self.graph = convert.graph
+        self.convert = convert
+        self.rotors = rotors
+        self.bodies: list[Rigid] = []
+        self.frames: list[Frame] = []
+        self.joints: list[Joint] = []
+        self.fixed: list[str] = []
+        self.numbers: dict[Any, int] = {}
+        self.joint_number: dict[str, int] = {}
+        self.nq = self.nu = 0
+        self.home: dict[UserBody, tuple[int, Placement]] = {}
+        self.local: dict[UserFrame, Placement] = {}
+        self.parent_side: dict[str, Placement] = {}
+        self.reference = Reference(convert, model)
+        self._place_ground()
+
+    def _place_ground(self) -> None:
+        self.ground = Rigid("ground", GROUND)
+        self.home[self.model.ground] = (GROUND, HERE)
+        self.frames.append(Frame("ground", GROUND, 0, IDENTITY, ORIGIN))
+        self.numbers[self.model.ground] = 0
+        part = Part("ground", -1, "", ZERO, ORIGIN, (ZERO,) * 9, 0, 0)
+        self.ground.parts.append(part)
+        self.ground.index["ground"] = 0
+
+    def rigid(self, number: int) -> Rigid:
+        return self.ground if number == GROUND else self.bodies[number]
+
+    def add(self, branch: Branch) -> None:
+        """Add the outer body of a branch: a part of the inner one, or a body with a joint."""
+        parent_side, child_side = self._sides(branch.joint)
+        if branch.joint.kind.kind == "fixed":
+            self._merge(branch, parent_side, child_side)
+        else:
+            self._join(branch, parent_side, child_side)
+
+    def _sides(self, joint: UserJoint) -> tuple[Placement, Placement]:
+        """The joint frame on the parent body and on the child body, in their user frames."""
+        if joint.name in self.rotors:
+            return self.parent_side[self.rotors[joint.name]], HERE
+        with self.graph.made_by(joint.name, "placement"):
+            sides = self.reference.sides(
+                joint,
+                self._local(joint.parent, joint.name),
+                self._local(joint.child, f"{joint.name}.child"),
+            )
+        self.parent_side[joint.name] = sides[0]
+        return sides
+
+    def _local(self, place: Place, name: str) -> Placement:
+        """A frame in its user body; the parameters take the name of the first who uses it."""
+        if isinstance(place, UserBody):
+            return HERE
+        found = self.local.get(place)
+        if found is None:
+            own = place.name if place.named else name
+            position = self.convert.vector(place.coordinates, f"{own}.position", "m")
+            rotation = self.convert.rotation(place.orientation, f"{own}.rotation")
+            found = Placement(rotation, position)
+            self.local[place] = found
+        return found
+
+    def _merge(self, branch: Branch, parent_side: Placement, child_side: Placement) -> None:
+        """Fix the outer body to the rigid body of the inner one."""
+        g, joint = self.graph, branch.joint
+        number, inner = self.home[branch.inner]
+        near_side, far_side = parent_side, child_side
+        if branch.reversed:
+            near_side, far_side = child_side, parent_side
+        with g.made_by(joint.name, "placement"):
+            side = inner.then(g, near_side)
+            self.home[branch.outer] = (number, side.then(g, far_side.inverse(g)))
+        self.fixed.append(joint.name)
+        self._part(branch, joint.name)
+
+    def _join(self, branch: Branch, parent_side: Placement, child_side: Placement) -> None:
+        """A new rigid body: its axes are the child side of its inboard joint."""
+        g, joint = self.graph, branch.joint
+        parent, inner = self.home[branch.inner]
+        number = len(self.bodies)
+        self.bodies.append(Rigid(branch.outer.name, parent))
+        with g.made_by(joint.name, "placement"):
+            self.home[branch.outer] = (number, child_side.inverse(g))
+            outer_side = inner.then(g, parent_side)
+        self._part(branch, "")
+        element = joint.kind
+        with g.made_by(joint.name, "data"):
+            data = {
+                name: self.convert.quantity(entry, f"{joint.name}.{name}")
+                for name, entry in element.quantities().items()
+            }
+        slots = joint.motion is None and joint.couple is None
+        frame = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, outer_side)
+        child = self._joint_frame(joint.child, f"{joint.name}.child", number, HERE)
+        self.joint_number[joint.name] = number
+        self.joints.append(
+            Joint(
+                name=joint.name,
+                element=element,
+                data=data,
+                parent_frame=frame,
+                child_frame=child,
+                rotation=outer_side.rotation,
+                position=outer_side.position,
+                q=self.nq if slots else -1,
+                u=self.nu if slots else -1,
+                q0=joint.q0,
+                u0=joint.u0,
+                limits=joint.limits,
+            )
+        )
+        coordinates, speeds = element.coordinates, element.speeds
+        motion.define_coordinates(
+            self.convert, joint.name, coordinates, speeds, (self.nq, self.nu) if slots else None
+        )
+        if slots:
+            self.nq += len(coordinates)
+            self.nu += len(speeds)
+
+    def _part(self, branch: Branch, joint: str) -> None:
+        """The outer body as a part of its rigid body, with its mass in the axes of that."""
+        g, body = self.graph, branch.outer
+        number, placement = self.home[body]
+        rigid = self.rigid(number)
+        frame = self._number(body, body.name, number, len(rigid.parts), placement)
+        with g.made_by(body.name, "mass"):
+            mass = self.convert.scalar(body.mass, f"{body.name}.mass", "kg")
+            com = self.convert.vector(body.com, f"{body.name}.com", "m")
+            entries = self.convert.vector(
+                body.inertia, f"{body.name}.inertia", "kg m^2", labels=ENTRIES
+            )
+            first, tensor = moved_mass(g, placement, mass, com, symmetric(entries))
+        inboard = rigid.index[branch.inner.name] if joint else -1
+        side = frame
+        if joint:
+            user = branch.joint.child if not branch.reversed else branch.joint.parent
+            with g.made_by(branch.joint.name, "placement"):
+                where = placement.then(g, self._local(user, f"{joint}.child"))
+            side = self._joint_frame(user, f"{joint}.child", number, where)
+        rigid.index[body.name] = len(rigid.parts)
+        rigid.parts.append(Part(body.name, inboard, joint, mass, first, tensor, frame, side))
+
+    def body(self, rigid: Rigid) -> Body:
+        """Sums over the parts."""
+        g, parts = self.graph, rigid.parts
+        first = parts[0]
+        mass, moment, inertia = first.mass, first.first_moment, first.inertia
+        with g.made_by(rigid.name, "mass"):
+            for part in parts[1:]:
+                mass = g.add(mass, part.mass)
+                moment = tuple(map(g.add, moment, part.first_moment))
+                inertia = tuple(map(g.add, inertia, part.inertia))
+        return Body(rigid.name, rigid.parent, mass, moment, inertia, tuple(parts))
+
+    def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
+        """A new frame of the"""
+        self.numbers[key] = len(self.frames)
+        self.frames.append(Frame(name, body, part, placement.rotation, placement.position))
+        return self.numbers[key]
+
+    def _joint_frame(self, place: Place, name: str, body: int, placement: Placement) -> int:
+        """Number of the frame of one side of a joint."""
+        known = self.numbers.get(place)
+        if known is not None:
+            frame = self.frames[known]
+            if (frame.rotation, frame.position) == (placement.rotation, placement.position):
+                return known
+            place = name  # type: ignore[assignment]
+        rigid = self.rigid(body)
+        owner = place.body.name if isinstance(place, (UserFrame, UserBody)) else ""
+        part = rigid.index.get(owner, max(len(rigid.parts) - 1, 0))
+        named = place.name if isinstance(place, UserFrame) and place.named else name
+        return self._number(place, named, body, part, placement)
+
+    def frame(self, place: Place, name: str) -> int:
+        """Number of a frame of the user, made where it is not known yet."""
+        known = self.numbers.get(place)
+        if known is None:
+            number, home = self.home[place.body]
+            placement = home.then(self.graph, self._local(place, name))
+            part = self.rigid(number).index[place.body.name]
+            known = self._number(place, name, number, part, placement)
+        return known
+
+    def couple(self) -> None:
+        """Couplings, now that every joint has its number."""
+        for user in self.model.joints.values():
+            if user.couple is None or user.name not in self.joint_number:
+                continue
+            k = self.joint_number[user.name]
+            coupling = motion.coupling(self.convert, user, self.joint_number, self.joints)
+            self.joints[k] = motion.replaced(self.joints[k], coupling=coupling)
+        motion.check_couplings(self.joints)
+
+    def shapes(self) -> tuple[tuple[int, Mapping[str, object]], ...]:
+        """What to draw, by number of the frame of its body."""
+        return tuple(
+            (self.numbers[body], shape.record())
+            for body in (self.model.ground, *self.model.bodies.values())
+            for shape in body.shapes
+        )
