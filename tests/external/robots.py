@@ -15,11 +15,15 @@ from scipy.spatial.transform import Rotation
 
 # Pinocchio's XML reader stops at a robot without a name
 UNREADABLE = frozenset({"ur_description/urdf/ur3.urdf"})
+# its joints mimic "index_q1", which the file calls "Left_index_q1": it can only be freed
+LEADERLESS = frozenset({"alex_description/urdf/alex_psyonic_hands.urdf"})
 # their M is singular: links without inertia at the end of joints
-SINGULAR = {
-    "romeo_description/urdf/romeo.urdf",
-    "romeo_description/urdf/romeo_laas_small.urdf",
-}
+SINGULAR = frozenset(
+    {
+        "romeo_description/urdf/romeo.urdf",
+        "romeo_description/urdf/romeo_laas_small.urdf",
+    }
+)
 
 
 def folder() -> Path:
@@ -64,7 +68,7 @@ def mimics(name: str) -> dict[str, Mimic]:
     return found
 
 
-WITH_MIMIC = [name for name in FILES if mimics(name)]
+WITH_MIMIC = [name for name in FILES if mimics(name) and name not in LEADERLESS]
 
 
 @dataclass(frozen=True)

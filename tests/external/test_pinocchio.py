@@ -15,7 +15,17 @@ import pytest
 
 import cardan as cd
 from cardan.ir.interpreter import evaluate
-from external.robots import FILES, ROBOTS, SINGULAR, WITH_MIMIC, Mimic, Peer, Slot, mimics
+from external.robots import (
+    FILES,
+    LEADERLESS,
+    ROBOTS,
+    SINGULAR,
+    WITH_MIMIC,
+    Mimic,
+    Peer,
+    Slot,
+    mimics,
+)
 
 SEED = 2
 STATES = 10
@@ -202,6 +212,13 @@ def test_coupling_contracts_the_free_mass_matrix(name: str, record_property: Any
     ours = evaluate(function, {"q": q, "p": parameters}, arithmetic="numpy")["M"]
     free.compare("contracted mass matrix", ours, free.mass)
     held(free, f"{name} contracted", record_property)
+
+
+@pytest.mark.parametrize("name", sorted(LEADERLESS))
+def test_a_mimic_joint_without_its_leader_is_named(name: str) -> None:
+    missing = next(m.leader for m in mimics(name).values())
+    with pytest.raises(cd.ModelError, match=f"mimics '{missing}'"):
+        cd.load(ROBOTS / name, mimic="couple")
 
 
 def test_every_robot_is_compared() -> None:
