@@ -64,6 +64,8 @@ class Caller:
         entries: Names of the numbers of the result.
         work_size: Numbers of work memory it needs.
         w: Prepared parameters.
+        operations: How many it does: long ones release the GIL for one state too.
+        w_slot: Where w stands in cardan_in.
     """
 
     def __init__(
@@ -75,6 +77,7 @@ class Caller:
         entries: Sequence[str],
         work_size: int,
         w: Array,
+        operations: int = 0,
     ) -> None:
         self.name = name
         self.address = address
@@ -84,6 +87,8 @@ class Caller:
         self.entries = tuple(entries)
         self.work_size = work_size
         self.w = w
+        self.operations = operations
+        self.w_slot = SLOT["w"]
 
     def __call__(self, out: Array | None, *values: Any, w: Array | None = None) -> Array:
         """The results for states of any leading shape.

@@ -314,11 +314,11 @@ class CompiledModel(Dynamics):
 
         return verify(self, states=states, seed=seed)
 
-    def report(self, t: float | None = None) -> Report:
+    def report(self) -> Report:
         """Measure every function: operations, time, error against 40 digits; prints a table."""
         from .report import report
 
-        return report(self, t)
+        return report(self)
 
     def simulate(self, t: Any, **options: Any) -> Trajectory:
         """Motion over time; see :func:`cardan.analyses.simulate.simulate` for the options."""

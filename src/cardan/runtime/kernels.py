@@ -1,4 +1,4 @@
-"""The kernels library: every C file in ``kernels/``, compiled once per compiler and flags."""
+"""C that serves every model: the files in ``kernels/``, compiled once per compiler and flags."""
 
 from __future__ import annotations
 
@@ -11,12 +11,15 @@ from . import cache
 DIRECTORY = Path(__file__).resolve().parent.parent / "kernels"
 
 
-@lru_cache(maxsize=4)
-def library(reproducible: bool = False) -> ctypes.CDLL:
+@lru_cache(maxsize=8)
+def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:
     """The loaded library; calls through it release the GIL.
+
+    Args:
+        only: Pattern of file names, for callers that need few of them soon.
 
     Raises:
         BuildError: no compiler, or it failed.
     """
-    built = cache.build(sorted(DIRECTORY.glob("*.c")), [DIRECTORY], reproducible)
+    built = cache.build(sorted(DIRECTORY.glob(f"{only}.c")), [DIRECTORY], reproducible)
     return ctypes.CDLL(str(built.path))

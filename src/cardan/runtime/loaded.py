@@ -97,6 +97,7 @@ def assemble(
         entry_names(outputs),
         int(code.entry["work_size"]),
         w,
+        sum(code.entry["operations"].values()),
     )
     return LoadedFunction(name, of, code, w, caller, abi.fast(caller))
 

@@ -1,0 +1,25 @@
+/* Apply one generated function to many states, and check numbers. Part of cardan. */
+#ifndef CARDAN_MAP_H
+#define CARDAN_MAP_H
+
+#include "cardan.h"
+#include <stddef.h>
+
+/* f at n states.
+ *
+ * blocks   15 pointers in the order of cardan_in, NULL where nothing is given
+ * strides  15 distances from one state to the next, 0 for a block that all states share
+ * out      n results, out_stride apart
+ * work     work memory of f
+ * failed   index of the first state at which f returned a status other than 0, else -1
+ *
+ * Every state is evaluated. Returns the first status that is not 0.
+ */
+int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real *const *blocks,
+               const ptrdiff_t *strides, ptrdiff_t n, real *out, ptrdiff_t out_stride, real *work,
+               ptrdiff_t *failed);
+
+/* Index of the first entry that is NaN or infinite, -1 if all n are finite. */
+ptrdiff_t cardan_first_bad(const real *x, ptrdiff_t n);
+
+#endif

@@ -1,0 +1,241 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""Call generated functions with as little Python as possible; interface as in abi_ctypes.
+
+Arrays are read through the buffer protocol: the extension needs Python.h, not NumPy's headers.
+"""
+
+cimport cython
+from cpython.buffer cimport (
+    PyBUF_C_CONTIGUOUS,
+    PyBUF_FORMAT,
+    PyBUF_WRITABLE,
+    PyBuffer_Release,
+    PyObject_GetBuffer,
+)
+from cpython.float cimport PyFloat_AS_DOUBLE, PyFloat_CheckExact
+from libc.stdint cimport uintptr_t
+from libc.stdlib cimport free, malloc
+from libc.string cimport memset
+
+import numpy as np
+
+NAME = "cython"
+
+cdef extern from "map.h" nogil:
+    ctypedef struct cardan_in:
+        const double *t
+    int cardan_map(int (*f)(const cardan_in *, double *, double *) noexcept nogil,
+                   const double *const *blocks, const Py_ssize_t *strides, Py_ssize_t n,
+                   double *out, Py_ssize_t out_stride, double *work, Py_ssize_t *failed)
+    Py_ssize_t cardan_first_bad(const double *x, Py_ssize_t n)
+
+ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
+ctypedef void (*preparation)(const double *, double *) noexcept nogil
+
+cdef enum:
+    BLOCKS = 15
+    ARGUMENTS = 12
+    PLACES = 2
+    SMALL_WORK = 512
+    LONG = 20000
+
+cdef object ndarray = np.ndarray
+cdef object empty = np.empty
+cdef int NUMBERS = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT
+
+
+cdef inline bint is_double(const Py_buffer *view) noexcept:
+    return view.itemsize == 8 and view.format[0] == c"d" and view.format[1] == 0
+
+
+def run(address, blocks, strides, Py_ssize_t count, out, Py_ssize_t work_size):
+    """Call a function at ``count`` states; see :func:`abi_ctypes.run`."""
+    cdef function f = <function><uintptr_t>address
+    cdef const double *at[BLOCKS]
+    cdef Py_ssize_t step[BLOCKS]
+    cdef Py_ssize_t failed = -1, width
+    cdef int status, k
+    cdef const double[::1] flat
+    cdef double[:, ::1] result = out
+    held = []
+    for k in range(BLOCKS):
+        at[k], step[k] = NULL, strides[k]
+        if blocks[k] is not None:
+            flat = blocks[k]
+            held.append(flat)
+            at[k] = &flat[0] if flat.shape[0] else NULL
+    width = result.shape[1]
+    cdef double *work = <double *>malloc((work_size + 1) * sizeof(double))
+    if work == NULL:
+        raise MemoryError(f"{work_size} numbers of work memory")
+    cdef double *first = &result[0, 0] if width else work
+    with nogil:
+        status = cardan_map(f, at, step, count, first, width, work, &failed)
+    free(work)
+    return status, failed
+
+
+def prepare(address, const double[:, ::1] p, double[:, ::1] w):
+    """Call a ``prepare_`` function for every row of p."""
+    cdef preparation f = <preparation><uintptr_t>address
+    cdef Py_ssize_t i
+    for i in range(w.shape[0]):
+        f(&p[i, 0] if p.shape[1] else NULL, &w[i, 0])
+
+
+def first_bad(x):
+    """Flat index of the first entry that is NaN or infinite, -1 if all are finite."""
+    cdef const double[::1] flat = x.reshape(-1)
+    cdef Py_ssize_t n = flat.shape[0], answer
+    if n == 0:
+        return -1
+    with nogil:
+        answer = cardan_first_bad(&flat[0], n)
+    return answer
+
+
+@cython.final
+cdef class Fast:
+    """One function for one state in contiguous arrays; everything else goes to the caller."""
+
+    cdef function f
+    cdef int count
+    cdef int places[ARGUMENTS]
+    cdef int slot[ARGUMENTS][PLACES]
+    cdef Py_ssize_t offset[ARGUMENTS][PLACES]
+    cdef Py_ssize_t size[ARGUMENTS]
+    cdef int axes[ARGUMENTS]
+    cdef const double *fallback[ARGUMENTS]
+    cdef const double *w
+    cdef int w_slot
+    cdef bint is_long
+    cdef Py_ssize_t out_size, work_size
+    cdef object caller, shape, held
+
+    def __init__(self, caller, int w_slot):
+        cdef int i, k
+        cdef const double[::1] flat
+        self.caller, self.held = caller, []
+        self.f = <function><uintptr_t>caller.address
+        self.count, self.w_slot = len(caller.arguments), w_slot
+        self.out_size, self.work_size, self.shape = caller.size, caller.work_size, caller.shape
+        self.is_long = caller.operations > LONG
+        self.w = self.hold(caller.w)
+        for i, argument in enumerate(caller.arguments):
+            self.size[i], self.axes[i] = argument.size, len(argument.shape)
+            self.fallback[i] = NULL
+            if argument.default is not None:
+                self.fallback[i] = self.hold(argument.default)
+            self.places[i] = len(argument.blocks)
+            for k, (slot, first) in enumerate(argument.blocks):
+                self.slot[i][k], self.offset[i][k] = slot, first
+
+    cdef const double *hold(self, array) except? NULL:
+        """Where a constant array starts; NULL if it is empty."""
+        cdef const double[::1] flat = np.ascontiguousarray(array, dtype=np.float64).reshape(-1)
+        self.held.append(flat)
+        return &flat[0] if flat.shape[0] else NULL
+
+    def __call__(self, out, *values):
+        cdef const double *at[BLOCKS]
+        cdef double number[ARGUMENTS]
+        cdef Py_buffer views[ARGUMENTS]
+        cdef int used = 0, i, ready
+        cdef Py_ssize_t k
+        if len(values) != self.count:
+            return self.caller(out, *values)
+        memset(at, 0, sizeof(at))
+        at[self.w_slot] = self.w
+        ready = 1
+        try:
+            # every argument becomes a pointer, or the call is not a plain one
+            for i in range(self.count):
+                value = values[i]
+                if value is None:
+                    if self.fallback[i] == NULL and self.size[i]:
+                        ready = 0
+                        break
+                    self.point(at, i, self.fallback[i])
+                elif self.axes[i] == 0:
+                    if not PyFloat_CheckExact(value):
+                        ready = 0
+                        break
+                    number[i] = PyFloat_AS_DOUBLE(value)
+                    if number[i] - number[i] != 0:
+                        ready = 0
+                        break
+                    self.point(at, i, &number[i])
+                else:
+                    if type(value) is not ndarray or self.axes[i] != 1:
+                        ready = 0
+                        break
+                    try:
+                        PyObject_GetBuffer(value, &views[used], NUMBERS)
+                    except (ValueError, BufferError):
+                        ready = 0
+                        break
+                    used += 1
+                    if not self.fits(&views[used - 1], self.size[i]):
+                        ready = 0
+                        break
+                    self.point(at, i, <const double *>views[used - 1].buf)
+            if ready:
+                result = self.evaluate(at, out)
+        finally:
+            for i in range(used):
+                PyBuffer_Release(&views[i])
+        if not ready or result is None:
+            return self.caller(out, *values)
+        return result
+
+    cdef inline void point(self, const double **at, int i, const double *start) noexcept:
+        """Let the blocks of argument i start there."""
+        cdef int k
+        for k in range(self.places[i]):
+            at[self.slot[i][k]] = start + self.offset[i][k] if start != NULL else NULL
+
+    cdef inline bint fits(self, const Py_buffer *view, Py_ssize_t size) noexcept:
+        """Whether a buffer is a vector of so many finite doubles."""
+        if view.ndim != 1 or view.shape[0] != size or not is_double(view):
+            return False
+        return cardan_first_bad(<const double *>view.buf, size) < 0
+
+    cdef object evaluate(self, const double **at, out):
+        """The result as an array; None where ``out`` or the numbers want a closer look."""
+        cdef double small[SMALL_WORK]
+        cdef double *work = small
+        cdef Py_buffer view
+        cdef int status
+        cdef Py_ssize_t bad
+        result = empty(self.shape) if out is None else out
+        if type(result) is not ndarray or result.shape != self.shape:
+            return None
+        try:
+            PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE)
+        except (ValueError, BufferError):
+            return None
+        if not is_double(&view):
+            PyBuffer_Release(&view)
+            return None
+        if self.work_size > SMALL_WORK:
+            work = <double *>malloc(self.work_size * sizeof(double))
+            if work == NULL:
+                PyBuffer_Release(&view)
+                raise MemoryError(f"{self.work_size} numbers of work memory")
+        if self.is_long:
+            with nogil:
+                status = self.f(<const cardan_in *>at, <double *>view.buf, work)
+        else:
+            status = self.f(<const cardan_in *>at, <double *>view.buf, work)
+        bad = cardan_first_bad(<const double *>view.buf, self.out_size)
+        if work != small:
+            free(work)
+        PyBuffer_Release(&view)
+        return result if status == 0 and bad < 0 else None
+
+
+def fast(caller):
+    """The quickest way to call one function for one state."""
+    if len(caller.arguments) > ARGUMENTS:
+        return caller
+    return Fast(caller, caller.w_slot)
