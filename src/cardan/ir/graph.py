@@ -276,6 +276,8 @@ class Graph:
                 values = ", ".join(str(self.nodes[a][1]) for a in operands)
                 raise ValueError(f"{op}({values}) is not a finite number") from problem
         first = self.nodes[operands[0]]
+        if op == "sqrt" and first[0] == "mul" and first[1] == first[2]:
+            return self.apply("abs", first[1])
         if first[0] == "neg" and op in _EVEN:
             return self.apply(op, first[1])
         if first[0] == "neg" and op in _ODD:

@@ -69,11 +69,15 @@ def nodes_of(
                 if numbers.name == "numpy"
                 else inputs[node[1]][node[2]]
             )
-        elif op in operators and op != "stumpff":
+        elif op in operators and op not in _SPECIAL:
             found[i] = operators[op](*[found[k] for k in node[1:]])
         else:
             found[i] = _special(graph, node, found, numbers)
     return found
+
+
+# nodes with operands that are not values
+_SPECIAL = frozenset({"solve", "item", "stumpff", "table", "atom"})
 
 
 def _special(graph: Graph, node: Node, found: Mapping[int, Any], numbers: Numbers) -> Any:

@@ -20,8 +20,8 @@ PASSES: dict[str, Callable[[Function], Function]] = {
     "reassociate": reassociate,
 }
 
-# run when nothing else is asked for: the others are exact too, but on the recursions of rigid bodies
-# they save an operation in a thousand (trig, fold) or cost more than they give (reassociate)
+# run when nothing else is asked for: the others are exact too, but in the recursions of rigid
+# bodies they save an operation in a thousand (trig, fold) or cost more than they give (reassociate)
 STANDARD = ("unroll",)
 
 
