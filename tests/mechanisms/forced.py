@@ -8,7 +8,8 @@ import cardan as cd
 
 from .mechanism import METHODS, Mechanism, State
 
-# a coupled joint has no speed of its own: the articulated recursion has no place for it
+# a coupled joint, such as a geared rotor that is a body, has no speed of its own: the
+# articulated recursion has no place for it
 UNCOUPLED = tuple(method for method in METHODS if method != "articulated")
 
 
@@ -136,6 +137,7 @@ MEMBERS = (
             State({"base": 0.4, "elbow": 0.5}),
             State({"base": -0.6, "wrist": 0.2}, {"elbow": 1.5, "wrist": 2.0}),
         ),
+        methods=UNCOUPLED,
     ),
     Mechanism(
         "damped",
