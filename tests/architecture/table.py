@@ -46,7 +46,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "passes": frozenset(),
     "codegen.languages": frozenset(),
     "analyses.integrators": frozenset(),
-    "model.files": frozenset(),
+    "model.files": frozenset({"angles", "document", "meshes"}),
     "cli": frozenset({"terminal", "tour", "peer", "screen"}),
 }
 
