@@ -6,10 +6,11 @@ from typing import Any
 
 from . import inertia, shape
 from .body import Body
+from .files import load
 from .frame import Frame
 from .model import Model
 
-__all__ = ["Body", "Frame", "Model", "inertia", "shape", "t"]
+__all__ = ["Body", "Frame", "Model", "inertia", "load", "shape", "t"]
 
 
 def __getattr__(name: str) -> Any:

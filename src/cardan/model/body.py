@@ -28,6 +28,7 @@ class Body(Located):
         inertia: Tensor entries xx xy xz yy yz zz about the centre of mass, body axes [kg m^2].
         pose: Position and orientation in the reference configuration, or None.
         shapes: What to draw.
+        base: Body in whose axes ``pose`` is given, None for the ground.
     """
 
     model: Model = field(repr=False)
@@ -37,6 +38,7 @@ class Body(Located):
     inertia: tuple[Any, ...]
     pose: tuple[tuple[Any, Any, Any], Any] | None = None
     shapes: tuple[Shape, ...] = ()
+    base: Body | None = None
 
     @property
     def body(self) -> Body:  # type: ignore[override]

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
+from ..errors import ModelError, near
+from .body import Body
 from .frame import Place
 
 Limits = tuple[float | None, float | None, float | None, float | None]
@@ -34,6 +39,7 @@ class Joint:
         limits: Lower, upper, speed, effort, as far as given.
         at: Its place in ground axes at the reference configuration, or None.
         couple: What it follows, or None.
+        base: Body in whose axes ``at`` is given, None for the ground.
         friction: Dry friction of a file [N m or N]; it does not act yet.
     """
 
@@ -47,6 +53,7 @@ class Joint:
     limits: Limits = (None, None, None, None)
     at: tuple[Any, Any, Any] | None = None
     couple: Couple | None = None
+    base: Body | None = None
     friction: float = 0.0
 
     def __repr__(self) -> str:
@@ -60,3 +67,45 @@ class Force:
 
     name: str
     element: ForceElement
+
+
+def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) -> JointElement:
+    """The joint element, its axis replaced where one is given."""
+    if isinstance(kind, type) and issubclass(kind, JointElement):
+        kind = kind()
+    if not isinstance(kind, JointElement):
+        raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
+    if axis is None:
+        return kind
+    if "axis" not in kind.quantities():
+        raise ModelError(f"joint '{name}' ({kind.kind}): this kind takes no axis=")
+    made: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
+    return made
+
+
+def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:
+    if limits is None:
+        return (None, None, None, None)
+    names = ("lower", "upper", "speed", "effort")
+    if not isinstance(limits, Mapping):
+        limits = dict(zip(names, limits, strict=False))
+    for key in limits:
+        if key not in names:
+            raise ModelError(f"{who}: limits have no entry '{key}'." + near(key, names))
+    values = [limits.get(key) for key in names]
+    for key, value in zip(names, values, strict=True):
+        if value is not None and math.isnan(value):
+            raise ModelError(f"{who}: limit '{key}' is not a number")
+    lower, upper, speed, effort = (None if v is None else float(v) for v in values)
+    if lower is not None and upper is not None and lower > upper:
+        raise ModelError(f"{who}: the lower limit {lower} is above the upper limit {upper}")
+    return lower, upper, speed, effort
+
+
+def couple_of(who: str, couple: tuple[Any, ...] | None) -> Couple | None:
+    if couple is None:
+        return None
+    if not isinstance(couple, tuple) or len(couple) not in (2, 3):
+        raise ModelError(f"{who}: couple is (leader, ratio) or (leader, ratio, offset)")
+    leader = couple[0] if isinstance(couple[0], str) else couple[0].name
+    return Couple(leader, couple[1], couple[2] if len(couple) == 3 else 0)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,10 +11,12 @@ from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
 from . import checks
 from .body import Body, placed, tensor
-from .connections import Couple, Force, Joint, Limits
+from .connections import Force, Joint, couple_of, element_of, limits_of
 from .frame import Frame, Located, Place, triple
+from .include import Included, include
 from .parameters import Declared, Output, Placeholder
 from .shape import Shape
+from .summary import summary
 from .units import unit as unit_of
 
 if TYPE_CHECKING:
@@ -56,6 +57,12 @@ class Model:
         self.notes: list[str] = []
         self.snaps: list[str] = []
         self.values: dict[str, float] = {}
+
+    def __str__(self) -> str:
+        return summary(self)
+
+    def __repr__(self) -> str:
+        return f"Model({self.name!r}, {len(self.bodies)} bodies, {len(self.joints)} joints)"
 
     # what expressions are made of
 
@@ -274,7 +281,7 @@ class Model:
             ModelError: unknown or foreign bodies, wrong lengths or a name that is taken.
         """
         checks.new("joint", name, self.joints)
-        element = _element(name, kind, axis)
+        element = element_of(name, kind, axis)
         who = f"joint '{name}' ({element.kind})"
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
@@ -291,9 +298,9 @@ class Model:
             motion,
             checks.initial(who, "q0", q0, len(element.coordinates)),
             checks.initial(who, "u0", u0, len(element.speeds)),
-            _limits(who, limits),
+            limits_of(who, limits),
             None if at is None else triple(at, f"{who}: at"),
-            _couple(who, couple),
+            couple_of(who, couple),
         )
         self.joints[name] = made
         return made
@@ -311,6 +318,24 @@ class Model:
         self.forces[name] = made
         return made
 
+    def include(self, other: Model, prefix: str, at: Place | str | None = None) -> Included:
+        """Add a copy of another model as a subsystem; its ground becomes a body of this one.
+
+        Args:
+            other: The model; later changes of it do not show here. Its gravity is ignored.
+            prefix: Put before all its names: ``left`` makes ``left.upper``; a prefix that ends
+                in a sign, such as ``left_``, is used as it is.
+            at: Frame (or body) that its ground coincides with; the ground by default.
+
+        Returns:
+            The copies of its bodies, frames, joints and symbols by their old names.
+
+        Raises:
+            ModelError: a name is taken.
+        """
+        place = self.ground if at is None else self.place(f"include '{prefix}'", at)
+        return include(self, other, checks.name("prefix", prefix), place)
+
     @property
     def graph(self) -> GraphView:
         """The graph of bodies and joints: incidence, path and circuit matrices, drawings."""
@@ -323,45 +348,3 @@ def _symbol(name: str) -> Any:
     from sympy import Symbol
 
     return Symbol(name)
-
-
-def _element(name: str, kind: JointElement | type[JointElement], axis: Any) -> JointElement:
-    """The joint element, its axis replaced where one is given."""
-    if isinstance(kind, type) and issubclass(kind, JointElement):
-        kind = kind()
-    if not isinstance(kind, JointElement):
-        raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
-    if axis is None:
-        return kind
-    if "axis" not in kind.quantities():
-        raise ModelError(f"joint '{name}' ({kind.kind}): this kind takes no axis=")
-    made: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
-    return made
-
-
-def _limits(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:
-    if limits is None:
-        return (None, None, None, None)
-    names = ("lower", "upper", "speed", "effort")
-    if not isinstance(limits, Mapping):
-        limits = dict(zip(names, limits, strict=False))
-    for key in limits:
-        if key not in names:
-            raise ModelError(f"{who}: limits have no entry '{key}'." + near(key, names))
-    values = [limits.get(key) for key in names]
-    for key, value in zip(names, values, strict=True):
-        if value is not None and math.isnan(value):
-            raise ModelError(f"{who}: limit '{key}' is not a number")
-    lower, upper, speed, effort = (None if v is None else float(v) for v in values)
-    if lower is not None and upper is not None and lower > upper:
-        raise ModelError(f"{who}: the lower limit {lower} is above the upper limit {upper}")
-    return lower, upper, speed, effort
-
-
-def _couple(who: str, couple: tuple[Any, ...] | None) -> Couple | None:
-    if couple is None:
-        return None
-    if not isinstance(couple, tuple) or len(couple) not in (2, 3):
-        raise ModelError(f"{who}: couple is (leader, ratio) or (leader, ratio, offset)")
-    leader = couple[0] if isinstance(couple[0], str) else couple[0].name
-    return Couple(leader, couple[1], couple[2] if len(couple) == 3 else 0)

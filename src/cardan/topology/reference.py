@@ -43,6 +43,7 @@ class Reference:
         given = self._given(body)
         if joint.at is not None:
             place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
+            place = self._base(joint.base).then(g, place)
             self.poses[body] = given or place
             return base.inverse(g).then(g, place), self.poses[body].inverse(g).then(g, place)
         if given is not None and isinstance(joint.parent, Body):
@@ -74,10 +75,15 @@ class Reference:
         if body.pose is None:
             return None
         position, rotation = body.pose
-        return Placement(
+        given = Placement(
             self.convert.rotation(rotation, f"{body.name}.pose.rotation"),
             self.convert.vector(position, f"{body.name}.pose.position", "m"),
         )
+        return self._base(body.base).then(self.convert.graph, given)
+
+    def _base(self, body: Body | None) -> Placement:
+        """Pose of the ground of an included model."""
+        return HERE if body is None else self.poses[body]
 
     def _agree(self, joint: Joint, found: Placement, given: Placement) -> None:
         """Frames on both sides and a pose say the same, at the default parameters.

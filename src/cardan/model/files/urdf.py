@@ -91,6 +91,7 @@ class _Reader:
     folder: Path | None
     friction: list[str] = field(default_factory=list)
     freed: list[str] = field(default_factory=list)
+    orphans: list[str] = field(default_factory=list)
 
     def model(self) -> Model:
         if self.root.tag != "robot":
@@ -307,11 +308,8 @@ class _Reader:
             return None
         leader = mimic.text("joint")
         if leader not in self.moving:
-            listed = near(leader, self.moving).replace(" Known:", " Joints:")
-            raise ModelError(
-                f"{element.where}: it mimics '{leader}', which is no moving joint of the file; "
-                f"mimic='free' lets all such joints move freely.{listed}"
-            )
+            self.orphans.append(f"{element.text('name')} ({leader})")
+            return None
         return (
             leader,
             mimic.number("multiplier", "1"),
@@ -323,6 +321,10 @@ class _Reader:
     def _announce(self) -> None:
         scene, notes = self.scene, self.scene.notes
         limited = [j.name for j in scene.joints.values() if any(v is not None for v in j.limits)]
+        if self.orphans:
+            lost = f"joints {', '.join(self.orphans)} mimic what is no moving joint of the file"
+            notes.append(f"{lost}; they move freely")
+            warnings.warn(f"file '{self.file}': {notes[-1]}", stacklevel=6)
         for what, names in (
             ("friction is stored, but does not act yet", self.friction),
             ("limits are stored, but do not act yet", limited),

@@ -1,0 +1,191 @@
+"""Models as parts of models: copies with renamed parts."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ..elements.forces.force import ForceElement
+from ..elements.joints.fixed import Fixed
+from .body import Body
+from .connections import Couple, Joint
+from .frame import Frame, Place
+from .parameters import Output
+
+if TYPE_CHECKING:
+    from .model import Model
+
+
+@dataclass(frozen=True)
+class Included:
+    """The copies of an included model, by their old names.
+
+    Attributes:
+        ground: The body that its ground became.
+        bodies, frames, joints: Its parts.
+        symbols: SymPy symbols of its parameters and inputs, by name.
+    """
+
+    ground: Body
+    bodies: Mapping[str, Body]
+    frames: Mapping[str, Frame]
+    joints: Mapping[str, Joint]
+    symbols: Mapping[str, Any]
+
+
+def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
+    """The work of :meth:`Model.include`."""
+    copy = _Copy(model, other, prefix if not prefix[-1].isalnum() else prefix + ".")
+    for declared, make in ((other.parameters, model.parameter), (other.inputs, model.input)):
+        for entry in declared.values():
+            unit = entry.unit if entry.stated else None
+            copy.symbols[entry.name] = make(copy.name(entry.name), entry.value, unit)
+    ground = copy.ground(at)
+    for body in other.bodies.values():
+        copy.body(body)
+    for frame in other.frames.values():
+        copy.frame(frame)
+    for joint in other.joints.values():
+        copy.joint(joint)
+    copy.placeholders()
+    for force in other.forces.values():
+        model.force(copy.name(force.name), copy.element(force.element))
+    for output in other.outputs.values():
+        name = copy.name(output.name)
+        model.outputs[name] = Output(name, copy.value(output.expression), output.unit)
+    copy.motions()
+    model.notes += [f"{prefix}: {note}" for note in other.notes]
+    model.snaps += [f"{prefix}: {snap}" for snap in other.snaps]
+    model.values.update({copy.name(name): value for name, value in other.values.items()})
+    return Included(ground, copy.bodies, copy.frames, copy.joints, copy.symbols)
+
+
+@dataclass
+class _Copy:
+    """One inclusion: old objects and names to new ones."""
+
+    model: Model
+    other: Model
+    prefix: str
+    bodies: dict[str, Body] = field(default_factory=dict)
+    frames: dict[str, Frame] = field(default_factory=dict)
+    joints: dict[str, Joint] = field(default_factory=dict)
+    symbols: dict[str, Any] = field(default_factory=dict)
+
+    def name(self, old: str) -> str:
+        return self.prefix + old
+
+    def value(self, value: Any) -> Any:
+        """A quantity as written, with the new symbols, frames and bodies."""
+        if isinstance(value, (Body, Frame)):
+            return self.place(value)
+        if isinstance(value, (tuple, list)):
+            return tuple(self.value(entry) for entry in value)
+        symbols = getattr(value, "free_symbols", None)
+        if not symbols:
+            return value
+        from sympy import Symbol
+
+        names = {s: self.name(s.name) for s in symbols if s.name != "t"}
+        return value.xreplace({old: Symbol(new) for old, new in names.items()})
+
+    def place(self, place: Place) -> Place:
+        if isinstance(place, Frame):
+            return self.frames[place.name]
+        return self.bodies[place.name]
+
+    def ground(self, at: Place) -> Body:
+        """The old ground: a massless body fixed where the new model wants it."""
+        made = self.model.body(self.name("ground"))
+        self.bodies["ground"] = made
+        self.model.joint(self.name("ground"), Fixed(), at, made)
+        return made
+
+    def body(self, old: Body) -> None:
+        base = self.bodies["ground"] if old.base is None else self.bodies[old.base.name]
+        shapes = tuple(
+            dataclasses.replace(
+                shape,
+                position=self.value(shape.position),
+                rotation=self.value(shape.rotation),
+                size=tuple((key, self.value(size)) for key, size in shape.size),
+            )
+            for shape in old.shapes
+        )
+        made = self.model.body(self.name(old.name), shape=shapes)
+        made = dataclasses.replace(
+            made,
+            mass=self.value(old.mass),
+            com=self.value(old.com),
+            inertia=self.value(old.inertia),
+            pose=self.value(old.pose),
+            base=None if old.pose is None else base,
+        )
+        self.model.bodies[made.name] = self.bodies[old.name] = made
+
+    def frame(self, old: Frame) -> None:
+        name = self.name(old.name)
+        made = Frame(
+            self.bodies[old.body.name],
+            self.value(old.coordinates),
+            self.value(old.orientation),
+            name,
+            old.named,
+        )
+        self.model.frames[name] = self.frames[old.name] = made
+
+    def joint(self, old: Joint) -> None:
+        """The joint; its motion follows when all symbols are known."""
+        name = self.name(old.name)
+        base = self.bodies["ground"] if old.base is None else self.bodies[old.base.name]
+        couple = old.couple
+        if couple is not None:
+            ratio, offset = self.value(couple.ratio), self.value(couple.offset)
+            couple = Couple(self.name(couple.leader), ratio, offset)
+        made = dataclasses.replace(
+            old,
+            name=name,
+            kind=self.record(old.kind),
+            parent=self.place(old.parent),
+            child=self.place(old.child),
+            at=self.value(old.at),
+            base=None if old.at is None else base,
+            couple=couple,
+        )
+        self.model.joints[name] = self.joints[old.name] = made
+
+    def motions(self) -> None:
+        for name, joint in self.joints.items():
+            if joint.motion is not None:
+                made = dataclasses.replace(joint, motion=self.value(joint.motion))
+                self.model.joints[made.name] = self.joints[name] = made
+
+    def placeholders(self) -> None:
+        """Placeholders of the old model, as those of the new frames and joints."""
+        for old, entry in self.other.atoms.items():
+            places = [
+                self.place(p) if isinstance(p, (Body, Frame)) else p
+                for p in (entry.place, entry.wrt, entry.in_)
+            ]
+            if entry.quantity in ("q", "u"):
+                places[0] = self.name(entry.place)
+            new = self.name(old)
+            self.model.atoms[new] = dataclasses.replace(
+                entry, place=places[0], wrt=places[1], in_=places[2]
+            )
+
+    def element(self, element: ForceElement) -> ForceElement:
+        """A force element that acts on the new frames and joints."""
+        return self.record(element, frozenset(element.joints().values()))
+
+    def record(self, element: Any, joints: frozenset[str] = frozenset()) -> Any:
+        """A joint kind or force element with its fields copied; ``joints``: names to change."""
+        changes = {}
+        for entry in dataclasses.fields(element):
+            if entry.init:
+                value = getattr(element, entry.name)
+                is_joint = isinstance(value, str) and value in joints
+                changes[entry.name] = self.name(value) if is_joint else self.value(value)
+        return dataclasses.replace(element, **changes)

@@ -1,0 +1,90 @@
+"""A model on one screen: what is in it and what of it does not act."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from .connections import Joint
+
+if TYPE_CHECKING:
+    from .model import Model
+
+MOST_ROWS = 30
+WIDEST = 28
+
+
+def summary(model: Model) -> str:
+    """Bodies with their joints, forces, declared names and notes."""
+    counts = ", ".join(
+        f"{len(items)} {what}{'s' if len(items) != 1 else ''}"
+        for what, items in (
+            ("joint", model.joints),
+            ("force", model.forces),
+            ("parameter", model.parameters),
+            ("input", model.inputs),
+            ("output", model.outputs),
+        )
+        if items
+    )
+    bodies = f"{len(model.bodies)} bod{'y' if len(model.bodies) == 1 else 'ies'}"
+    gravity = ", ".join(_short(g) for g in model.gravity)
+    lines = [
+        f"model '{model.name}': {bodies}{', ' if counts else ''}{counts}",
+        f"gravity ({gravity}) m/s^2",
+    ]
+    lines += ["", *_table(_rows(model))] if model.bodies else []
+    lines += _forces(model)
+    lines += [f"note: {_fit(note, 160)}" for note in model.notes]
+    return "\n".join(lines)
+
+
+def _rows(model: Model) -> list[list[str]]:
+    inboard = {joint.child.body: joint for joint in model.joints.values()}
+    rows = [["body", "mass [kg]", "joint", "kind", "parent", ""]]
+    for body in model.bodies.values():
+        joint = inboard.get(body)
+        row = [body.name, _short(body.mass)]
+        if joint is None:
+            row += ["-", "", "", ""]
+        else:
+            row += [joint.name, joint.kind.kind, joint.parent.body.name, _remark(joint)]
+        rows.append(row)
+    return rows
+
+
+def _remark(joint: Joint) -> str:
+    if joint.motion is not None:
+        return f"prescribed: {joint.motion}"
+    if joint.couple is not None:
+        return f"follows {joint.couple.leader}"
+    return ""
+
+
+def _forces(model: Model) -> list[str]:
+    if not model.forces:
+        return []
+    kinds: dict[str, list[str]] = {}
+    for force in model.forces.values():
+        kinds.setdefault(force.element.kind, []).append(force.name)
+    listed = (f"{kind}: {_fit(', '.join(names), 100)}" for kind, names in kinds.items())
+    return ["", "forces", *(f"  {line}" for line in listed)]
+
+
+def _table(rows: Sequence[Sequence[str]]) -> list[str]:
+    hidden = len(rows) - 1 - MOST_ROWS
+    shown = [[_fit(cell, WIDEST) for cell in row] for row in rows[: MOST_ROWS + 1]]
+    widths = [max(len(row[k]) for row in shown) for k in range(len(shown[0]))]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in shown
+    ]
+    return [*lines, f"... and {hidden} more"] if hidden > 0 else lines
+
+
+def _short(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, (int, float)) else str(value)
+
+
+def _fit(text: str, width: int) -> str:
+    return text if len(text) <= width else text[: width - 3] + "..."

@@ -1,0 +1,121 @@
+"""Drawings of the graph of a scene: text, Graphviz, SVG. Names are escaped for each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..model.connections import Joint
+from .tree import Branch
+
+ROW, COLUMN = 64, 132
+BOX = (112, 26)
+
+
+def text(branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
+    """The tree with one line per body."""
+    outboard: dict[str, list[Branch]] = {}
+    for branch in branches:
+        outboard.setdefault(branch.inner.name, []).append(branch)
+    lines = ["ground"]
+    stack = [("", branch, k == 0) for k, branch in enumerate(reversed(outboard.get("ground", [])))]
+    while stack:
+        indent, branch, last = stack.pop()
+        mark = "└─ " if last else "├─ "
+        joint = branch.joint
+        lines.append(f"{indent}{mark}{branch.outer.name}  [{joint.name}: {joint.kind.kind}]")
+        deeper = indent + ("   " if last else "│  ")
+        below = list(reversed(outboard.get(branch.outer.name, [])))
+        stack += [(deeper, child, k == 0) for k, child in enumerate(below)]
+    for joint in closing:
+        ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
+        lines.append(f"closes a circuit: {ends}  [{joint.name}: {joint.kind.kind}]")
+    return "\n".join(lines)
+
+
+def dot(
+    name: str, bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joint]
+) -> str:
+    """A directed graph; circuits are closed by dashed arcs."""
+    lines = [f"digraph {_quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
+    lines += [f"  {_quoted(body)};" for body in bodies]
+    for joint, style in (
+        *((branch.joint, "") for branch in branches),
+        *((joint, ", style=dashed") for joint in closing),
+    ):
+        ends = f"{_quoted(joint.parent.body.name)} -> {_quoted(joint.child.body.name)}"
+        # \n is the line break of Graphviz
+        label = _quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
+        lines.append(f"  {ends} [label={label}{style}];")
+    return "\n".join([*lines, "}"])
+
+
+def svg(bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
+    """Layers of boxes, the ground at the bottom."""
+    where = _layout(branches)
+    deepest = max(level for _, level in where.values())
+    width = COLUMN * (1 + max(column for column, _ in where.values())) + 20
+    height = ROW * (deepest + 1) + 20
+
+    def center(body: str) -> tuple[float, float]:
+        column, level = where[body]
+        return COLUMN * (column + 0.5) + 10, height - ROW * (level + 0.5) - 10
+
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" '
+        f'width="{width:g}" height="{height:g}" font-family="sans-serif" font-size="11">'
+    ]
+    arcs = [(branch.joint, "") for branch in branches]
+    arcs += [(joint, ' stroke-dasharray="5 4"') for joint in closing]
+    for joint, style in arcs:
+        (x0, y0), (x1, y1) = center(joint.parent.body.name), center(joint.child.body.name)
+        parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" stroke="#456"{style}/>')
+        at = f'x="{(x0 + x1) / 2 + 4:g}" y="{(y0 + y1) / 2 + 4:g}"'
+        parts.append(f'<text {at} fill="#567">{_escaped(joint.name)}</text>')
+    for body in bodies:
+        if body in where:
+            parts.append(_box(body, *center(body)))
+    return "\n".join([*parts, "</svg>"])
+
+
+def _box(body: str, x: float, y: float) -> str:
+    width, height = BOX
+    label = body if len(body) <= 18 else body[:17] + "…"
+    return (
+        f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
+        f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + 4:g}" '
+        f'text-anchor="middle">{_escaped(label)}<title>{_escaped(body)}</title></text>'
+    )
+
+
+def _layout(branches: Sequence[Branch]) -> dict[str, tuple[float, int]]:
+    """Column and level of every body: leaves side by side, inner bodies over their middle."""
+    level = {"ground": 0}
+    outboard: dict[str, list[str]] = {"ground": []}
+    for branch in branches:
+        level[branch.outer.name] = level[branch.inner.name] + 1
+        outboard[branch.inner.name].append(branch.outer.name)
+        outboard[branch.outer.name] = []
+    # leaves get their columns in the order of a walk through the tree
+    column: dict[str, float] = {}
+    stack = ["ground"]
+    while stack:
+        body = stack.pop()
+        if not outboard[body]:
+            column[body] = float(len(column))
+        stack += reversed(outboard[body])
+    for body in reversed(list(level)):
+        if outboard[body]:
+            columns = [column[child] for child in outboard[body]]
+            column[body] = (min(columns) + max(columns)) / 2
+    return {body: (column[body], level[body]) for body in level}
+
+
+def _quoted(name: str) -> str:
+    escaped = name.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
+    return f'"{escaped}"'
+
+
+def _escaped(name: str) -> str:
+    return (
+        name.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+    )
