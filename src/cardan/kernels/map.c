@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory; nothing here allocates or keeps state.
  */
 #include "map.h"
+#include <math.h>
 
 enum { BLOCKS = 15 };
 
@@ -29,9 +30,14 @@ int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real 
     *failed = -1;
     for (ptrdiff_t i = 0; i < n; i++) {
         int answer = f(&in, out + i * out_stride, work);
-        if (answer != 0 && status == 0) {
-            status = answer;
-            *failed = i;
+        if (answer != 0) {
+            /* no result: NaN; the first status speaks for all */
+            for (ptrdiff_t k = 0; k < out_stride; k++)
+                out[i * out_stride + k] = NAN;
+            if (status == 0) {
+                status = answer;
+                *failed = i;
+            }
         }
         for (int k = 0; k < movers; k++)
             *moving[k] += step[k];

@@ -9,11 +9,11 @@
  *
  * blocks   15 pointers in the order of cardan_in, NULL where nothing is given
  * strides  15 distances from one state to the next, 0 for a block that all states share
- * out      n results, out_stride apart
+ * out      n results of out_stride numbers
  * work     work memory of f
  * failed   index of the first state at which f returned a status other than 0, else -1
  *
- * Every state is evaluated. Returns the first status that is not 0.
+ * Every state is evaluated; the result is NaN where f returned a status. Returns the first status that is not 0.
  */
 int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real *const *blocks,
                const ptrdiff_t *strides, ptrdiff_t n, real *out, ptrdiff_t out_stride, real *work,

@@ -53,7 +53,7 @@ class CompiledModel(Dynamics):
     Raises (every function):
         ValueError: wrong shape. ModelError: unknown name, or a function that was not compiled.
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
-            the states that fail hold NaN and a SolveWarning names the first.
+            the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
 
     def __init__(
@@ -246,8 +246,14 @@ class CompiledModel(Dynamics):
         """
         keys = [(f, None) if isinstance(f, str) else f for f in functions]
         if not functions:
-            keys = [(n, e.get("of")) for n, e in self.manifest["functions"].items() if n in READS]
+            keys = self._written()
         self._load(keys)
+
+    def _written(self) -> list[Key]:
+        """Keys of the functions whose C is in the directory."""
+        rows = self.manifest["functions"].items()
+        keys = [(name.split("__")[0], entry.get("of")) for name, entry in rows]
+        return [key for key in keys if key[0] in READS]
 
     @property
     def saved(self) -> tuple[str, ...]:

@@ -15,7 +15,6 @@ from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache
 from .calling import ORDER, SLOT, Argument, Array
-from .layout import READS
 from .loaded import LoadedFunction
 
 if TYPE_CHECKING:
@@ -96,16 +95,13 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
     """
     from rich.console import Console
 
-    model.prepare()
-    functions = model.manifest["functions"]
-    names = [name for name in functions if name.split("__")[0] in READS]
     saved = model._objects.saved()
     judge, note = _judge()
     rows = []
-    for name in names:
-        function = model._function(name.split("__")[0], functions[name].get("of"))
+    for function in model._load(model._written()):
         values = _values(model, function, np.random.default_rng(seed))
-        error = judge(model, function, saved[name], values) if name in saved else None
+        data = saved.get(function.symbol)
+        error = judge(model, function, data, values) if data else None
         rows.append(_measure(function, values, error))
     first_line = cache.compiler().identity.splitlines()[0]
     result = Report(model.name, tuple(rows), first_line, abi.NAME, note)

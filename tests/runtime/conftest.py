@@ -1,0 +1,52 @@
+"""A private compile cache for every test, and the hand-made pendulum."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from cardan.runtime import abi, abi_ctypes
+from cardan.runtime.compiled import CompiledModel
+from runtime import pendulum
+
+try:
+    from cardan.runtime import _abi
+except ImportError:
+    _abi = None
+
+WAYS = ["ctypes"] + (["cython"] if _abi else [])
+
+
+@pytest.fixture(autouse=True)
+def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty cache."""
+    path = tmp_path / "cache"
+    monkeypatch.setenv("CARDAN_CACHE", str(path))
+    return path
+
+
+@pytest.fixture(params=WAYS)
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Both ways into the C, one after the other."""
+    use(request.param, monkeypatch)
+    return str(request.param)
+
+
+def use(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Call through one of the two ways."""
+    module = abi_ctypes if name == "ctypes" else _abi
+    for function in ("run", "prepare", "first_bad", "fast"):
+        monkeypatch.setattr(abi, function, getattr(module, function))
+
+
+@pytest.fixture
+def directory(tmp_path: Path) -> Path:
+    """The model directory of the pendulum."""
+    return pendulum.write(tmp_path / "model")
+
+
+@pytest.fixture
+def model(directory: Path) -> CompiledModel:
+    """The pendulum: m = 2 kg, l = 0.5 m, g = 9.81 m/s²."""
+    return CompiledModel(directory)

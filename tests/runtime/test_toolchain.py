@@ -1,0 +1,58 @@
+"""Compilers: order of search, flags, the clang that comes from PyPI."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+
+from cardan.errors import BuildError
+from cardan.runtime import cache, toolchain
+
+
+def test_contraction_is_always_given():
+    gcc = toolchain.Compiler(("gcc",), Path("gcc"), "gcc (Debian) 12.2.0")
+    clang = toolchain.Compiler(("clang",), Path("clang"), "Debian clang version 14.0.6")
+    assert "-ffp-contract=fast" in gcc.flags()
+    assert "-ffp-contract=on" in clang.flags()
+    assert "-ffp-contract=off" in gcc.flags(reproducible=True)
+    assert not any("fast-math" in flag for flag in (*gcc.flags(), *clang.flags()))
+
+
+def test_cc_of_the_environment_comes_first(monkeypatch):
+    monkeypatch.setenv("CC", f"{shutil.which('cc')} -pipe")
+    command, binary = toolchain.candidates()[0]
+    assert command[1:] == ("-pipe",)
+    assert binary == Path(shutil.which("cc") or "").resolve()
+
+
+def test_compiler_that_does_not_answer(tmp_path):
+    silent = tmp_path / "cc"
+    silent.write_text("#!/bin/sh\nexit 3\n")
+    silent.chmod(0o755)
+    with pytest.raises(BuildError, match="does not answer"):
+        toolchain.ask_version([str(silent)])
+
+
+def test_processor_names_its_instruction_sets():
+    text = toolchain.processor()
+    assert text == toolchain.processor()
+    assert text.splitlines()[0]
+
+
+@pytest.mark.slow
+def test_ziglang_compiles_where_nothing_else_is_there(tmp_path, monkeypatch):
+    pytest.importorskip("ziglang")
+    source = tmp_path / "answer.c"
+    declared = "double f(double x)"
+    source.write_text(f"#include <math.h>\n{declared};\n{declared} {{ return sin(x); }}\n")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", "/nonexistent")
+    assert cache.compiler().command[:3] == (sys.executable, "-m", "ziglang")
+    assert cache.compiler().family == "clang"
+    function = ctypes.CDLL(str(cache.build([source]).path)).f
+    function.restype, function.argtypes = ctypes.c_double, [ctypes.c_double]
+    assert abs(function(0.5) - 0.479425538604203) < 1e-15
