@@ -1,0 +1,10 @@
+"""The integrators: one record here and one C file in ``kernels`` each."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+from . import dop853, rk4
+
+INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (dop853, rk4)}
+
+__all__ = ["INTEGRATORS", "Integrator"]

@@ -1,0 +1,17 @@
+"""The classical Runge-Kutta method."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+
+METHOD = Integrator(
+    name="RK4",
+    kernel="rk4",
+    order=4,
+    dense_order=4,
+    stages=4,
+    dense_rows=3,
+    adaptive=False,
+    applies="a fixed step: the same cost per second always, such as beside hardware",
+    source="E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1",
+)

@@ -1,0 +1,78 @@
+"""The run record of ``kernels/run.h`` for Python: the same fields in the same order."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import lru_cache
+from typing import Any
+
+from ..errors import BuildError
+
+# answers of the kernels, as in run.h
+DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
+NOT_FINITE, TOO_SMALL, MODEL, INPUT = -1, -2, -3, -4
+
+POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
+INPUTS = ctypes.CFUNCTYPE(
+    ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
+)
+
+FIELDS: tuple[tuple[Any, str], ...] = (
+    (POINTER, "init step dense"),
+    (POINTER, "rhs power rhs_w power_w inputs signals quaternions"),
+    (COUNT, "nq nx n nr signal_count quaternion_count sampled"),
+    (POINTER, "y y_old trial k f r spread at_rest work"),
+    (COUNT, "stages dense_rows"),
+    (POINTER, "stops"),
+    (COUNT, "stop_count next_stop"),
+    (REAL, "t t_old t_start segment"),
+    (COUNT, "in_segment"),
+    (REAL, "rtol atol max_step h last"),
+    (COUNT, "fresh is_dense rejected"),
+    (POINTER, "rows spreads times"),
+    (COUNT, "time_count next_time capacity count row_open"),
+    (COUNT, "steps rejections evaluations budget culprit model_status stop"),
+)
+
+
+class Run(ctypes.Structure):
+    """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
+
+    _fields_ = [(name, kind) for kind, names in FIELDS for name in names.split()]  # noqa: RUF012
+
+
+class Signal(ctypes.Structure):
+    """``cardan_signal``: an input given by pieces."""
+
+    _fields_ = [  # noqa: RUF012
+        ("input", COUNT),
+        ("pieces", COUNT),
+        ("where", COUNT),
+        ("breaks", POINTER),
+        ("coefficients", POINTER),
+    ]
+
+
+@lru_cache(maxsize=4)
+def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
+    """The kernels library with the types of its run functions declared.
+
+    Raises:
+        BuildError: its record differs from the one here.
+    """
+    library.cardan_run_size.restype = ctypes.c_size_t
+    if library.cardan_run_size() != ctypes.sizeof(Run):
+        raise BuildError(
+            f"the integrators were built for a run record of {library.cardan_run_size()} bytes, "
+            f"this cardan has {ctypes.sizeof(Run)}: install cardan again, it is from two versions"
+        )
+    record = ctypes.POINTER(Run)
+    for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
+        getattr(library, name).argtypes = [record]
+    library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    return library
+
+
+def address(library: ctypes.CDLL, name: str) -> int:
+    """Address of a function of a library."""
+    return ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0

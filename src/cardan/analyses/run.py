@@ -1,0 +1,226 @@
+"""One run of a compiled integrator: its memory, its record, the loop that drives it."""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.compiled import CompiledModel
+from . import record as abi
+from .integrator import Integrator
+from .record import INPUTS, Run, Signal
+from .signals import Signals
+
+Array = NDArray[np.float64]
+SLICE = 0.01  # seconds between two looks at signals and progress
+ROWS = 2048
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How to step.
+
+    Attributes:
+        method: The integrator.
+        rtol, atol: Tolerances of an adaptive one.
+        step: Step of a fixed one, first step of an adaptive one (0: it chooses) [s].
+        max_step: Largest step of an adaptive one [s].
+    """
+
+    method: Integrator
+    rtol: float
+    atol: float
+    step: float
+    max_step: float
+
+
+class Runner:
+    """A run from a state over segments of time.
+
+    Everything the C works on lies in ``record`` and ``memory``: a copy of both is a checkpoint.
+    """
+
+    def __init__(
+        self, model: CompiledModel, settings: Settings, given: Signals, power: bool = True
+    ) -> None:
+        """Allocate.
+
+        Args:
+            model: Whose ``rhs`` and ``power`` are called.
+            settings: How to step.
+            given: The inputs.
+            power: Integrate the power of the sources too.
+        """
+        self.model, self.settings, self.signals = model, settings, given
+        self.library = abi.kernels(model._kernels())
+        self.functions = [model._function("rhs")]
+        if power:
+            self.functions.append(model._function("power"))
+        outputs = self.functions[-1].outputs[0] if power else {"entries": []}
+        self.sources = tuple(outputs["entries"] or ())
+        self.n = model.nx + len(self.sources)
+        self.error: BaseException | None = None
+        self._keep: list[Any] = []
+        self.record = Run()
+        self._allocate()
+        self._connect()
+
+    def _allocate(self) -> None:
+        """One block of numbers for everything but output rows."""
+        model, method, n = self.model, self.settings.method, self.n
+        parts = sum(len(body["parts"]) for body in model.manifest["bodies"])
+        sizes = {
+            "y": n,
+            "y_old": n,
+            "trial": n,
+            "f": n,
+            "k": method.stages * n,
+            "spread": method.dense_rows * n,
+            "r": model.nr,
+            "at_rest": max(model.nu, 6 * parts),
+            "work": max(f.work_size for f in self.functions),
+        }
+        self.memory = np.zeros(sum(sizes.values()))
+        self.views: dict[str, Array] = {}
+        start = 0
+        for name, size in sizes.items():
+            self.views[name] = self.memory[start : start + size]
+            setattr(self.record, name, self.memory.ctypes.data + 8 * start)
+            start += size
+
+    def _connect(self) -> None:
+        """Fill in sizes, functions and tolerances."""
+        model, settings, run = self.model, self.settings, self.record
+        kernel = f"cardan_{settings.method.kernel}"
+        run.init = abi.address(self.library, f"{kernel}_init")
+        run.step = abi.address(self.library, f"{kernel}_step")
+        run.dense = abi.address(self.library, f"{kernel}_dense")
+        run.stages, run.dense_rows = settings.method.stages, settings.method.dense_rows
+        run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
+        if self.sources:
+            run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
+        quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
+        run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
+        run.nq, run.nx, run.n, run.nr = model.nq, model.nx, self.n, model.nr
+        run.rtol, run.atol = settings.rtol, settings.atol
+        run.max_step, run.h = settings.max_step, settings.step
+        run.culprit = -1
+        self.views["r"][:] = self.signals.constants
+        self._connect_signals()
+
+    def _connect_signals(self) -> None:
+        run, pieces = self.record, self.signals.pieces
+        table = (Signal * max(1, len(pieces)))()
+        for row, piece in zip(table, pieces, strict=False):
+            row.input, row.pieces, row.where = piece.input, len(piece.coefficients), 0
+            row.breaks = self._pointer(np.ascontiguousarray(piece.breaks))
+            row.coefficients = self._pointer(np.ascontiguousarray(piece.coefficients))
+        self._keep.append(table)
+        run.signals, run.signal_count = ctypes.addressof(table), len(pieces)
+        if self.signals.functions:
+            call = INPUTS(self._ask)
+            self._keep.append(call)
+            run.inputs = ctypes.cast(call, ctypes.c_void_p).value
+            run.sampled = self.signals.sample is not None
+
+    def _pointer(self, array: NDArray[Any]) -> int:
+        """Address of an array that must live as long as this."""
+        self._keep.append(array)
+        return array.ctypes.data
+
+    def _ask(self, t: float, x: Any, r: Any) -> int:
+        """Evaluate the input functions; called from C."""
+        try:
+            state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
+            for k, function in self.signals.functions.items():
+                r[k] = float(function(t, state))
+        except BaseException as error:
+            # it must not cross the C frames: the drive raises it again
+            self.error = error
+            return 1
+        return 0
+
+    # running
+
+    def start(self, t: float, x: Array, stops: Sequence[float]) -> int:
+        """Set the state and evaluate there. Returns the answer of the kernels."""
+        self.record.t = t
+        self.views["y"][: self.model.nx] = x
+        self.aim(stops)
+        answer = int(self.library.cardan_run_start(self.record))
+        self._raise()
+        return answer
+
+    def aim(self, stops: Sequence[float]) -> None:
+        """Set the times at which steps must end; the last one is the end."""
+        self._stops = np.array(stops, dtype=np.float64)
+        self.record.stops = self._stops.ctypes.data
+        self.record.stop_count, self.record.next_stop = len(self._stops), 0
+
+    def want(self, times: Array | None, dense: bool) -> None:
+        """Say which rows to write: at ``times``, or at every step.
+
+        Args:
+            times: Output times, in the direction of the run.
+            dense: Keep the dense output of every step.
+        """
+        run = self.record
+        run.capacity = ROWS if times is None else len(times)
+        self.rows = np.empty((run.capacity, 1 + self.n + self.model.nr))
+        run.rows = self.rows.ctypes.data
+        if times is not None:
+            self._times = np.ascontiguousarray(times)
+            run.times, run.time_count = self._times.ctypes.data, len(times)
+        if dense:
+            self.spreads = np.empty((ROWS, self.settings.method.dense_rows, self.n))
+            run.spreads = self.spreads.ctypes.data
+
+    def drive(self, budget: int) -> int:
+        """Go on for at most ``budget`` steps. Returns the answer of the kernels."""
+        self.record.budget = budget
+        answer = int(self.library.cardan_run_drive(self.record))
+        self._raise()
+        return answer
+
+    def _raise(self) -> None:
+        if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
+            raise self.error
+
+    def slices(self) -> Iterator[int]:
+        """Drive to the end in slices of about 10 ms; yields the answer of each."""
+        budget, answer = 64, abi.MORE
+        while answer in (abi.MORE, abi.FULL):
+            before = time.perf_counter()
+            answer = self.drive(budget)
+            spent = max(time.perf_counter() - before, 1e-6)
+            if answer == abi.MORE:
+                budget = max(1, min(8 * budget, round(budget * SLICE / spent)))
+            yield answer
+
+    @contextmanager
+    def interruptible(self) -> Iterator[None]:
+        """Let Ctrl-C stop the run between two steps instead of raising."""
+        usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if not usual or threading.current_thread() is not threading.main_thread():
+            yield
+            return
+
+        def stop(*_: Any) -> None:
+            self.record.stop = 1
+
+        signal.signal(signal.SIGINT, stop)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+

@@ -1,0 +1,132 @@
+"""A state out of named initial values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import ModelError, SolveError, near
+from .calling import Array
+
+Rows = list[dict[str, Any]]
+
+
+def initial_state(
+    manifest: Mapping[str, Any],
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+) -> tuple[Array, tuple[str, ...]]:
+    """State x = [q, u] from values by joint (``"elbow"``, ``"base"``) or entry (``"base.px"``).
+
+    Args:
+        manifest: Of the model.
+        q, u: Values; a joint with several coordinates takes all of them at once.
+
+    Returns:
+        x (nx,) with quaternions of unit length, and the names of the entries that were not given:
+        they come from q0 and u0 of their joints, else they are those of the reference position.
+
+    Raises:
+        ModelError: an unknown name, a joint without coordinates of its own, a value given twice.
+        ValueError: the wrong number of values.
+        SolveError: a value that is not finite, or a quaternion of length 0.
+    """
+    joints: Rows = manifest["joints"]
+    values, given = [], []
+    for letter, rows, named in (
+        ("q", manifest["coordinates"], q),
+        ("u", manifest["speeds"], u),
+    ):
+        block = _defaults(letter, rows, joints)
+        named_here = _fill(letter, block, rows, joints, named)
+        values.append(block)
+        given.append(
+            [row["name"] for row, known in zip(rows, named_here, strict=True) if not known]
+        )
+    for start in manifest["quaternions"]:
+        _normalize(values[0], start, manifest["coordinates"][start]["name"])
+    return np.concatenate(values), (*given[0], *given[1])
+
+
+def _defaults(letter: str, rows: Rows, joints: Rows) -> Array:
+    """q0 or u0 where a joint has them, else what the coordinates start from."""
+    block = np.array([row.get("default") or 0.0 for row in rows], dtype=np.float64)
+    for joint in joints:
+        start, size = joint[letter] or (0, 0)
+        if size and joint.get(f"{letter}0") is not None:
+            block[start : start + size] = joint[f"{letter}0"]
+    return block
+
+
+def _fill(
+    letter: str, block: Array, rows: Rows, joints: Rows, named: Mapping[str, ArrayLike]
+) -> list[bool]:
+    """Write named values into a block; which entries they cover."""
+    places = _places(letter, rows, joints)
+    covered = [False] * len(rows)
+    for name, value in named.items():
+        where = f"{letter}={{'{name}': ...}}"
+        place = places.get(name)
+        if place is None:
+            raise ModelError(f"{where}: {_unknown(letter, name, joints)}{near(name, places)}")
+        entries = [row["name"] for row in rows[place]]
+        if any(covered[place]):
+            raise ModelError(
+                f"{where}: '{entries[0]}' is given twice, once by joint, once by entry"
+            )
+        block[place] = _numbers(where, value, entries)
+        covered[place] = [True] * len(entries)
+    return covered
+
+
+def _places(letter: str, rows: Rows, joints: Rows) -> dict[str, slice]:
+    """Name -> entries: every entry by its own name, every joint for all of its entries."""
+    places = {}
+    for joint in joints:
+        start, size = joint[letter] or (0, 0)
+        if size:
+            places[str(joint["name"])] = slice(start, start + size)
+    for k, row in enumerate(rows):
+        places.setdefault(str(row["name"]), slice(k, k + 1))
+    return places
+
+
+def _unknown(letter: str, name: str, joints: Rows) -> str:
+    what = {"q": "coordinate", "u": "speed"}[letter]
+    joint = next((j for j in joints if j["name"] == name), None)
+    if joint is not None and joint.get("coupled"):
+        return (
+            f"joint '{name}' follows '{joint['coupled']['leader']}' and has no {what} of its own."
+        )
+    if joint is not None:
+        return f"joint '{name}' moves as prescribed and has no {what} of its own."
+    return f"there is no joint or {what} '{name}'."
+
+
+def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
+    """The values of some entries, checked."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{where}: {value!r} is not a number")
+    array = np.atleast_1d(array.astype(np.float64))
+    if array.shape != (len(entries),):
+        raise ValueError(
+            f"{where}: {array.size} values, expected {len(entries)}: {', '.join(entries)}"
+        )
+    for entry, number in zip(entries, array, strict=True):
+        if not np.isfinite(number):
+            raise SolveError(f"{where}: '{entry}' is {number}. Every initial value must be finite")
+    return array
+
+
+def _normalize(q: Array, start: int, name: str) -> None:
+    norm = float(np.linalg.norm(q[start : start + 4]))
+    if norm < 1e-6:
+        raise SolveError(
+            f"the quaternion at '{name}' has length {norm:g} and stands for no rotation. "
+            "No rotation is (1, 0, 0, 0)"
+        )
+    q[start : start + 4] /= norm
