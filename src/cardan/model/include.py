@@ -178,7 +178,8 @@ class _Copy:
 
     def element(self, element: ForceElement) -> ForceElement:
         """A force element that acts on the new frames and joints."""
-        return self.record(element, frozenset(element.joints().values()))
+        made: ForceElement = self.record(element, frozenset(element.joints().values()))
+        return made
 
     def record(self, element: Any, joints: frozenset[str] = frozenset()) -> Any:
         """A joint kind or force element with its fields copied; ``joints``: names to change."""

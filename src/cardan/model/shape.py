@@ -25,12 +25,6 @@ class Shape:
     rotation: Any = None
     color: tuple[float, float, float, float] | None = None
 
-    def record(self) -> dict[str, object]:
-        """Plain data for a viewer."""
-        made: dict[str, object] = {"kind": self.kind, **dict(self.size)}
-        made |= {"position": self.position, "rotation": self.rotation, "color": self.color}
-        return made
-
 
 def cylinder(
     radius: Any,

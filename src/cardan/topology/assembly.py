@@ -243,11 +243,3 @@ class Assembly:
             coupling = motion.coupling(self.convert, user, self.joint_number, self.joints)
             self.joints[k] = motion.replaced(self.joints[k], coupling=coupling)
         motion.check_couplings(self.joints)
-
-    def shapes(self) -> tuple[tuple[int, Mapping[str, object]], ...]:
-        """What to draw, by number of the frame of its body."""
-        return tuple(
-            (self.numbers[body], shape.record())
-            for body in (self.model.ground, *self.model.bodies.values())
-            for shape in body.shapes
-        )

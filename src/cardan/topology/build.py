@@ -12,6 +12,7 @@ from . import motion
 from .announcements import announce
 from .assembly import Assembly
 from .convert import Converter
+from .pictures import pictures
 from .rotors import with_rotors
 from .system import Atom, Force, Named, System
 from .tree import open_tree
@@ -70,7 +71,7 @@ def build(model: Model) -> System:
         nu=assembly.nu,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),
-        shapes=assembly.shapes(),
+        shapes=pictures(scene, assembly.numbers),
         snaps=tuple(scene.snaps),
         structural=convert.structural,
     )

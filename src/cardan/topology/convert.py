@@ -15,11 +15,11 @@ from ..ir.matrix import Matrix
 from ..model import dimensions
 from ..model.checks import is_number
 from ..model.model import Model
+from ..model.rotation import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
 from .system import Nodes, Parameter
 
 IDENTITY: Nodes = (ONE, ZERO, ZERO, ZERO, ONE, ZERO, ZERO, ZERO, ONE)
 ORIGIN: Nodes = (ZERO, ZERO, ZERO)
-QUARTER = math.pi / 2
 
 
 class Converter:
@@ -201,18 +201,14 @@ class Converter:
         labels = [i + j for i in "xyz" for j in "xyz"]
         if not all(is_number(entry) for entry in flat):
             return self.vector(flat, name, ratio=True, labels=labels)
-        _orthonormal(rows, name)
+        check_orthonormal(rows, name)
         if all(entry in (0, 1, -1) for entry in flat):
             return self.vector(flat, name, ratio=True, labels=labels)
-        return self.sequence("xyz", _roll_pitch_yaw(rows), name)
+        return self.sequence("xyz", roll_pitch_yaw(rows), name)
 
     def sequence(self, axes: str, angles: Sequence[Any], name: str) -> Nodes:
         """Three turns in SciPy's case rule: "XYZ" about body-fixed, "xyz" about fixed axes."""
-        if len(axes) != 3 or axes.lower().strip("xyz") or not (axes.islower() or axes.isupper()):
-            raise ModelError(
-                f"'{name}': a sequence is three letters of XYZ (body-fixed) or xyz (fixed axes), "
-                f"not {axes!r}"
-            )
+        check_axes(axes, name)
         labels = ("roll", "pitch", "yaw") if axes == "xyz" else ("angle1", "angle2", "angle3")
         turns = [
             self._turn(axis, self._angle(angle, f"{name}.{label}"))
@@ -229,8 +225,8 @@ class Converter:
         """A node, or (cosine, sine) of an exact multiple of a quarter turn."""
         if not is_number(value) or not math.isfinite(value):
             return self.scalar(value, name, "rad")
-        turns = round(value / QUARTER)
-        if abs(value - turns * QUARTER) > 4e-16 * abs(value):
+        turns = quarter_turns(float(value))
+        if turns is None:
             return self.scalar(value, name, "rad")
         self.structural[name] = float(value)
         return ((ONE, ZERO), (ZERO, ONE), (MINUS_ONE, ZERO), (ZERO, MINUS_ONE))[turns % 4]
@@ -253,29 +249,6 @@ def compose(graph: Graph, a: Nodes, b: Nodes) -> Nodes:
     if b == IDENTITY:
         return a
     return (Matrix(graph, 3, 3, a) @ Matrix(graph, 3, 3, b)).nodes
-
-
-def _orthonormal(rows: list[list[float]], name: str) -> None:
-    for i in range(3):
-        for j in range(3):
-            product = sum(rows[i][k] * rows[j][k] for k in range(3))
-            if not abs(product - (i == j)) < 1e-6:
-                raise ModelError(
-                    f"'{name}': not a rotation: rows {i + 1} and {j + 1} have the product {product}"
-                )
-    (a, b, c), (d, e, f), (g, h, k) = rows
-    if a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g) < 0:
-        raise ModelError(f"'{name}': a reflection, not a rotation: its determinant is -1")
-
-
-def _roll_pitch_yaw(rows: list[list[float]]) -> tuple[float, float, float]:
-    """Angles of R = Rz(yaw) Ry(pitch) Rx(roll)."""
-    across = math.hypot(rows[0][0], rows[1][0])
-    pitch = math.atan2(-rows[2][0], across)
-    if across < 1e-9:
-        # gimbal lock: only a combination of roll and yaw counts
-        return math.atan2(-rows[1][2], rows[1][1]), pitch, 0.0
-    return math.atan2(rows[2][1], rows[2][2]), pitch, math.atan2(rows[1][0], rows[0][0])
 
 
 def symmetric(entries: Nodes) -> Nodes:

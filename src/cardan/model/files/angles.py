@@ -1,12 +1,11 @@
-"""Angles of files: rounded quarter turns become exact ones; rotations of plain numbers."""
+"""Angles of files: rounded quarter turns become exact ones."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
-Rows = list[list[float]]
-QUARTER = math.pi / 2
+from ..rotation import QUARTER, of_sequence, product
+
 # below this, 2 or 1.6 would be taken for pi/2
 FEWEST_DECIMALS = 2
 _NAMES = {1: "pi/2", -1: "-pi/2", 2: "pi", -2: "-pi"}
@@ -45,31 +44,8 @@ def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:
     """Entries xx xy xz yy yz zz of R I Rᵀ with R = Rz(yaw) Ry(pitch) Rx(roll)."""
     if not any(rpy):
         return tuple(inertia)
-    rotation = matrix(rpy)
+    rotation = of_sequence("xyz", rpy)
     xx, xy, xz, yy, yz, zz = inertia
     rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     turned_rows = product(product(rotation, rows), [list(c) for c in zip(*rotation, strict=True)])
     return tuple(turned_rows[i][j] for i in range(3) for j in range(i, 3))
-
-
-def matrix(rpy: Sequence[float]) -> Rows:
-    """R = Rz(yaw) Ry(pitch) Rx(roll), exact where the angles are quarter turns."""
-    (cr, sr), (cp, sp), (cy, sy) = (cosine_sine(angle) for angle in rpy)
-    return [
-        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-        [-sp, cp * sr, cp * cr],
-    ]
-
-
-def cosine_sine(angle: float) -> tuple[float, float]:
-    """Cosine and sine, exact at multiples of a quarter turn."""
-    turns = round(angle / QUARTER)
-    if angle == turns * QUARTER:
-        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
-    return math.cos(angle), math.sin(angle)
-
-
-def product(a: Rows, b: Rows) -> Rows:
-    """Product of two 3x3 matrices."""
-    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
