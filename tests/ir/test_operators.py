@@ -6,11 +6,11 @@ import math
 
 import mpmath
 import pytest
-from ir.expressions import function, y
 
 from cardan.ir.derivative import forward, gradient
 from cardan.ir.graph import ONE, Graph, Table
 from cardan.ir.ops import OPERATORS
+from ir.expressions import function, y
 
 EPS = math.ulp(1.0)
 

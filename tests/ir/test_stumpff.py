@@ -7,12 +7,12 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from ir.expressions import function, y
 
 from cardan.ir.arrays import stumpff as of_arrays
 from cardan.ir.derivative import forward, gradient
 from cardan.ir.graph import ONE, Graph
 from cardan.ir.ops import stumpff
+from ir.expressions import function, y
 
 EPS = math.ulp(1.0)
 ORDERS = range(8)

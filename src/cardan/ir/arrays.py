@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import SolveError
 from . import numbers
 from .graph import Table
 from .numbers import Numbers, Operators
@@ -38,8 +39,17 @@ class Arrays(Numbers):
         else:
             a = both[..., : n * n].reshape((*batch, n, n))
             b = both[..., n * n :].reshape((*batch, n, m))
-            x = np.linalg.solve(a, b).reshape((*batch, n * m))
+            x = _regular(a, b).reshape((*batch, n * m))
         return [x[..., k] for k in range(n * m)]
+
+
+def _regular(a: Any, b: Any) -> Any:
+    try:
+        return np.linalg.solve(a, b)
+    except np.linalg.LinAlgError as problem:
+        raise SolveError(
+            f"a system of {a.shape[-1]} equations is singular for a state of the batch"
+        ) from problem
 
 
 def _as_float(condition: Any) -> Any:

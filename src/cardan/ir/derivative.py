@@ -137,12 +137,12 @@ def gradient(graph: Graph, root: int, wrt: Sequence[int]) -> list[int]:
             if graph.nodes[i][0] == "solve":
                 pulled = _solve_reverse(graph, i, items.get(i, {}))
             elif i in bars:
-                pulled = _pull(graph, i, bars[i], active, items)
+                pulled = _pull_chosen(graph, i, bars[i], active, items)
             else:
                 continue
             for k, bar in pulled:
                 if k in active:
-                    bars[k] = graph.add(bars.get(k, ZERO), bar)
+                    bars[k] = _sum(graph, bars.get(k, ZERO), bar)
     return [bars.get(i, ZERO) for i in wrt]
 
 
@@ -153,6 +153,31 @@ def _depends(graph: Graph, order: Sequence[int], independent: set[int]) -> set[i
         if i in independent or not active.isdisjoint(operands(graph.nodes[i])):
             active.add(i)
     return active
+
+
+def _pull_chosen(
+    graph: Graph, i: int, bar: int, active: set[int], items: dict[int, dict[int, int]]
+) -> list[tuple[int, int]]:
+    """As :func:`_pull`, with choices kept outermost.
+
+    A side that is not taken may be infinite, and 0 times infinity would spoil the side that is.
+    """
+    node = graph.nodes[bar]
+    if node[0] != "select" or graph.nodes[i][0] == "item" or ZERO not in node[2:]:
+        return _pull(graph, i, bar, active, items)
+    _, condition, then, otherwise = node
+    pulled = _pull(graph, i, then or otherwise, active, items)
+    if then:
+        return [(k, graph.apply("select", condition, x, ZERO)) for k, x in pulled]
+    return [(k, graph.apply("select", condition, ZERO, x)) for k, x in pulled]
+
+
+def _sum(graph: Graph, a: int, b: int) -> int:
+    """a + b; two choices by one condition become one."""
+    x, y = graph.nodes[a], graph.nodes[b]
+    if x[0] == y[0] == "select" and x[1] == y[1]:
+        return graph.apply("select", x[1], graph.add(x[2], y[2]), graph.add(x[3], y[3]))
+    return graph.add(a, b)
 
 
 def _pull(
