@@ -1,0 +1,112 @@
+"""What stands at the top of a generated file: what it computes, from what, at what cost."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Sequence
+
+from ..ir.function import Block, Function, Output
+from ..ir.graph import Graph
+from ..ir.ops import LEAVES
+from .naming import comment
+from .routines import Built
+
+# blocks longer than this are not listed entry by entry
+LONG = 150
+
+MEANING = {
+    "t": "time",
+    "q": "generalized coordinates",
+    "u": "generalized speeds",
+    "z": "internal continuous states",
+    "s": "discrete states",
+    "r": "inputs of the model",
+    "p": "parameters",
+    "udot": "derivatives of the speeds",
+    "zdot": "derivatives of the internal states",
+    "lam": "Lagrange multipliers",
+    "tau": "applied generalized forces",
+    "wrench": "wrenches on bodies: torque, force",
+    "du": "finite increment along the speeds",
+    "q0": "coordinates at the start of the increment",
+}
+
+
+def operations(graph: Graph, order: Iterable[int]) -> dict[str, int]:
+    """Number of computed nodes per operator, the most frequent first."""
+    nodes = graph.nodes
+    counts = Counter([nodes[i][0] for i in order])
+    found = [(op, n) for op, n in counts.items() if op not in LEAVES and op != "item"]
+    return dict(sorted(found, key=lambda row: (-row[1], row[0])))
+
+
+def head(
+    function: Function,
+    model: str,
+    notes: Sequence[str],
+    blocks: Collection[str],
+    prepare: Built,
+    body: Built,
+) -> tuple[tuple[str, ...], ...]:
+    """Paragraphs of the head comment.
+
+    Args:
+        blocks: Input blocks that are read.
+    """
+    graph = function.graph
+    title = f"{function.name} of {model}" if model else function.name
+    first = [comment(title)]
+    if function.about:
+        first.append(comment(function.about))
+    first.extend(comment(note) for note in notes)
+    size = sum(len(output.nodes) for output in function.outputs)
+    sizes = (
+        f"Sizes: out {size}, work {body.length}, w {prepare.length}",
+        f"Operations per call: {_counts(operations(graph, body.order))}",
+        f"Operations of prepare: {_counts(operations(graph, prepare.order))}",
+    )
+    found = [tuple(first), sizes]
+    found.extend(_input(block) for block in function.inputs if block.name in blocks)
+    at = 0
+    for output in function.outputs:
+        found.append(_output(output, at))
+        at += len(output.nodes)
+    return tuple(found)
+
+
+def _counts(counts: dict[str, int]) -> str:
+    listed = ", ".join(f"{n} {op}" for op, n in counts.items())
+    return f"{sum(counts.values())} = {listed}" if counts else "none"
+
+
+def _input(block: Block) -> tuple[str, ...]:
+    meaning = MEANING.get(block.name, "input")
+    if block.name == "p":
+        return (f"Input p ({len(block)}): {meaning}, read by prepare_ only",)
+    return (
+        f"Input {block.name} ({len(block)}): {meaning}",
+        *_entries(block.name, 0, block.entries, block.units),
+    )
+
+
+def _output(output: Output, at: int) -> tuple[str, ...]:
+    shape = " x ".join(str(n) for n in output.shape) or "scalar"
+    line = f"Output {comment(output.name)} ({shape})"
+    if len(output.shape) > 1 or not output.entries:
+        where = f"out[{at}]" if len(output.nodes) == 1 else f"out[{at} ... {at + len(output.nodes) - 1}]"
+        rows = ", row by row" if len(output.shape) > 1 else ""
+        return (f"{line}: {where}{rows}",)
+    return (line, *_entries("out", at, output.entries, output.units))
+
+
+def _entries(
+    array: str, at: int, entries: Sequence[str], units: Sequence[str]
+) -> tuple[str, ...]:
+    """One line per entry: element, name and unit."""
+    if len(entries) > LONG:
+        return (f"  {array}[{at} ... {at + len(entries) - 1}]: named where they are read",)
+    found = []
+    for k, entry in enumerate(entries):
+        unit = f" [{units[k]}]" if units and units[k] else ""
+        found.append(comment(f"  {array}[{at + k}]  {entry}{unit}"))
+    return tuple(found)

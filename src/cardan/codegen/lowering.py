@@ -1,0 +1,92 @@
+"""From a staged Function to a Program: the parameter stage, the stage that runs, and the head."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..ir.function import Function, Staged
+from ..ir.graph import Graph
+from . import parts
+from .head import head, operations
+from .naming import comment
+from .program import Place, Program, Table
+from .routines import Result, Stage, build
+from .values import Values
+
+
+def lower(
+    staged: Staged, model: str = "", notes: Sequence[str] = (), longest: int = parts.LONGEST
+) -> Program:
+    """The program of a function: ``prepare_<name>`` for the parameters, ``<name>`` for the rest.
+
+    Args:
+        staged: What the passes made.
+        model: Name of the model, for the reader.
+        notes: Lines for the reader, such as the formalism.
+        longest: Statements after which a routine is split.
+
+    Raises:
+        CodegenError: a placeholder was left in the graph.
+    """
+    function = staged.function
+    order = staged.order or tuple(function.live())
+    values = Values(function, staged.prepare)
+
+    # w[k] is the k-th prepared node; what crosses between parts of prepare follows
+    targets = [Result(i, Place("w", k), values.described(i)) for i, k in values.w.items()]
+    first = Stage(f"prepare_{function.name}", "prepare", order, targets, "w", len(targets))
+    prepare = build(first, values, longest)
+    second = Stage(function.name, "function", order, results(function), "work", 0)
+    body = build(second, values, longest)
+
+    computed = (*prepare.order, *body.order)
+    nodes = function.graph.nodes
+    read = {nodes[i][1] for i in computed if nodes[i][0] == "var"}
+    solves = any(nodes[i][0] == "solve" for i in computed)
+    return Program(
+        name=function.name,
+        head=head(function, model, notes, read, prepare, body),
+        includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
+        tables=tables(function.graph, computed),
+        routines=prepare.routines + body.routines,
+        blocks=tuple(block.name for block in function.inputs if block.name in read),
+        operations=operations(function.graph, body.order),
+        work_size=body.length,
+        prepared_size=prepare.length,
+    )
+
+
+def results(function: Function) -> list[Result]:
+    """The entries of ``out``, with the text that says what they are."""
+    found: list[Result] = []
+    for output in function.outputs:
+        for k, node in enumerate(output.nodes):
+            if output.entries:
+                text = f"{output.name}: {output.entries[k]}"
+            else:
+                text = output.name + _position(output.shape, k)
+            if output.units and output.units[k]:
+                text += f" [{output.units[k]}]"
+            found.append(Result(node, Place("out", len(found)), comment(text)))
+    return found
+
+
+def _position(shape: tuple[int, ...], k: int) -> str:
+    """Indices of entry k of an array, such as ``[2][0]``; "" for a scalar."""
+    text = ""
+    for size in reversed(shape):
+        k, index = divmod(k, size)
+        text = f"[{index}]{text}"
+    return text
+
+
+def tables(graph: Graph, order: Sequence[int]) -> tuple[Table, ...]:
+    """The measured data that the nodes read, as constant arrays."""
+    read = {graph.nodes[i][1] for i in order if graph.nodes[i][0] == "table"}
+    found = []
+    for k in sorted(int(graph.nodes[i][1]) for i in read):
+        table = graph.tables[k]
+        flat = tuple(c for piece in table.coefficients for c in piece)
+        found.append(Table(f"table_{k}_breaks", table.breaks))
+        found.append(Table(f"table_{k}_coefficients", flat))
+    return tuple(found)

@@ -1,0 +1,192 @@
+"""Programs: the statements of generated code, as a tree that any language can print.
+
+Expressions stay nodes of a graph. A :class:`Scope` says which nodes have a name; all other nodes
+are written out where they are read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple, TypeAlias
+
+from ..ir.graph import Graph
+
+
+class Index(NamedTuple):
+    """An index inside a loop: ``stride * counter + offset``, looked up in a table if one is named.
+
+    Attributes:
+        counter: Counter of the loop.
+        stride, offset: Its multiple and what is added.
+        table: Name of a :class:`Table` of ints that holds the index, "" for none.
+    """
+
+    counter: str
+    stride: int = 1
+    offset: int = 0
+    table: str = ""
+
+
+class Place(NamedTuple):
+    """An array element, such as ``q[3]``."""
+
+    array: str
+    index: int | Index
+
+
+Value: TypeAlias = int | Place  # a node of the scope, or an array element
+
+
+class Declare(NamedTuple):
+    """A named constant. ``prepared``: a value of parameters only, of type wreal."""
+
+    name: str
+    value: Value
+    comment: str = ""
+    prepared: bool = False
+
+
+class Assign(NamedTuple):
+    """An array element gets a value."""
+
+    target: Place
+    value: Value
+    comment: str = ""
+
+
+class Call(NamedTuple):
+    """A part of a long function runs with the arguments of the function."""
+
+    routine: str
+
+
+class Solve(NamedTuple):
+    """A linear system goes to a kernel; the solution replaces B, which follows A in ``array``.
+
+    Attributes:
+        kind: As in :func:`cardan.ir.solve.solve`.
+        n, m: Rows of A, columns of B.
+        entries: Nodes of A and of B, row by row.
+        array, start: Where A begins; B and the scratch of the kernel follow it.
+    """
+
+    kind: str
+    n: int
+    m: int
+    entries: tuple[int, ...]
+    array: str
+    start: int
+
+
+class Loop(NamedTuple):
+    """Statements repeated for ``counter`` = 0 ... count - 1, with expressions of their own scope."""
+
+    counter: str
+    count: int
+    scope: Scope
+    body: tuple[Statement, ...]
+
+
+class Branch(NamedTuple):
+    """One of two lists of statements, by a node that is not 0 or 0."""
+
+    condition: int
+    then: tuple[Statement, ...]
+    otherwise: tuple[Statement, ...] = ()
+
+
+class Section(NamedTuple):
+    """Statements that belong together, under a title."""
+
+    title: str
+    body: tuple[Statement, ...]
+
+
+Statement: TypeAlias = Declare | Assign | Call | Solve | Loop | Branch | Section
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What the expressions of some statements mean.
+
+    Attributes:
+        graph: Where their nodes live.
+        order: The nodes they use, operands first.
+        names: How a node is read that is not written out.
+        outside: Nodes that are not computed here but read by name.
+    """
+
+    graph: Graph = field(repr=False)
+    order: Sequence[int] = field(repr=False)
+    names: dict[int, str]
+    outside: Collection[int] = field(default=(), repr=False)
+
+
+@dataclass(frozen=True)
+class Table:
+    """A constant array of the file; ``integer``: of indices, else of numbers."""
+
+    name: str
+    values: tuple[float, ...]
+    integer: bool = False
+    comment: str = ""
+
+
+@dataclass(frozen=True)
+class Routine:
+    """A function of the file.
+
+    Attributes:
+        name: C name.
+        kind: ``"function"`` and ``"part"`` take (in, out, work), ``"prepare"`` and
+            ``"prepare_part"`` take (p, w).
+        about: What its reader should know.
+        scope: What its expressions mean.
+        body: Its statements.
+    """
+
+    name: str
+    kind: str
+    about: str
+    scope: Scope
+    body: tuple[Statement, ...]
+
+
+@dataclass(frozen=True)
+class Program:
+    """Everything that stands in one generated file.
+
+    Attributes:
+        name: Name of the function it is for.
+        head: Paragraphs for the reader at the top.
+        includes: Headers.
+        tables: Constant arrays.
+        routines: Functions, every one before those that call it.
+        blocks: Input blocks that are read, p by the parameter stage.
+        operations: Number of operations per call, by operator.
+        work_size, prepared_size: Lengths of work and w.
+    """
+
+    name: str
+    head: tuple[tuple[str, ...], ...]
+    includes: tuple[str, ...]
+    tables: tuple[Table, ...]
+    routines: tuple[Routine, ...]
+    blocks: tuple[str, ...]
+    operations: dict[str, int]
+    work_size: int
+    prepared_size: int
+
+
+def walk(statements: Sequence[Statement]) -> list[Statement]:
+    """All statements, those inside sections, loops and branches included, in order."""
+    found: list[Statement] = []
+    for statement in statements:
+        found.append(statement)
+        if isinstance(statement, Section | Loop):
+            found.extend(walk(statement.body))
+        elif isinstance(statement, Branch):
+            found.extend(walk(statement.then))
+            found.extend(walk(statement.otherwise))
+    return found

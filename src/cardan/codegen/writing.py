@@ -1,0 +1,88 @@
+"""From a Function to the text of its file and its entry in the manifest."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .. import passes
+from ..ir.function import Function
+from .languages import LANGUAGES
+from .lowering import lower
+from .parts import LONGEST
+from .program import Program
+
+
+@dataclass(frozen=True)
+class CFile:
+    """A generated file.
+
+    Attributes:
+        name: C name of the function.
+        text: The file.
+        entry: What the manifest says about it.
+        includes: Headers of cardan it needs.
+    """
+
+    name: str
+    text: str = field(repr=False)
+    entry: dict[str, Any] = field(repr=False)
+    includes: tuple[str, ...] = ("cardan.h",)
+
+
+def generate(
+    function: Function,
+    model: str = "",
+    notes: Sequence[str] = (),
+    longest: int = LONGEST,
+    of: str | None = None,
+) -> CFile:
+    """Optimize a function and write it in C.
+
+    Args:
+        function: The function; its name is the C name.
+        model: Name of the model, for the reader.
+        notes: Lines for the reader, such as the formalism.
+        longest: Statements after which the C function is split.
+        of: Frame or joint it belongs to.
+
+    Raises:
+        CodegenError: the expressions hold an unresolved placeholder.
+    """
+    program = lower(passes.optimize(function), model, notes, longest)
+    language = LANGUAGES["c"]
+    text = language.write(program)
+    file = function.name + language.SUFFIX
+    return CFile(function.name, text, _entry(function, program, file, text, of), program.includes)
+
+
+def _entry(
+    function: Function, program: Program, file: str, text: str, of: str | None
+) -> dict[str, Any]:
+    """What a caller must know: blocks read, results, sizes."""
+    blocks = set(program.blocks)
+    return {
+        "file": file,
+        "symbol": function.name,
+        "of": of,
+        "about": function.about,
+        "inputs": [block.name for block in function.inputs if block.name in blocks],
+        "outputs": [
+            {
+                "name": output.name,
+                "shape": list(output.shape),
+                "entries": list(output.entries),
+                "units": list(output.units),
+            }
+            for output in function.outputs
+        ],
+        "output_size": sum(len(output.nodes) for output in function.outputs),
+        "work_size": program.work_size,
+        "prepared_size": program.prepared_size,
+        "lanes": [1],
+        "operations": program.operations,
+        "headers": list(program.includes),
+        "sha256": hashlib.sha256(text.encode()).hexdigest(),
+    }
