@@ -1,0 +1,94 @@
+"""Every build is checked: a wrong function is found, reported and thrown out of the cache."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from cardan.errors import BuildError
+from cardan.runtime import verify as checks
+from cardan.runtime.compiled import CompiledModel
+from runtime import pendulum
+
+WRONG = {
+    "forward_dynamics": ("- in->w[1]", "+ in->w[1]"),
+    "inverse_dynamics": ("in->udot[0]", "0.999 * in->udot[0]"),
+    "mass_matrix": ("in->w[0]", "1.000001 * in->w[0]"),
+    "qdot": ("in->u[0]", "-in->u[0]"),
+    "rhs": ("out[1] = -", "out[1] = "),
+}
+
+
+def harm(directory, name):
+    """Write a model whose function is wrong; text and manifest agree."""
+    recipe = pendulum.FUNCTIONS[name]
+    before, after = WRONG[name]
+    wrong = {**recipe, "body": recipe["body"].replace(before, after)}
+    pendulum.write(directory)
+    (directory / f"{name}.c").write_text(pendulum.text(name, wrong))
+    manifest = json.loads((directory / "manifest.json").read_text())
+    manifest["functions"][name] = pendulum.entry(name, wrong)
+    (directory / "manifest.json").write_text(json.dumps(manifest))
+    return CompiledModel(directory)
+
+
+def test_right_functions_agree_to_rounding(model):
+    result = model.verify()
+    assert set(result.checked) == set(WRONG)
+    assert result.worst < 1e-15
+    assert "forward_dynamics" in str(result)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_function_is_found_when_it_is_built(tmp_path, cache_directory, name):
+    model = harm(tmp_path / "model", name)
+    for _ in range(2):
+        with pytest.raises(BuildError, match=rf"'pendulum': the compiled {name} differs"):
+            model._function(name)
+        assert list(cache_directory.glob("*.so")) == []
+
+
+def test_only_new_builds_are_checked(directory, monkeypatch):
+    CompiledModel(directory).prepare("rhs", "mass_matrix")
+    asked = []
+    monkeypatch.setattr(checks, "verify", lambda model, functions: asked.append(functions))
+    model = CompiledModel(directory)
+    model.prepare("rhs", "mass_matrix")
+    assert asked == []
+    model.prepare("rhs", "inverse_dynamics", ("pose", "bob"))
+    assert asked == [["inverse_dynamics"]]
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"kinds": ["custom"]}, "joint 'swing' is custom"),
+        ({"kinds": ["spherical"], "rotations": ["odd"]}, "joint 'swing' is described by odd"),
+        ({"unknown": ["user-chosen speeds"]}, "user-chosen speeds"),
+    ],
+)
+def test_what_cannot_be_checked_is_said(directory, change, reason):
+    manifest = json.loads((directory / "manifest.json").read_text())
+    manifest["scene"].update(change)
+    (directory / "manifest.json").write_text(json.dumps(manifest))
+    result = CompiledModel(directory).verify()
+    assert result.checked == ()
+    assert {c.function for c in result.checks} == set(WRONG)
+    assert all(c.reason == f"not checked: {reason}" for c in result.checks)
+
+
+def test_directory_without_a_scene(directory):
+    (directory / "functions.json").unlink()
+    result = CompiledModel(directory).verify()
+    assert "holds no scene" in result.checks[0].reason
+
+
+def test_forces_that_are_not_saved(directory):
+    saved = json.loads((directory / "functions.json").read_text())
+    del saved["applied"]
+    (directory / "functions.json").write_text(json.dumps(saved))
+    result = CompiledModel(directory).verify()
+    assert set(result.checked) == {"mass_matrix", "qdot"}
+    reasons = {c.reason for c in result.checks if c.reason}
+    assert reasons == {"not checked: the forces of the model are not saved"}
