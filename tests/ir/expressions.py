@@ -79,7 +79,8 @@ def _one(draw: st.DrawFn, graph: Graph, kind: str, pick: Any) -> int:
 
 
 def _bounded(graph: Graph, x: int) -> int:
-    return x if graph.value(x) is not None else graph.apply("sin", x)
+    """Between -1 and 1, and no number: quotients of numbers would be folded to rounded ones."""
+    return graph.apply("sin", graph.var("q", 0) if graph.value(x) is not None else x)
 
 
 def _system(draw: st.DrawFn, graph: Graph, pick: Any) -> list[int]:

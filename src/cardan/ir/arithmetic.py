@@ -74,14 +74,6 @@ def sqrt(x: Scalar) -> Scalar:
     return x.apply("sqrt")
 
 
-def norm(*components: Scalar) -> Scalar:
-    """sqrt(x^2 + y^2 + ...); its derivative is v/|v|, and 0 at v = 0."""
-    total: Scalar = components[0] * components[0]
-    for x in components[1:]:
-        total = total + x * x
-    return sqrt(total)
-
-
 def sin(x: Scalar) -> Scalar:
     return x.apply("sin")
 
