@@ -43,7 +43,7 @@ class Joint(ABC):
     @property
     def speeds(self) -> tuple[Component, ...]:
         """The speeds u of the joint, in order; by default the rates of the coordinates."""
-        return tuple(Component(c.name, c.unit + "/s") for c in self.coordinates)
+        return tuple(Component(c.name, (c.unit or "1") + "/s") for c in self.coordinates)
 
     def quantities(self) -> dict[str, Quantity]:
         """What the user wrote about this joint, by name."""
@@ -68,6 +68,14 @@ class Joint(ABC):
     def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
         """u of given rates of the coordinates; by default qdot."""
         return qdot
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix | None:
+        """Acceleration of C against P at the origin of C that needs no udot (6, 1), in C axes.
+
+        As seen from P: Sdot u and [0; omega x v]. None, the default, has it derived from S;
+        a joint whose terms cancel says zero.
+        """
+        return None
 
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
         """q moved by the finite increment du along the speeds; by default q + du."""

@@ -1,0 +1,33 @@
+"""Fixed joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from .joint import Component, Joint
+
+
+@dataclass(frozen=True)
+class Fixed(Joint):
+    """No motion: the two bodies become one, keep their frames, and the reaction can be asked for.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, section 3.3.
+    """
+
+    kind: ClassVar[str] = "fixed"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 3.3"
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return ()
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        return Matrix.identity(q.graph, 3), Matrix.zeros(q.graph, 3)
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6, 0)
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.identity(q.graph, 6)

@@ -1,0 +1,55 @@
+"""Revolute joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.axis import complement, rotation_about, unit
+from ..quantity import Quantity
+from ..written import axis
+from .joint import Component, Joint
+
+
+@dataclass(frozen=True)
+class Revolute(Joint):
+    """One rotation about an axis fixed in both bodies.
+
+    Args:
+        axis: Direction in the parent frame: "x", "y", "z", "-x", ... or three numbers or
+            expressions (of any length but 0). The angle [rad] is the coordinate.
+
+    Raises:
+        ModelError: the axis is zero, NaN or not a direction.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    """
+
+    kind: ClassVar[str] = "revolute"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    axis: Any = "z"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", axis("revolute joint", "axis", self.axis))
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return (Component("", "rad"),)
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"axis": Quantity(self.axis, ratio=True)}
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        return rotation_about(unit(data["axis"]), q[0]), Matrix.zeros(q.graph, 3)
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.vstack(unit(data["axis"]), Matrix.zeros(q.graph, 3))
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        across = Matrix.hstack(*complement(unit(data["axis"])))
+        graph = q.graph
+        return Matrix.vstack(
+            Matrix.hstack(across, Matrix.zeros(graph, 3, 3)),
+            Matrix.hstack(Matrix.zeros(graph, 3, 2), Matrix.identity(graph, 3)),
+        )

@@ -1,0 +1,83 @@
+"""Checks of what a user wrote, at the moment of writing.
+
+Numbers come back as floats and expressions as they are: anything with free symbols is an
+expression, so that SymPy is not needed to recognize one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from ..errors import ModelError
+
+_AXES = {
+    sign + letter: tuple(float(sign + "1") * (k == i) + 0.0 for i in range(3))
+    for k, letter in enumerate("xyz")
+    for sign in ("", "-", "+")
+}
+
+
+def is_expression(value: object) -> bool:
+    """True for a symbolic expression, which is judged when it gets its numbers."""
+    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
+
+
+def number(owner: str, name: str, value: Any) -> Any:
+    """A finite number as float, or an expression.
+
+    Raises:
+        ModelError: text, None, complex, NaN or infinite values.
+    """
+    if is_expression(value) and not hasattr(value, "tolist"):
+        return value
+    if not isinstance(value, str | bytes | bool | None):
+        try:
+            result = float(value)
+        except (TypeError, ValueError):
+            result = math.nan
+        if math.isfinite(result):
+            return result
+    raise ModelError(
+        f"{owner}: {name} is {value!r}; give a finite number, a parameter or an expression"
+    )
+
+
+def vector(owner: str, name: str, value: Any, length: int | None = None) -> tuple[Any, ...]:
+    """Numbers or expressions in order, from any sequence, array or column matrix.
+
+    Raises:
+        ModelError: wrong length, or an entry that is no number.
+    """
+    value = value.tolist() if hasattr(value, "tolist") else value
+    if isinstance(value, str | bytes) or not isinstance(value, Sequence):
+        raise ModelError(
+            f"{owner}: {name} is {value!r}; give {length or 'a sequence of'} numbers, "
+            f"such as {tuple(range(length or 2))}"
+        )
+    entries = [x[0] if isinstance(x, Sequence) and len(x) == 1 else x for x in value]
+    if length is not None and len(entries) != length:
+        raise ModelError(f"{owner}: {name} has {len(entries)} entries; give {length}")
+    return tuple(number(owner, f"{name}[{i}]", x) for i, x in enumerate(entries))
+
+
+def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
+    """A direction: one of "x" "y" "z" "-x" "-y" "-z", or three numbers or expressions.
+
+    Raises:
+        ModelError: an unknown letter, a wrong length, NaN, or the zero vector.
+    """
+    if isinstance(value, str):
+        if value not in _AXES:
+            raise ModelError(
+                f"{owner}: {name} {value!r} is no direction; give 'x', 'y', 'z', '-x', '-y', '-z' "
+                "or three numbers"
+            )
+        return _AXES[value]
+    entries = vector(owner, name, value, 3)
+    if all(not is_expression(x) and x == 0 for x in entries):
+        raise ModelError(
+            f"{owner}: {name} is the zero vector and has no direction; give for example 'z'"
+        )
+    return entries
