@@ -16,20 +16,23 @@ from setuptools import Extension, setup
 KERNELS = "src/cardan/kernels"
 
 
-def choose_compiler() -> None:
-    """Let the build use ziglang's clang where nothing else is there."""
-    found = os.environ.get("CC") or any(map(shutil.which, ("cc", "gcc", "clang")))
-    if not found and importlib.util.find_spec("ziglang"):
-        os.environ["CC"] = f"{sys.executable} -m ziglang cc"
-        os.environ["LDSHARED"] = f"{sys.executable} -m ziglang cc -shared"
+def has_compiler() -> bool:
+    """Whether there is a C compiler; ziglang's clang is chosen where nothing else is there."""
+    if os.environ.get("CC") or any(map(shutil.which, ("cc", "gcc", "clang"))):
+        return True
+    if importlib.util.find_spec("ziglang") is None:
+        return False
+    os.environ["CC"] = f"{sys.executable} -m ziglang cc"
+    os.environ["LDSHARED"] = f"{sys.executable} -m ziglang cc -shared"
+    return True
 
 
 def extensions() -> list[Extension]:
-    """The extension, as C; none where Cython is missing."""
-    try:
-        from Cython.Build import cythonize
-    except ImportError:
+    """The extension, as C; none where Cython or a compiler is missing."""
+    if importlib.util.find_spec("Cython") is None or not has_compiler():
         return []
+    from Cython.Build import cythonize
+
     extension = Extension(
         "cardan.runtime._abi",
         ["src/cardan/runtime/_abi.pyx", f"{KERNELS}/map.c"],
@@ -42,5 +45,4 @@ def extensions() -> list[Extension]:
     return modules
 
 
-choose_compiler()
 setup(ext_modules=extensions())
