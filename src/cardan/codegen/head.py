@@ -93,15 +93,17 @@ def _output(output: Output, at: int) -> tuple[str, ...]:
     shape = " x ".join(str(n) for n in output.shape) or "scalar"
     line = f"Output {comment(output.name)} ({shape})"
     if len(output.shape) > 1 or not output.entries:
-        where = f"out[{at}]" if len(output.nodes) == 1 else f"out[{at} ... {at + len(output.nodes) - 1}]"
+        where = (
+            f"out[{at}]"
+            if len(output.nodes) == 1
+            else f"out[{at} ... {at + len(output.nodes) - 1}]"
+        )
         rows = ", row by row" if len(output.shape) > 1 else ""
         return (f"{line}: {where}{rows}",)
     return (line, *_entries("out", at, output.entries, output.units))
 
 
-def _entries(
-    array: str, at: int, entries: Sequence[str], units: Sequence[str]
-) -> tuple[str, ...]:
+def _entries(array: str, at: int, entries: Sequence[str], units: Sequence[str]) -> tuple[str, ...]:
     """One line per entry: element, name and unit."""
     if len(entries) > LONG:
         return (f"  {array}[{at} ... {at + len(entries) - 1}]: named where they are read",)

@@ -148,14 +148,20 @@ class _Writer:
 
     def _call(self, routine: str) -> str:
         kind = next(r.kind for r in self.program.routines if r.name == routine)
-        return f"{routine}(p, w);" if kind == "prepare_part" else f"status |= {routine}(in, out, work);"
+        return (
+            f"{routine}(p, w);"
+            if kind == "prepare_part"
+            else f"status |= {routine}(in, out, work);"
+        )
 
     def _solve(self, s: Solve, indent: str) -> list[str]:
         """A and B into the array, then the kernel."""
         right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
         found = []
         for k, node in enumerate(s.entries):
-            found.extend(_line(f"{indent}{s.array}[{s.start + k}] = ", self._value(node), "", indent))
+            found.extend(
+                _line(f"{indent}{s.array}[{s.start + k}] = ", self._value(node), "", indent)
+            )
         kernel = "rank_revealing" if s.kind == "spd" else s.kind
         places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
         status = "status |= " if s.array == "work" else "(void)"

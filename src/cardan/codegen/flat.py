@@ -1,0 +1,101 @@
+"""The flat scene: what an independent program needs to know about a system, as numbers of p.
+
+``runtime/verify`` runs a Newton-Euler recursion of its own over it, and pictures place their
+shapes with it. Nothing here knows how equations are made.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ..equations.blocks import blocks
+from ..ir.function import Function, Output, live
+from ..ir.graph import Graph
+from ..ir.matrix import Matrix
+from ..spatial.axis import complement, unit
+from ..topology.system import Joint, System
+
+
+def scene(system: System) -> Function:
+    """The Function ``scene`` of p: masses, frames and axes of the tree, row by row per body.
+
+    Outputs (nb bodies, nf frames): gravity (3); mass (nb); first_moment (nb, 3) and inertia
+    (nb, 3, 3) about the body's origin in body axes; rotation (nb, 3, 3) and position (nb, 3) of the
+    parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the joint,
+    0 where it has none; ratio, offset (nb) of coupled joints, else 0; frame_rotation (nf, 3, 3) and
+    frame_position (nf, 3) in axes of the frame's body.
+    """
+    graph = system.graph.fork()
+    bodies, joints, frames = system.bodies, system.joints, system.frames
+    axes = [_axes(graph, joint) for joint in joints]
+    nb, nf = len(bodies), len(frames)
+    outputs = (
+        _output("gravity", (3,), [system.gravity]),
+        _output("mass", (nb,), [(b.mass,) for b in bodies]),
+        _output("first_moment", (nb, 3), [b.first_moment for b in bodies]),
+        _output("inertia", (nb, 3, 3), [b.inertia for b in bodies]),
+        _output("rotation", (nb, 3, 3), [j.rotation for j in joints]),
+        _output("position", (nb, 3), [j.position for j in joints]),
+        _output("axis", (nb, 3), [first for first, _ in axes]),
+        _output("axis2", (nb, 3), [second for _, second in axes]),
+        _output(
+            "pitch", (nb,), [j.data["pitch"][2] if "pitch" in j.data else (0,) for j in joints]
+        ),
+        _output("ratio", (nb,), [(j.coupling.ratio if j.coupling else 0,) for j in joints]),
+        _output("offset", (nb,), [(j.coupling.offset if j.coupling else 0,) for j in joints]),
+        _output("frame_rotation", (nf, 3, 3), [f.rotation for f in frames]),
+        _output("frame_position", (nf, 3), [f.position for f in frames]),
+    )
+    return _function("scene", system, graph, outputs, "the scene as numbers")
+
+
+def scene_motion(system: System) -> Function | None:
+    """The Function ``scene_motion``: motion (nb, 3) = value, rate and acceleration of prescribed
+    joints, 0 elsewhere; None where nothing is prescribed."""
+    motions = [joint.motion for joint in system.joints]
+    if not any(motions):
+        return None
+    rows = [(m.value, m.rate, m.acceleration) if m else (0, 0, 0) for m in motions]
+    outputs = (_output("motion", (len(rows), 3), rows),)
+    return _function("scene_motion", system, system.graph, outputs, "motion of prescribed joints")
+
+
+def unknown(system: System) -> list[str]:
+    """Why the flat scene does not tell everything about the masses of a system, in words."""
+    reasons = []
+    for force in system.forces:
+        data = {
+            name: Matrix(system.graph.fork(), rows, columns, nodes)
+            for name, (rows, columns, nodes) in force.data.items()
+        }
+        if force.element.rotor_inertia(data):
+            reasons.append(f"the rotor of '{force.name}' adds to the mass matrix")
+    return reasons
+
+
+def _axes(graph: Graph, joint: Joint) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """First and second axis of a joint, in the joint frame."""
+    none = (0, 0, 0)
+    found = {
+        name: joint.data[name][2]
+        for name in ("axis", "axis1", "axis2", "normal")
+        if name in joint.data
+    }
+    if "normal" in found:
+        first, _ = complement(unit(Matrix(graph, 3, 1, found["normal"])))
+        return found["normal"], first.nodes
+    return found.get("axis", found.get("axis1", none)), found.get("axis2", none)
+
+
+def _output(name: str, shape: tuple[int, ...], rows: Iterable[Iterable[int]]) -> Output:
+    return Output(name, shape, tuple(node for row in rows for node in row))
+
+
+def _function(
+    name: str, system: System, graph: Graph, outputs: tuple[Output, ...], about: str
+) -> Function:
+    """A Function that declares the blocks it reads."""
+    roots = [node for output in outputs for node in output.nodes]
+    read = {graph.nodes[i][1] for i in live(graph, roots) if graph.nodes[i][0] == "var"}
+    known = blocks(system)
+    return Function(name, graph, tuple(known[b] for b in known if b in read), outputs, about=about)

@@ -1,0 +1,194 @@
+"""A model on disk: headers, one C file per function, ``manifest.json`` and ``functions.json``.
+
+Every file appears whole or not at all, and two processes may write to the same directory: files are
+renamed into place, and whoever changes the manifest holds a lock.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from ..errors import CodegenError
+from ..ir.function import Function
+from ..ir.serialize import to_dict
+from . import header
+from .manifest import Base
+from .writing import CFile
+
+KERNELS = Path(__file__).parents[1] / "kernels"
+MANIFEST, SAVED, LOCK = "manifest.json", "functions.json", ".lock"
+
+
+def write_model(directory: Path, base: Base) -> None:
+    """Prepare a directory for the functions of a model; what is there of the same model stays.
+
+    Args:
+        directory: Made if it does not exist.
+        base: From :func:`cardan.codegen.manifest.base`.
+
+    Raises:
+        CodegenError: the directory holds other things.
+    """
+    directory.mkdir(parents=True, exist_ok=True)
+    with _locked(directory):
+        there = _read(directory)
+        if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
+            return
+        if there is None and any(path.name != LOCK for path in directory.iterdir()):
+            raise CodegenError(
+                f"directory {directory} is not empty and holds no model of cardan: "
+                "name a new or empty one"
+            )
+        for name in (there or {}).get("sha256", {}):
+            (directory / Path(name).name).unlink(missing_ok=True)
+        hashes = {
+            "cardan.h": _write(directory / "cardan.h", kernel("cardan.h")),
+            "model.h": _write(directory / "model.h", header.slots(base.data)),
+        }
+        saved = [(f.name, to_dict(f)) for f in base.saved()]
+        hashes[SAVED] = _write(directory / SAVED, _joined(saved))
+        _write_manifest(directory, {**base.data, "sha256": hashes})
+
+
+def has_function(directory: Path, name: str) -> bool:
+    """Whether a function is in the manifest and its file is the one it speaks of."""
+    manifest = _read(directory)
+    entry = (manifest or {}).get("functions", {}).get(name)
+    if entry is None:
+        return False
+    try:
+        content = (directory / entry["file"]).read_bytes()
+    except OSError:
+        return False
+    return hashlib.sha256(content).hexdigest() == entry["sha256"]
+
+
+def add_function(directory: Path, cfile: CFile, function: Function) -> None:
+    """Write a function: its C file, its expressions and its entry in the manifest.
+
+    Raises:
+        CodegenError: :func:`write_model` was not called before.
+    """
+    add_functions(directory, [(cfile, function)])
+
+
+def add_functions(directory: Path, made: list[tuple[CFile, Function]]) -> None:
+    """Write several functions at once.
+
+    Raises:
+        CodegenError: :func:`write_model` was not called before.
+    """
+    saved = [(cfile.name, to_dict(function)) for cfile, function in made]
+    with _locked(directory):
+        manifest = _read(directory)
+        if manifest is None:
+            raise CodegenError(f"directory {directory} holds no model: call write_model first")
+        hashes, functions = manifest["sha256"], manifest["functions"]
+        for cfile, _ in made:
+            for name in cfile.includes:
+                if name not in hashes:
+                    hashes[name] = _write(directory / name, kernel(name))
+            hashes[cfile.entry["file"]] = _write(directory / cfile.entry["file"], cfile.text)
+            functions[cfile.name] = cfile.entry
+        text = _appended((directory / SAVED).read_text("utf-8"), saved)
+        hashes[SAVED] = _write(directory / SAVED, text)
+        _write_manifest(directory, manifest)
+
+
+def add_file(directory: Path, name: str, text: str) -> None:
+    """Write one more file that belongs to the model."""
+    with _locked(directory):
+        manifest = _read(directory)
+        if manifest is None:
+            raise CodegenError(f"directory {directory} holds no model: call write_model first")
+        manifest["sha256"][name] = _write(directory / name, text)
+        _write_manifest(directory, manifest)
+
+
+def written(directory: Path) -> set[str]:
+    """Names of the files in a directory that belong to its model; empty where there is none."""
+    manifest = _read(directory)
+    return set() if manifest is None else {MANIFEST, LOCK, *manifest["sha256"]}
+
+
+def kernel(name: str) -> str:
+    """Text of a file of ``cardan/kernels``."""
+    return (KERNELS / name).read_text("utf-8")
+
+
+# what changes when functions are added
+_EMPTY: dict[str, Any] = {"functions": {}, "sha256": {}, "available": []}
+
+
+def _plain(data: dict[str, Any]) -> Any:
+    """Data as it reads after JSON."""
+    return json.loads(json.dumps(data))
+
+
+def _read(directory: Path) -> dict[str, Any] | None:
+    """The manifest of a directory; None where there is none of this schema."""
+    try:
+        found = json.loads((directory / MANIFEST).read_text("utf-8"))
+    except FileNotFoundError:
+        return None
+    except ValueError as problem:
+        raise CodegenError(
+            f"{directory / MANIFEST} is damaged ({problem}): remove the directory"
+        ) from problem
+    return found if isinstance(found, dict) and "abi" in found else None
+
+
+def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
+    ordered = dict(manifest)
+    for name in ("functions", "sha256"):
+        ordered[name] = dict(sorted(ordered[name].items()))
+    text = json.dumps(ordered, indent=1, ensure_ascii=False, allow_nan=False)
+    _write(directory / MANIFEST, text + "\n")
+
+
+def _line(name: str, saved: dict[str, Any]) -> str:
+    return f"{json.dumps(name)}: {json.dumps(saved, separators=(',', ':'), allow_nan=False)}"
+
+
+def _joined(saved: list[tuple[str, dict[str, Any]]]) -> str:
+    """``functions.json``: one function per line, so that one more is cheap to add."""
+    return "{\n" + ",\n".join(_line(*row) for row in saved) + "\n}\n"
+
+
+def _appended(text: str, saved: list[tuple[str, dict[str, Any]]]) -> str:
+    """The text with functions added or replaced."""
+    names = {json.dumps(name) for name, _ in saved}
+    kept = [line.rstrip(",") for line in text.splitlines()[1:-1]]
+    kept = [line for line in kept if line.split(": ", 1)[0] not in names]
+    return "{\n" + ",\n".join([*kept, *(_line(*row) for row in saved)]) + "\n}\n"
+
+
+def _write(path: Path, text: str) -> str:
+    """Write a file in one step; returns its hash."""
+    content = text.encode()
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".new-")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(name).chmod(0o644)
+        os.replace(name, path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return hashlib.sha256(content).hexdigest()
+
+
+@contextmanager
+def _locked(directory: Path) -> Iterator[None]:
+    """Alone with the manifest, across threads and processes."""
+    with open(directory / LOCK, "w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield

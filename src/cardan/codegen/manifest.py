@@ -1,0 +1,179 @@
+"""The manifest: everything the runtime must know about a model, as plain data.
+
+Its schema is ``docs/manifest.schema.json``. Within an ABI version, entries are only added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .. import __version__
+from ..equations import blocks
+from ..equations.record import Equations
+from ..ir.function import Function
+from ..topology.system import Frame, Joint, System
+from . import flat
+
+ABI = 1
+SCHEMA = 1
+LIMITS = ("lower", "upper", "speed", "effort")
+
+
+@dataclass(frozen=True)
+class Base:
+    """The manifest of a model without functions yet.
+
+    Attributes:
+        data: The manifest.
+        saved: Makes the Functions of the flat scene, which are saved beside it.
+    """
+
+    data: dict[str, Any]
+    saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
+
+
+def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
+    """What the manifest says before any function is written.
+
+    Args:
+        equations: Of the system.
+        functions: Names that may be asked for.
+    """
+    system = equations.system
+    joints = [_joint(system, i) for i in range(len(system.joints))]
+    data: dict[str, Any] = {
+        "abi": ABI,
+        "schema": SCHEMA,
+        "cardan": __version__,
+        "name": system.name,
+        "method": equations.method,
+        "coordinates": _coordinates(system),
+        "speeds": _speeds(equations),
+        "z": [],
+        "s": [],
+        "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
+        "parameters": [
+            {
+                "name": p.name,
+                "unit": p.unit,
+                "default": p.value,
+                "kind": "free",
+                "declared": p.declared,
+            }
+            for p in system.parameters
+        ],
+        "structural": dict(system.structural),
+        "multipliers": [],
+        "joints": joints,
+        "fixed": list(system.fixed),
+        "bodies": [
+            {"name": b.name, "parent": _body(system, b.parent), "parts": [p.name for p in b.parts]}
+            for b in system.bodies
+        ],
+        "frames": [_frame(system, frame) for frame in system.frames],
+        "shapes": [{"frame": system.frames[k].name, **shape} for k, shape in system.shapes],
+        "outputs": [{"name": o.name, "unit": o.unit} for o in system.outputs],
+        "quaternions": [j["quaternion"] for j in joints if j["quaternion"] is not None],
+        "notes": list(system.notes),
+        "snaps": list(system.snaps),
+        "available": list(functions),
+        "scene": _scene(equations),
+        "functions": {},
+        "sha256": {},
+    }
+    return Base(data, lambda: _saved(equations))
+
+
+def _saved(equations: Equations) -> tuple[Function, ...]:
+    """What a check of the model needs besides its compiled functions."""
+    system = equations.system
+    found = [flat.scene(system)]
+    motion = flat.scene_motion(system)
+    if motion is not None:
+        found.append(motion)
+    if system.forces and "applied" in equations.names():
+        found.append(equations.function("applied"))
+    return tuple(found)
+
+
+def _scene(equations: Equations) -> dict[str, Any]:
+    """The structure of the tree; its numbers are in the saved Function ``scene``."""
+    system = equations.system
+    unknown = flat.unknown(system)
+    if equations.chosen:
+        unknown.append("the speeds are chosen by the user")
+    return {
+        "parents": [b.parent for b in system.bodies],
+        "kinds": [j.element.kind for j in system.joints],
+        "rotations": [_rotation(j) for j in system.joints],
+        "forces": [force.name for force in system.forces],
+        "unknown": unknown,
+    }
+
+
+def _body(system: System, number: int) -> str:
+    return system.bodies[number].name if number >= 0 else "ground"
+
+
+def _rotation(joint: Joint) -> str | None:
+    """Name of the parametrization of a joint's rotation."""
+    name = getattr(joint.element, "rotation", None)
+    return name if isinstance(name, str) else None
+
+
+def _owners(system: System) -> tuple[list[str], list[str]]:
+    """The joint of every entry of q and of u."""
+    q = [j.name for j in system.joints if j.q >= 0 for _ in j.element.coordinates]
+    u = [j.name for j in system.joints if j.u >= 0 for _ in j.element.speeds]
+    return q, u
+
+
+def _coordinates(system: System) -> list[dict[str, Any]]:
+    rows = zip(blocks.coordinates(system), _owners(system)[0], strict=True)
+    return [
+        {"name": name, "unit": unit, "default": default, "joint": joint}
+        for (name, unit, default), joint in rows
+    ]
+
+
+def _speeds(equations: Equations) -> list[dict[str, Any]]:
+    block = equations.blocks["u"]
+    owners: list[str | None] = [*_owners(equations.system)[1]]
+    if equations.chosen:
+        owners = [None] * len(block)
+    rows = zip(block.entries, block.units, owners, strict=True)
+    return [{"name": name, "unit": unit, "joint": joint} for name, unit, joint in rows]
+
+
+def _joint(system: System, number: int) -> dict[str, Any]:
+    joint, element = system.joints[number], system.joints[number].element
+    quaternion = element.quaternion
+    coupled = None
+    if joint.coupling is not None:
+        coupled = {"leader": system.joints[joint.coupling.leader].name}
+    limits = zip(LIMITS, joint.limits, strict=True)
+    return {
+        "name": joint.name,
+        "kind": element.kind,
+        "parent": _body(system, system.bodies[number].parent),
+        "child": system.bodies[number].name,
+        "parent_frame": system.frames[joint.parent_frame].name,
+        "child_frame": system.frames[joint.child_frame].name,
+        "q": [joint.q, len(element.coordinates)] if joint.q >= 0 else None,
+        "u": [joint.u, len(element.speeds)] if joint.u >= 0 else None,
+        "q0": list(joint.q0) if joint.q0 is not None else None,
+        "u0": list(joint.u0) if joint.u0 is not None else None,
+        "limits": {name: value for name, value in limits if value is not None},
+        "quaternion": joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
+        "rotation": _rotation(joint),
+        "domain": element.domain,
+        "coupled": coupled,
+        "prescribed": joint.motion is not None,
+    }
+
+
+def _frame(system: System, frame: Frame) -> dict[str, Any]:
+    part = system.bodies[frame.body].parts[frame.part].name if frame.body >= 0 else None
+    return {"name": frame.name, "body": _body(system, frame.body), "part": part}
