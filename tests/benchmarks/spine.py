@@ -24,11 +24,13 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+# peers and scenes stand beside this file and in the zoo
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
 import cardan as cd
+from benchmarks import pinocchio_cpp
 from cardan.codegen import generate
 from cardan.ir.interpreter import evaluate
-
-sys.path.insert(0, str(Path(__file__).parents[1]))
 
 SEED = 9
 BATCH = 2000
@@ -161,8 +163,8 @@ def relative(computed: np.ndarray, exact: np.ndarray) -> float:
     return float((np.abs(computed - exact).max(axis=1) / np.abs(exact).max(axis=1)).max())
 
 
-def peers(case: Case, q: np.ndarray, u: np.ndarray) -> list[Row]:
-    """Pinocchio through Python and CasADi's C in a loop; their agreement is tests/external's."""
+def peers(case: Case, q: np.ndarray, u: np.ndarray, program: Path | None) -> list[Row]:
+    """Pinocchio from Python and as C++, CasADi's C in a loop; their agreement is tests/external's."""
     import pinocchio as pin
 
     model = pin.buildModelFromUrdf(str(case.urdf))
@@ -172,7 +174,11 @@ def peers(case: Case, q: np.ndarray, u: np.ndarray) -> list[Row]:
     data, rest = model.createData(), np.zeros(model.nv)
     some = [(a, b) for a, b in zip(q[:200], u[:200], strict=True)]
     call = best(5, lambda: [pin.aba(model, data, a, b, rest) for a, b in some]) / len(some)
-    rows = [Row("Pinocchio aba, called from Python", call=call)]
+    rows = [Row("Pinocchio ABA, called from Python", call=call)]
+    if program is not None:
+        with tempfile.TemporaryDirectory() as folder:
+            call = pinocchio_cpp.time(program, model, Path(folder))
+        rows.append(Row("Pinocchio ABA, header-only C++ loop", call=call))
     if importlib.util.find_spec("casadi"):
         from benchmarks.casadi_aba import Peer
 
@@ -201,9 +207,11 @@ def main() -> None:
     # nothing cached: compile times are those of a first use
     with tempfile.TemporaryDirectory(prefix="cardan-bench-") as private:
         os.environ["CARDAN_CACHE"] = private
+        lacking = pinocchio_cpp.missing()
+        program = None if lacking else pinocchio_cpp.build(Path(private))
         for case in cases():
             row, q, u = ours(case)
-            rows = [row, *(peers(case, q, u) if case.urdf else ())]
+            rows = [row, *(peers(case, q, u, program) if case.urdf else ())]
             for found in rows:
                 table.add_row(
                     case.name,
@@ -220,6 +228,8 @@ def main() -> None:
     for module, package in PEERS.items():
         if importlib.util.find_spec(module) is None:
             out.print(f"{module} is not installed: pip install {package}")
+    if lacking:
+        out.print(f"Pinocchio as C++ was not measured: {lacking}")
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     out.print(f"largest memory of this process {memory:.0f} MiB")
 

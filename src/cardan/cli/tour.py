@@ -106,7 +106,7 @@ def take(
     files = write(motion, out, picture)
     kinetic = motion.energy.kinetic.max()
     return Tour(
-        graph=scene.graph.text(),
+        graph=str(scene.graph),
         bodies=len(equations.system.bodies),
         joints=len(equations.system.joints),
         derived=derived,
