@@ -23,24 +23,42 @@ def check(function: Function) -> Function:
     Raises:
         ValueError: a rule is broken; the message names the function, the node and the rule.
     """
-    graph = function.graph
     _check_results(function)
     sizes = {block.name: len(block) for block in function.inputs}
-    nodes = graph.nodes
-    for i in function.live():
+    nodes = function.graph.nodes
+    for i in _reached(function):
         node = nodes[i]
         op = node[0]
-        # the common case in few steps: an operator of the table on earlier values
+        # the common case in few steps: an operator of the table on single values
         if op in ARITIES and len(node) == ARITIES[op] + 1 and op not in NUMBERED:
             operands = node[1:]
         else:
             operands = _special_operands(function, i, node, sizes)
         for k in operands:
-            if not 0 <= k < i:
-                raise _broken(function, i, f"operand {k} does not stand before it")
             if nodes[k][0] == "solve" and op != "item":
                 raise _broken(function, i, f"it reads the solve node {k}, which is no single value")
     return function
+
+
+def _reached(function: Function) -> list[int]:
+    """Live nodes in topological order, all of whose operands stand before them."""
+    nodes = function.graph.nodes
+    last = max(function.roots, default=-1)
+    needed = bytearray(last + 1)
+    for i in function.roots:
+        needed[i] = 1
+    for i in range(last, -1, -1):
+        if not needed[i]:
+            continue
+        node = nodes[i]
+        op = node[0]
+        if op in LEAVES:
+            continue
+        for k in node[1:] if op in ARITIES else node[4:] if op == "solve" else node[1:2]:
+            if type(k) is not int or not 0 <= k < i:
+                raise _broken(function, i, f"operand {k} does not stand before it")
+            needed[k] = 1
+    return [i for i, flag in enumerate(needed) if flag]
 
 
 def _broken(function: Function, i: int, rule: str) -> ValueError:
@@ -84,7 +102,7 @@ def _special_operands(
     elif op == "solve":
         problem = _solve_problem(node)
     elif op == "item":
-        problem = _item_problem(function.graph, i, node)
+        problem = _item_problem(function.graph, node)
     elif op in ARITIES:
         problem = _number_problem(function.graph, node)
     else:
@@ -118,9 +136,9 @@ def _solve_problem(node: Node) -> str:
     return "" if len(node) == 4 + n * n + n * m else f"it needs {n * n + n * m} entries"
 
 
-def _item_problem(graph: Graph, i: int, node: Node) -> str:
-    if len(node) != 3 or not all(isinstance(k, int) for k in node[1:]) or not 0 <= node[1] < i:
-        return "an item names a solve node before it and the number of an entry"
+def _item_problem(graph: Graph, node: Node) -> str:
+    if len(node) != 3 or type(node[2]) is not int:
+        return "an item names a solve node and the number of an entry"
     solution = graph.nodes[node[1]]
     if solution[0] != "solve":
         return f"node {node[1]} is no solve node"
@@ -132,7 +150,7 @@ def _number_problem(graph: Graph, node: Node) -> str:
     if len(node) != ARITIES[op] + 1:
         return f"{op} takes {ARITIES[op]} operands"
     for k in node[1 : 1 + NUMBERED[op]]:
-        value = graph.value(k) if 0 <= k < len(graph.nodes) else None
+        value = graph.value(k)
         if value is None or value < 0 or value != int(value):
             return f"operand {k} must be a whole number"
     if op == "table" and int(graph.nodes[node[1]][1]) >= len(graph.tables):
