@@ -1,4 +1,4 @@
-"""Builds and runs the C++ loop over Pinocchio's algorithm, where headers and Eigen are installed."""
+"""Builds and runs the C++ loop over Pinocchio, where its headers and Eigen are installed."""
 
 from __future__ import annotations
 

@@ -164,7 +164,7 @@ def relative(computed: np.ndarray, exact: np.ndarray) -> float:
 
 
 def peers(case: Case, q: np.ndarray, u: np.ndarray, program: Path | None) -> list[Row]:
-    """Pinocchio from Python and as C++, CasADi's C in a loop; their agreement is tests/external's."""
+    """Pinocchio from Python and as C++, and CasADi's C; tests/external holds them against us."""
     import pinocchio as pin
 
     model = pin.buildModelFromUrdf(str(case.urdf))
