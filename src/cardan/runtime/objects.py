@@ -58,6 +58,8 @@ class Objects:
         self._provide = provide
         self._lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
+        self._saved: dict[str, Any] = {}
+        self._saved_mark = (0, 0)
         self.manifest: dict[str, Any] = self._read()
 
     def _read(self) -> dict[str, Any]:
@@ -82,12 +84,17 @@ class Objects:
         """The saved Functions of ``functions.json`` as plain data, by C name."""
         path = self.directory / "functions.json"
         try:
-            found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+            status = path.stat()
+            mark = (status.st_mtime_ns, status.st_size)
+            # the file grows with every function that is written: read it when it has changed
+            if mark != self._saved_mark:
+                self._saved = json.loads(path.read_text(encoding="utf-8"))
+                self._saved_mark = mark
         except FileNotFoundError:
             return {}
         except ValueError as error:
             raise ModelError(f"{path} does not hold saved functions: {error}") from None
-        return found
+        return self._saved
 
     def symbol(self, name: str, of: str | None = None) -> str:
         """C name of a function; makes sure that its text and manifest entry exist.
