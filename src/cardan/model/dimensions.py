@@ -1,4 +1,8 @@
-"""Do the units of an expression fit where it is used? Numbers and undeclared units fit anywhere."""
+"""Do the units of an expression fit where it is used?
+
+Only declared units are judged: numbers in sums, symbols without a unit, coordinates and the time
+fit anywhere, so that ``-2.0 * q`` may be a torque.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +20,7 @@ def check(expression: Any, wanted: str, units: Known, name: str) -> None:
 
     Args:
         expression: A SymPy expression.
-        wanted: Unit of the place it is used in.
+        wanted: Unit of the place it is used in; "" takes anything.
         units: Unit of every symbol by name; None where it fits anywhere.
         name: Of the place, for the message.
 
@@ -24,10 +28,10 @@ def check(expression: Any, wanted: str, units: Known, name: str) -> None:
         ModelError: it is not, or it adds what cannot be added.
     """
     found = dimension(expression, units, name)
-    if found is not None and found != unit(wanted).dimension:
+    if wanted and found is not None and found != unit(wanted).dimension:
         raise ModelError(
             f"'{name}': {expression} is measured in {written(found)}, "
-            f"but {wanted or 'a number without unit'} is wanted; check the unit= of its parameters"
+            f"but {wanted} is wanted; check the unit= of its parameters"
         )
 
 

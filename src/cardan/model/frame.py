@@ -26,10 +26,10 @@ class Located:
     body: Body
     name: str
 
-    def _atoms(self, quantity: str, unit: str, rows: int, columns: int, *others: Any) -> Any:
+    def _atoms(self, quantity: str, rows: int, columns: int, *others: Any) -> Any:
         import sympy
 
-        symbols = self.body.model.placeholders(self, quantity, unit, rows * columns, others)
+        symbols = self.body.model.placeholders(self, quantity, rows * columns, others)
         return sympy.ImmutableMatrix(rows, columns, symbols)
 
     def position(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
@@ -39,23 +39,23 @@ class Located:
             wrt: Frame or body from whose origin it is measured; the ground by default.
             in_: Frame or body whose axes it is given in; the ground by default.
         """
-        return self._atoms("position", "m", 3, 1, wrt, in_)
+        return self._atoms("position", 3, 1, wrt, in_)
 
     def velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Velocity of the origin (3, 1) [m/s] as seen from ``wrt``, in the axes of ``in_``."""
-        return self._atoms("velocity", "m/s", 3, 1, wrt, in_)
+        return self._atoms("velocity", 3, 1, wrt, in_)
 
     def acceleration(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Acceleration of the origin (3, 1) [m/s^2] as seen from ``wrt``, in axes of ``in_``."""
-        return self._atoms("acceleration", "m/s^2", 3, 1, wrt, in_)
+        return self._atoms("acceleration", 3, 1, wrt, in_)
 
     def angular_velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Angular velocity (3, 1) [rad/s] against ``wrt``, in the axes of ``in_``."""
-        return self._atoms("angular_velocity", "rad/s", 3, 1, wrt, in_)
+        return self._atoms("angular_velocity", 3, 1, wrt, in_)
 
     def rotation(self, wrt: Place | None = None) -> Any:
         """R (3, 3): coordinates in these axes to coordinates in those of ``wrt`` (the ground)."""
-        return self._atoms("rotation", "", 3, 3, wrt, None)
+        return self._atoms("rotation", 3, 3, wrt, None)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -133,17 +133,16 @@ class Model:
         if not name:
             raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
         kind = self.joints[name].kind
-        parts = {c.name: c for c in (kind.coordinates if quantity == "q" else kind.speeds)}
+        parts = [c.name for c in (kind.coordinates if quantity == "q" else kind.speeds)]
         component = given[len(name) + 1 :]
         if component not in parts:
             known = [f"{name}.{c}" if c else name for c in parts]
             raise ModelError(f"{quantity}('{given}'): no such component." + near(given, known))
-        unit = parts[component].unit
-        self.atoms[symbol] = Placeholder(quantity, name, None, None, component, unit)
+        self.atoms[symbol] = Placeholder(quantity, name, None, None, component)
         return _symbol(symbol)
 
     def placeholders(
-        self, place: Located, quantity: str, unit: str, count: int, others: Sequence[Any]
+        self, place: Located, quantity: str, count: int, others: Sequence[Any]
     ) -> list[Any]:
         """Symbols that stand for the motion of a frame, see :class:`Located`."""
         names = [self.place(f"{place.name}.{quantity}", o) if o else "" for o in others]
@@ -153,7 +152,7 @@ class Model:
         symbols = []
         for k, component in enumerate(COMPONENTS[count]):
             text = f"{place.name}.{quantity}{suffix}.{component}"
-            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k, unit)
+            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k)
             symbols.append(_symbol(text))
         return symbols
 

@@ -32,7 +32,6 @@ class Placeholder:
         place: The frame or body; the joint name (for q and u).
         wrt, in_: Frames or bodies against which and in whose axes; None for the ground.
         component: Row-major entry; the component name (for q and u).
-        unit: Its unit.
     """
 
     quantity: str
@@ -40,7 +39,6 @@ class Placeholder:
     wrt: Any
     in_: Any
     component: Any
-    unit: str
 
 
 @dataclass(frozen=True)

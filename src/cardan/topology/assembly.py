@@ -122,8 +122,9 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             side = inner.then(g, near_side)
             self.home[branch.outer] = (number, side.then(g, far_side.inverse(g)))
+            where = self.home[branch.outer][1].then(g, far_side)
         self.fixed.append(joint.name)
-        self._part(branch, joint.name)
+        self._part(branch, joint.name, where)
 
     def _join(self, branch: Branch, parent_side: Placement, child_side: Placement) -> None:
         """A new rigid body: its axes are the child side of its inboard joint."""
@@ -134,7 +135,7 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             self.home[branch.outer] = (number, child_side.inverse(g))
             outer_side = inner.then(g, parent_side)
-        self._part(branch, "")
+        self._part(branch, "", HERE)
         element = joint.kind
         with g.made_by(joint.name, "data"):
             data = {
@@ -169,8 +170,14 @@ class Assembly:
             self.nq += len(coordinates)
             self.nu += len(speeds)
 
-    def _part(self, branch: Branch, joint: str) -> None:
-        """The outer body as a part of its rigid body, with its mass in the axes of that."""
+    def _part(self, branch: Branch, joint: str, where: Placement) -> None:
+        """The outer body as a part of its rigid body, with its mass in the axes of that.
+
+        Args:
+            branch: How it hangs on the tree.
+            joint: Name of the fixed joint that holds it, "" for the first part.
+            where: Frame of that joint in the rigid body.
+        """
         g, body = self.graph, branch.outer
         number, placement = self.home[body]
         rigid = self.rigid(number)
@@ -183,14 +190,15 @@ class Assembly:
             )
             first, tensor = moved_mass(g, placement, mass, com, symmetric(entries))
         inboard = rigid.index[branch.inner.name] if joint else -1
+        rigid.index[body.name] = len(rigid.parts)
         side = frame
         if joint:
-            user = branch.joint.child if not branch.reversed else branch.joint.parent
-            with g.made_by(branch.joint.name, "placement"):
-                where = placement.then(g, self._local(user, f"{joint}.child"))
+            user = branch.joint.parent if branch.reversed else branch.joint.child
             side = self._joint_frame(user, f"{joint}.child", number, where)
-        rigid.index[body.name] = len(rigid.parts)
-        rigid.parts.append(Part(body.name, inboard, joint, mass, first, tensor, frame, side))
+        turned = bool(joint) and branch.reversed
+        rigid.parts.append(
+            Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
+        )
 
     def body(self, rigid: Rigid) -> Body:
         """Sums over the parts."""
@@ -205,7 +213,7 @@ class Assembly:
         return Body(rigid.name, rigid.parent, mass, moment, inertia, tuple(parts))
 
     def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
-        """A new frame of the"""
+        """A new frame of the system."""
         self.numbers[key] = len(self.frames)
         self.frames.append(Frame(name, body, part, placement.rotation, placement.position))
         return self.numbers[key]
@@ -217,12 +225,10 @@ class Assembly:
             frame = self.frames[known]
             if (frame.rotation, frame.position) == (placement.rotation, placement.position):
                 return known
-            place = name  # type: ignore[assignment]
-        rigid = self.rigid(body)
-        owner = place.body.name if isinstance(place, (UserFrame, UserBody)) else ""
-        part = rigid.index.get(owner, max(len(rigid.parts) - 1, 0))
-        named = place.name if isinstance(place, UserFrame) and place.named else name
-        return self._number(place, named, body, part, placement)
+        part = self.rigid(body).index[place.body.name]
+        named = place.name if isinstance(place, UserFrame) and place.named and not known else name
+        # a joint placed by at= has a frame of its own on a body that stands for another
+        return self._number(name if known is not None else place, named, body, part, placement)
 
     def frame(self, place: Place, name: str) -> int:
         """Number of a frame of the user, made where it is not known yet."""

@@ -101,7 +101,7 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
                 for p in (entry.place, entry.wrt, entry.in_)
             )
             atoms[name] = Atom(entry.quantity, place, wrt, in_, entry.component)
-        convert.define(name, convert.graph.atom(name), entry.unit)
+        convert.define(name, convert.graph.atom(name))
     return atoms
 
 

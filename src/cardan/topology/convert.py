@@ -44,7 +44,7 @@ class Converter:
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
         self.symbols: dict[str, int] = {}
-        self.units: dict[str, str | None] = {"t": "s"}
+        self.units: dict[str, str | None] = {}
         self.values = dict(model.values)
         self._nodes: dict[str, int] = {}
         self.same: dict[str, str] = {}
@@ -53,9 +53,9 @@ class Converter:
             node = self._parameter(entry.name, value, entry.unit, True)
             self._nodes[entry.name] = node
             self.define(entry.name, node, entry.unit if entry.stated else None)
-        self.define("t", graph.var("t", 0), "s")
+        self.define("t", graph.var("t", 0))
 
-    def define(self, name: str, node: int, unit: str | None) -> None:
+    def define(self, name: str, node: int, unit: str | None = None) -> None:
         """Give a symbol its meaning; ``unit`` None fits anywhere."""
         self.symbols[name] = node
         self.units[name] = unit
@@ -93,8 +93,8 @@ class Converter:
         found = evaluate(Function("values", self.graph, (), (output,)), values)["values"]
         return [float(x) for x in found]
 
-    def expression(self, value: Any, name: str, unit: str | None = "") -> int:
-        """A SymPy expression -> node; with ``unit`` None it may be measured in anything.
+    def expression(self, value: Any, name: str, unit: str = "") -> int:
+        """A SymPy expression -> node.
 
         Raises:
             ModelError: no expression, unknown symbols, unsupported functions or wrong units.
@@ -120,8 +120,7 @@ class Converter:
                 node = from_sympy(self.graph, value, known)
             except ModelError as problem:
                 raise ModelError(f"'{name}': {problem}") from problem
-        if unit is not None:
-            dimensions.check(value, unit, self.units, name)
+        dimensions.check(value, unit, self.units, name)
         return node
 
     def vector(

@@ -61,7 +61,7 @@ def define_coordinates(
                     f"joint '{joint}': the name of its coordinate '{name}' is taken by a "
                     "parameter or an input; rename one of them"
                 )
-            convert.define(name, convert.graph.var(block, start + k), component.unit)
+            convert.define(name, convert.graph.var(block, start + k))
 
 
 def prescribed(
@@ -77,7 +77,27 @@ def prescribed(
         if user.motion is not None and user.name in numbers:
             k = numbers[user.name]
             found[k] = replaced(found[k], motion=prescribe(convert, user, inputs))
+    for k, joint in enumerate(found):
+        if joint.coupling is not None:
+            found[k] = _followed(convert, found, joint)
     return found
+
+
+def _followed(convert: Converter, joints: Sequence[Joint], joint: Joint) -> Joint:
+    """A joint that follows a prescribed one is prescribed itself."""
+    g, chain, leader = convert.graph, [], joint
+    while leader.coupling is not None:
+        chain.append(leader.coupling)
+        leader = joints[leader.coupling.leader]
+    if leader.motion is None:
+        return joint
+    value, rate = leader.motion.value, leader.motion.rate
+    acceleration = leader.motion.acceleration
+    with g.made_by(joint.name, "motion"):
+        for link in reversed(chain):
+            value = g.add(g.mul(link.ratio, value), link.offset)
+            rate, acceleration = g.mul(link.ratio, rate), g.mul(link.ratio, acceleration)
+    return replaced(joint, coupling=None, motion=Prescribed(value, rate, acceleration))
 
 
 def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> Prescribed:

@@ -33,8 +33,8 @@ def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tup
         define_coordinates(convert, joint.name, element.coordinates, element.speeds, slots)
     for name, atom in system.atoms.items():
         if atom.quantity in ("q", "u"):
-            convert.define(name, system.graph.atom(name), None)
+            convert.define(name, system.graph.atom(name))
     return tuple(
-        Named(name, convert.expression(expression, f"speed {name}", None), "")
+        Named(name, convert.expression(expression, f"speed {name}"), "")
         for name, expression in speeds.items()
     )

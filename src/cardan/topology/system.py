@@ -50,6 +50,7 @@ class Part:
             axes of the system's body.
         frame: Index of its own frame in ``System.frames``.
         joint_frame: Index of the child frame of the fixed joint; that of ``frame`` for the first.
+        reversed: The part is the parent of that joint, whose child is nearer to the ground.
     """
 
     name: str
@@ -60,6 +61,7 @@ class Part:
     inertia: Nodes
     frame: int
     joint_frame: int
+    reversed: bool = False
 
 
 @dataclass(frozen=True)

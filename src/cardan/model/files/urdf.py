@@ -202,7 +202,7 @@ class _Reader:
         com: list[float] = [0.0, 0.0, 0.0]
         tensor: tuple[float, ...] = (0.0,) * 6
         if inertial is not None:
-            com, rpy = self._origin(inertial, f"{link.where} inertial")
+            com, rpy = self._origin(inertial, f"{link.where} inertial", self.options.snap)
             mass_element, inertia = inertial.child("mass"), inertial.child("inertia")
             mass = mass_element.number("value") if mass_element is not None else 0.0
             if inertia is not None:
@@ -220,14 +220,16 @@ class _Reader:
         """Name of the body of a link: its own, save for that of the ground."""
         return "ground_link" if link == "ground" else link
 
-    def _origin(self, element: Element, who: str) -> tuple[list[float], list[float]]:
-        """Position and roll, pitch, yaw of <origin>."""
+    def _origin(
+        self, element: Element, who: str, snap: bool = False
+    ) -> tuple[list[float], list[float]]:
+        """Position and roll, pitch, yaw of <origin>; pictures need no snapping."""
         origin = element.child("origin")
         if origin is None:
             return [0.0] * 3, [0.0] * 3
         xyz = origin.numbers("xyz", 3, "0 0 0")
         rpy = origin.numbers("rpy", 3, "0 0 0")
-        if self.options.snap and any(rpy):
+        if snap and any(rpy):
             rpy = snap_all(origin.text("rpy").split(), rpy, who, self.scene.snaps)
         return xyz, rpy
 
@@ -243,7 +245,7 @@ class _Reader:
 
     def _joint(self, edge: Edge) -> None:
         element, scene = edge.element, self.scene
-        xyz, rpy = self._origin(element, element.where)
+        xyz, rpy = self._origin(element, element.where, self.options.snap)
         parent = self.bodies[edge.parent]
         place = parent
         if any(xyz) or any(rpy):
@@ -332,6 +334,8 @@ class _Reader:
         ):
             if names:
                 notes.append(f"joints {', '.join(names)}: {what}")
+        if "ground_link" in scene.bodies and "ground" in self.bodies:
+            notes.append("link 'ground' is body 'ground_link': 'ground' is what does not move")
         notes += self.meshes.notes()
         if scene.snaps:
             notes.append(f"{len(scene.snaps)} rounded angles were made exact; see Model.snaps")

@@ -1,0 +1,86 @@
+"""Models as parts of models."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy
+
+from cardan.elements.forces import JointForce, SpringDamper
+from cardan.elements.joints import Revolute
+from cardan.errors import ModelError
+from cardan.model import Model, t
+from cardan.topology import build
+from topology.numbers_of import frame_pose, values
+
+
+def arm():
+    scene = Model("arm")
+    m = scene.parameter("m", 2.0, unit="kg")
+    k = scene.parameter("k", 5.0)
+    drive = scene.input("drive")
+    upper = scene.body("upper", mass=m, pose=(0, 0, 1))
+    lower = scene.body("lower", mass=m / 2)
+    scene.joint("shoulder", Revolute("y"), scene.ground, upper, at=(0, 0, 1))
+    scene.joint("elbow", Revolute("y"), upper.at(0, 0, -0.5, name="tip"), lower)
+    scene.force("motor", JointForce("shoulder", drive - k * scene.q("shoulder")))
+    scene.force("spring", SpringDamper(scene.ground, lower, 10.0))
+    scene.output("height", lower.position()[2] + t)
+    return scene
+
+
+def test_two_arms_on_a_torso():
+    scene = Model("robot")
+    torso = scene.body("torso", mass=10.0)
+    scene.joint("waist", Revolute("z"), scene.ground, torso)
+    left = scene.include(arm(), "left", at=torso.at(0, 0.3, 1))
+    scene.include(arm(), "right", at=torso.at(0, -0.3, 1))
+    scene.joint("stick", Revolute("x"), left.bodies["lower"], scene.body("stick", mass=1.0))
+    system = build(scene)
+    assert {j.name for j in system.joints} == {
+        "waist",
+        "left.shoulder",
+        "left.elbow",
+        "right.shoulder",
+        "right.elbow",
+        "stick",
+    }
+    assert {p.name for p in system.parameters if p.declared} == {
+        "left.m",
+        "left.k",
+        "right.m",
+        "right.k",
+    }
+    # the pose of the arm is that in the ground of the arm
+    np.testing.assert_allclose(frame_pose(system, "left.upper")[:3, 3], [0, 0.3, 2])
+    np.testing.assert_allclose(frame_pose(system, "right.lower")[:3, 3], [0, -0.3, 1.5])
+    motor = next(f for f in system.forces if f.name == "right.motor")
+    k = next(k for k, j in enumerate(system.joints) if j.name == "right.shoulder")
+    assert motor.joints == {"joint": k}
+    ((_, _, (node,)),) = motor.data.values()
+    q = np.zeros(system.nq)
+    q[system.joints[k].q] = 0.2
+    assert values(system, [node], q=q, r=[0, 3.0])[0] == pytest.approx(3.0 - 5 * 0.2)
+    spring = next(f for f in system.forces if f.name == "left.spring")
+    names = {role: system.frames[frame].name for role, frame in spring.frames.items()}
+    assert set(names.values()) == {"left.ground", "left.lower"}
+    assert "left.lower.position.z" in system.atoms
+    assert left.symbols["m"] == sympy.Symbol("left.m")
+
+
+def test_nested_and_repeated():
+    inner = Model("inner")
+    inner.include(arm(), "a_")
+    scene = Model("outer")
+    scene.include(inner, "b")
+    assert list(scene.bodies) == ["b.ground", "b.a_ground", "b.a_upper", "b.a_lower"]
+    assert build(scene).nq == 2
+    with pytest.raises(ModelError, match="taken"):
+        scene.include(inner, "b")
+
+
+def test_the_original_is_as_it_was():
+    original = arm()
+    before = build(original)
+    Model("m").include(original, "x")
+    assert build(original).graph.nodes == before.graph.nodes
