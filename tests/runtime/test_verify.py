@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
 from cardan.errors import BuildError
+from cardan.ir.function import Block, Function, Output
+from cardan.ir.graph import Graph
+from cardan.ir.serialize import to_dict
 from cardan.runtime import verify as checks
 from cardan.runtime.compiled import CompiledModel
 from runtime import pendulum
@@ -92,3 +96,26 @@ def test_forces_that_are_not_saved(directory):
     assert set(result.checked) == {"mass_matrix", "qdot"}
     reasons = {c.reason for c in result.checks if c.reason}
     assert reasons == {"not checked: the forces of the model are not saved"}
+
+
+def test_singular_mass_matrix_is_said(directory):
+    result = CompiledModel(directory).with_parameters(m=0.0).verify()
+    reasons = {c.function: c.reason for c in result.checks}
+    assert reasons["forward_dynamics"] == "not checked: the mass matrix is singular"
+    assert reasons["mass_matrix"] == ""
+
+
+def test_states_without_finite_forces_are_passed_over(directory):
+    # f = log(q) exists for half of all angles
+    saved = json.loads((directory / "functions.json").read_text())
+    q = Block("q", ("swing",), ("rad",))
+    g = Graph()
+    f = Output("f", (1,), (g.apply("log", g.var("q", 0)),))
+    saved["applied"] = to_dict(Function("applied", g, (q,), (f,)))
+    (directory / "functions.json").write_text(json.dumps(saved))
+    model = CompiledModel(directory)
+    scene, states = checks.scene_of(model), 40
+    truth = checks._truth(model, scene, states, seed=1)
+    finite = checks._finite(truth)
+    assert 0 < len(finite) < states
+    assert np.all(truth.q[finite] > 0)

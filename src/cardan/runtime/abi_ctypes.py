@@ -7,7 +7,8 @@ results are the same to the bit; only the overhead of a call is larger.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +25,11 @@ Pointers = ctypes.c_void_p * SLOTS
 Strides = ctypes.c_ssize_t * SLOTS
 FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
 PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
+
+
+@lru_cache(maxsize=256)
+def _function(address: int) -> Callable[..., int]:
+    return FUNCTION(address)
 
 
 def run(
@@ -49,7 +55,7 @@ def run(
     pointers = Pointers(*(None if b is None else b.ctypes.data for b in blocks))
     work = np.empty(work_size)
     if count == 1:
-        status = FUNCTION(address)(ctypes.addressof(pointers), out.ctypes.data, work.ctypes.data)
+        status = _function(address)(ctypes.addressof(pointers), out.ctypes.data, work.ctypes.data)
         return status, 0 if status else -1
     failed = ctypes.c_ssize_t(-1)
     status = kernels.library(only="map").cardan_map(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import BuildError
 from .calling import Array
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
 # Rounding of either side stays below 1e-12 of the largest term even for chains of a hundred bodies;
 # a wrong formula is wrong in the first digits. In between lies the bound.
 BOUND = 1e-9
+# Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
+REGULAR = 1e13
+# States drawn for each that is wanted: the model's own forces may not exist everywhere.
+DRAWN = 4
 STEP = 1e-30
 CHECKED = (
     "mass_matrix",
@@ -94,6 +99,12 @@ class _Truth:
     f: Array | None
     motion: Array | None
 
+    def only(self, chosen: NDArray[np.intp]) -> _Truth:
+        """The same at some of the states."""
+        rows = {name: getattr(self, name)[chosen] for name in ("q", "u", "udot", "tau", "M", "h")}
+        f = None if self.f is None else self.f[chosen]
+        return replace(self, **rows, gravity=self.gravity[chosen], f=f)
+
 
 def verify(
     model: CompiledModel, states: int = 3, seed: int = 1, functions: Iterable[str] | None = None
@@ -113,9 +124,10 @@ def verify(
     if reason or not wanted:
         return Verification(model.name, 0, tuple(Check(n, np.nan, reason) for n in wanted))
     scene = scene_of(model)
-    truth = _truth(model, scene, states, seed)
+    truth = _truth(model, scene, DRAWN * states, seed)
+    truth = truth.only(_finite(truth)[:states])
     checks = tuple(_check(model, scene, truth, name) for name in wanted)
-    result = Verification(model.name, states, checks)
+    result = Verification(model.name, len(truth.q), checks)
     wrong = [c for c in checks if not c.reason and not c.error <= BOUND]
     if wrong:
         raise BuildError(
@@ -204,8 +216,21 @@ def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth
     return _Truth(q, u, udot, tau, t, M, h, gravity, f, motion)
 
 
+def _finite(truth: _Truth) -> NDArray[np.intp]:
+    """Indices of the states at which every term is a number."""
+    terms = [truth.h, truth.gravity, truth.M.reshape(len(truth.M), -1)]
+    terms += [] if truth.f is None else [truth.f]
+    return np.flatnonzero(np.isfinite(np.concatenate(terms, axis=-1)).all(axis=-1))
+
+
 def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Check:
     """One function; forces of the model come from its saved Function ``applied``."""
+    if not len(truth.q):
+        return Check(name, np.nan, "not checked: the forces of the model are nowhere finite")
+    if name in ("forward_dynamics", "rhs"):
+        regular = np.linalg.cond(truth.M) < REGULAR if truth.M.size else [True]
+        if not np.all(regular):
+            return Check(name, np.nan, "not checked: the mass matrix is singular")
     if truth.f is None and name in ("inverse_dynamics", "forward_dynamics", "rhs"):
         return Check(name, np.nan, "not checked: the forces of the model are not saved")
     q, u, t = truth.q, truth.u, truth.t
