@@ -37,11 +37,9 @@ def reassociate(function: Function, block: str = "p") -> Function:
     def rule(target: Graph, i: int, copies: Mapping[int, int]) -> int | None:
         if i in inner:
             return 0
-        if nodes[i][0] not in ("add", "sub"):
+        if nodes[i][0] not in SUMS or inner.isdisjoint(nodes[i][1:]):
             return None
         terms = _terms(function.graph, i, inner)
-        if len(terms) < 3:
-            return None
         ready = [
             (_known(target, copies[k], known, block), n, copies[k], s)
             for n, (k, s) in enumerate(terms)
