@@ -38,13 +38,13 @@ FIELDS: tuple[tuple[Any, str], ...] = (
 class Run(ctypes.Structure):
     """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
 
-    _fields_ = [(name, kind) for kind, names in FIELDS for name in names.split()]  # noqa: RUF012
+    _fields_ = [(name, kind) for kind, names in FIELDS for name in names.split()]
 
 
 class Signal(ctypes.Structure):
     """``cardan_signal``: an input given by pieces."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("input", COUNT),
         ("pieces", COUNT),
         ("where", COUNT),

@@ -8,7 +8,6 @@ import threading
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,31 +15,13 @@ from numpy.typing import NDArray
 
 from ..runtime.compiled import CompiledModel
 from . import record as abi
-from .integrator import Integrator
 from .record import INPUTS, Run, Signal
+from .settings import Settings
 from .signals import Signals
 
 Array = NDArray[np.float64]
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How to step.
-
-    Attributes:
-        method: The integrator.
-        rtol, atol: Tolerances of an adaptive one.
-        step: Step of a fixed one, first step of an adaptive one (0: it chooses) [s].
-        max_step: Largest step of an adaptive one [s].
-    """
-
-    method: Integrator
-    rtol: float
-    atol: float
-    step: float
-    max_step: float
 
 
 class Runner:
@@ -65,11 +46,13 @@ class Runner:
         self.functions = [model._function("rhs")]
         if power:
             self.functions.append(model._function("power"))
-        outputs = self.functions[-1].outputs[0] if power else {"entries": []}
-        self.sources = tuple(outputs["entries"] or ())
+        self.powered = power
+        outputs = self.functions[-1].outputs if power else []
+        self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
         self._keep: list[Any] = []
+        self.spreads = np.empty((0, settings.method.dense_rows, self.n))
         self.record = Run()
         self._allocate()
         self._connect()
@@ -157,7 +140,7 @@ class Runner:
         self.views["y"][: self.model.nx] = x
         self.aim(stops)
         answer = int(self.library.cardan_run_start(self.record))
-        self._raise()
+        self.check()
         return answer
 
     def aim(self, stops: Sequence[float]) -> None:
@@ -188,10 +171,11 @@ class Runner:
         """Go on for at most ``budget`` steps. Returns the answer of the kernels."""
         self.record.budget = budget
         answer = int(self.library.cardan_run_drive(self.record))
-        self._raise()
+        self.check()
         return answer
 
-    def _raise(self) -> None:
+    def check(self) -> None:
+        """Raise what an input function raised."""
         if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
             raise self.error
 
@@ -222,5 +206,3 @@ class Runner:
             yield
         finally:
             signal.signal(signal.SIGINT, signal.default_int_handler)
-
-

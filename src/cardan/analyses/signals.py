@@ -60,6 +60,28 @@ class Signals:
             found |= {start + sign * k * self.sample for k in range(1, count)}
         return sorted(found, reverse=end < start)
 
+    def at(self, times: Array, known: Array, r: Array) -> Array:
+        """r (m, nr) at times (m,), given its values r (nt, nr) at the times ``known`` (nt,).
+
+        Exact for constants and values at times; functions are held where they are sampled, and
+        joined by straight lines otherwise.
+        """
+        result = np.tile(self.constants, (len(times), 1))
+        order = np.argsort(known, kind="stable")
+        for k in self.functions:
+            if self.sample is None:
+                result[:, k] = np.interp(times, known[order], r[order, k])
+            else:
+                # a row at the end of a step holds the value that led there
+                next_row = np.clip(np.searchsorted(known[order], times), 0, len(known) - 1)
+                result[:, k] = r[order, k][next_row]
+        for piece in self.pieces:
+            where = np.searchsorted(piece.breaks, times, side="right") - 1
+            where = np.clip(where, 0, len(piece.coefficients) - 1)
+            d, c = times - piece.breaks[where], piece.coefficients[where].T
+            result[:, piece.input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0]
+        return result
+
 
 def signals(
     rows: Sequence[Mapping[str, Any]],
@@ -154,8 +176,8 @@ def _motion(name: str, k: int, times: Array, values: Array) -> list[Pieces]:
 
     if len(times) < 4 or not (np.diff(times) > 0).all():
         raise ModelError(
-            f"inputs: '{name}' prescribes a motion: give at least four times, no two equal, so that "
-            "rate and acceleration exist"
+            f"inputs: '{name}' prescribes a motion: give at least four times, no two equal, so "
+            "that rate and acceleration exist"
         )
     spline = CubicSpline(times, values)
     made = []
@@ -181,6 +203,6 @@ def _check_table(name: str, times: Array, values: Array, span: tuple[float, floa
         raise ModelError(f"inputs: the times of '{name}' must ascend; a time twice is a jump")
     if times[0] > min(span) or times[-1] < max(span):
         raise ModelError(
-            f"inputs: '{name}' has values from {times[0]:g} s to {times[-1]:g} s, the run goes from "
-            f"{min(span):g} s to {max(span):g} s. Add values at its ends"
+            f"inputs: '{name}' has values from {times[0]:g} s to {times[-1]:g} s, the run goes "
+            f"from {min(span):g} s to {max(span):g} s. Add values at its ends"
         )

@@ -45,7 +45,9 @@ def span(t: Any) -> Span:
         raise ValueError(_shape(f"an array of shape {array.shape}"))
     bad = np.flatnonzero(~np.isfinite(np.atleast_1d(array)))
     if len(bad):
-        raise SolveError(f"t: time {bad[0]} is {np.atleast_1d(array)[bad[0]]}. Times must be finite")
+        raise SolveError(
+            f"t: time {bad[0]} is {np.atleast_1d(array)[bad[0]]}. Times must be finite"
+        )
     if array.ndim == 0:
         return _forward(float(array))
     if isinstance(t, tuple | list) and len(array) == 2:

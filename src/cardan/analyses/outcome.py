@@ -1,0 +1,46 @@
+"""What the answer of an integrator means to the user."""
+
+from __future__ import annotations
+
+from ..runtime.trajectory import FINISHED
+from . import record as abi
+from .run import Runner
+from .times import Span
+
+
+def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
+    """Status and a sentence with time, coordinate and remedy.
+
+    Args:
+        runner: The run.
+        answer: What the kernels said last.
+        over: What was asked for.
+    """
+    at = f"at t = {runner.record.t:.6g} s of {over.end:g} s"
+    who = _culprit(runner)
+    if answer == abi.DONE:
+        return FINISHED, "reached the end"
+    if answer == abi.STOPPED or isinstance(runner.error, KeyboardInterrupt):
+        return "interrupted", f"interrupted {at}; what was computed is kept"
+    if answer == abi.TOO_SMALL:
+        return "step_too_small", (
+            f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
+            "The motion is singular there, or rtol and atol are tighter than it can be computed"
+        )
+    if answer == abi.NOT_FINITE:
+        return "not_finite", (
+            f"stopped {at}: the derivative{who} is not finite. A force or a rotation leaves its "
+            "domain there: look at the state motion.x[-1]"
+        )
+    status = runner.record.model_status
+    return "model_failed", (
+        f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
+        "singular there: look at the state motion.x[-1]"
+    )
+
+
+def _culprit(runner: Runner) -> str:
+    """`` of 'elbow.u'``, or nothing when no entry is to blame."""
+    k = runner.record.culprit
+    names = (*runner.model.coordinates, *runner.model.speeds, *runner.sources)
+    return f" of '{names[k]}'" if 0 <= k < len(names) else ""

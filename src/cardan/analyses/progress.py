@@ -1,0 +1,69 @@
+"""Show how far a run is, once it takes long enough to matter."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+Show = Callable[[float], None]
+PATIENCE = 1.0  # seconds before a bar appears
+
+
+@contextmanager
+def showing(progress: bool | Show | None, what: str) -> Iterator[Show]:
+    """What to call with the fraction done.
+
+    Args:
+        progress: True: a bar on standard error; None: the same if that is a terminal; False:
+            nothing; a function: called with the fraction.
+        what: Stands before the bar.
+    """
+    if callable(progress):
+        yield progress
+    elif progress or (progress is None and sys.stderr.isatty()):
+        bar = Bar(what)
+        try:
+            yield bar.show
+        finally:
+            bar.close()
+    else:
+        yield lambda fraction: None
+
+
+class Bar:
+    """A bar of rich that appears when the run takes longer than a second."""
+
+    def __init__(self, what: str) -> None:
+        self._what, self._started = what, time.perf_counter()
+        self._bar: Any = None
+        self._task: Any = None
+
+    def show(self, fraction: float) -> None:
+        """Move the bar to a fraction in 0 ... 1."""
+        if self._bar is None:
+            if time.perf_counter() - self._started < PATIENCE:
+                return
+            self._open()
+        self._bar.update(self._task, completed=fraction)
+
+    def _open(self) -> None:
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+        columns = (
+            TextColumn("{task.description}", markup=False),
+            BarColumn(),
+            TextColumn("{task.percentage:>3.0f} %"),
+            TimeRemainingColumn(),
+        )
+        self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        self._task = self._bar.add_task(self._what, total=1.0)
+        self._bar.start()
+
+    def close(self) -> None:
+        """Take the bar away."""
+        if self._bar is not None:
+            self._bar.stop()

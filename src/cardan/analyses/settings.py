@@ -1,0 +1,157 @@
+"""Arguments that every kind of run takes: the start, the method, its tolerances."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError, SolveError, near
+from ..runtime.compiled import CompiledModel
+from ..runtime.initial import initial_state
+from .integrators import INTEGRATORS, Integrator
+
+Array = NDArray[np.float64]
+Values = Mapping[str, ArrayLike]
+DEFAULT = "DOP853"
+STEPS = 10_000  # of a fixed step without step=
+TIGHTEST = 2.5e-14  # below this rtol the error of a step drowns in rounding
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How to step.
+
+    Attributes:
+        method: The integrator.
+        rtol, atol: Tolerances of an adaptive one.
+        step: Step of a fixed one, first step of an adaptive one (0: it chooses) [s].
+        max_step: Largest step of an adaptive one [s].
+        words: The same to print.
+    """
+
+    method: Integrator
+    rtol: float
+    atol: float
+    step: float
+    max_step: float
+    words: str
+
+
+def settings(
+    method: str,
+    rtol: float,
+    atol: float,
+    step: float | None,
+    max_step: float | None,
+    length: float | None,
+) -> Settings:
+    """Checked settings.
+
+    Args:
+        method: Name of an integrator, or ``"auto"``.
+        rtol, atol, step, max_step: As ``simulate`` takes them.
+        length: Duration of the run, None if it has no end yet [s].
+
+    Raises:
+        ModelError: an unknown method, a number that is not positive, an option that the method
+            does not take.
+    """
+    chosen = integrator(method)
+    for name, value in (("rtol", rtol), ("atol", atol)):
+        if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
+            raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
+    for name, option in (("step", step), ("max_step", max_step)):
+        if option is not None and not (math.isfinite(option) and option > 0):
+            raise ModelError(f"{name}={option:g}: it must be a positive time [s]")
+    if not chosen.adaptive:
+        return _fixed(chosen, step, max_step, length)
+    words = f"rtol {rtol:g}, atol {atol:g}"
+    if 0 < rtol < TIGHTEST:
+        words += f" (as {TIGHTEST:g}: double precision ends there)"
+        rtol = TIGHTEST
+    words += f", first step {step:g} s" if step is not None else ""
+    words += f", steps up to {max_step:g} s" if max_step is not None else ""
+    return Settings(chosen, rtol, atol, step or 0.0, max_step or math.inf, words)
+
+
+def _fixed(
+    chosen: Integrator, step: float | None, max_step: float | None, length: float | None
+) -> Settings:
+    if max_step is not None:
+        raise ModelError(f"max_step= goes with an adaptive method; {chosen.name} takes step=")
+    if step is None and length is None:
+        raise ModelError(f"{chosen.name} needs step= [s] here")
+    taken = step if step is not None else (length or 0.0) / STEPS
+    origin = "" if step is not None else f", 1/{STEPS} of the span as none was given"
+    return Settings(chosen, 0.0, 1.0, taken, math.inf, f"step {taken:g} s{origin}")
+
+
+def integrator(name: str) -> Integrator:
+    """An integrator by its name.
+
+    Raises:
+        ModelError: there is none.
+    """
+    if name == "auto":
+        return INTEGRATORS[DEFAULT]
+    if name not in INTEGRATORS:
+        same = next((n for n in INTEGRATORS if n.lower() == str(name).lower()), None)
+        hint = f" Did you mean '{same}'?" if same else near(str(name), [*INTEGRATORS, "auto"])
+        raise ModelError(f"method '{name}' does not exist.{hint}")
+    return INTEGRATORS[name]
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a run starts: the state and which of its entries nobody named."""
+
+    x: Array
+    defaulted: tuple[str, ...]
+
+    def named(self, model: CompiledModel) -> dict[str, float]:
+        """Every entry by its name."""
+        names = (*model.coordinates, *model.speeds)
+        return dict(zip(names, self.x.tolist(), strict=True))
+
+
+def start(model: CompiledModel, x0: Any, q: Any, u: Any) -> Start:
+    """The initial state from ``x0`` or from ``q`` and ``u``, each by names or as an array.
+
+    Raises:
+        ModelError: both given, or an unknown name. ValueError: wrong shape.
+        SolveError: a value that is not finite.
+    """
+    if x0 is not None and (q is not None or u is not None):
+        raise ModelError("the start is given twice: by x0= and by q= or u=. Leave one out")
+    coordinates, speeds = model.coordinates, model.speeds
+    if x0 is not None:
+        x = _array("x0", x0, (*coordinates, *speeds))
+        q, u = x[: model.nq], x[model.nq :]
+    names = {
+        letter: _by_entry(letter, value, entries)
+        for letter, value, entries in (("q", q, coordinates), ("u", u, speeds))
+    }
+    return Start(*initial_state(model.manifest, names["q"], names["u"]))
+
+
+def _by_entry(letter: str, value: Any, entries: tuple[str, ...]) -> Values:
+    if value is None or isinstance(value, Mapping):
+        return value or {}
+    return dict(zip(entries, _array(letter, value, entries).tolist(), strict=True))
+
+
+def _array(name: str, value: Any, entries: tuple[str, ...]) -> Array:
+    array = np.asarray(value, dtype=np.float64)
+    if array.shape != (len(entries),):
+        raise ValueError(
+            f"{name} has shape {array.shape}, expected ({len(entries)},): {', '.join(entries)}"
+        )
+    bad = np.flatnonzero(~np.isfinite(array))
+    if len(bad):
+        raise SolveError(f"{name}: '{entries[bad[0]]}' is {array[bad[0]]}; it must be finite")
+    return array

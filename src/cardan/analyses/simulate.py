@@ -1,0 +1,164 @@
+"""Motion of a compiled model over time."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import SolveError, SolveWarning
+from ..runtime.compiled import CompiledModel
+from ..runtime.dense import Dense
+from ..runtime.trajectory import Conduct, Trajectory
+from . import record as abi
+from .outcome import explain
+from .progress import showing
+from .run import Runner
+from .settings import Settings, Start, Values, settings, start
+from .signals import Signals, signals
+from .times import Span, span
+
+Array = NDArray[np.float64]
+
+
+def simulate(
+    model: CompiledModel,
+    t: float | ArrayLike,
+    *,
+    x0: ArrayLike | None = None,
+    q: Values | ArrayLike | None = None,
+    u: Values | ArrayLike | None = None,
+    method: str = "auto",
+    rtol: float = 1e-6,
+    atol: float = 1e-9,
+    step: float | None = None,
+    max_step: float | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    sample: float | None = None,
+    check: bool = False,
+    progress: bool | Callable[[float], None] | None = None,
+) -> Trajectory:
+    """Integrate the equations of motion.
+
+    Args:
+        model: The compiled model.
+        t: End time (from 0), ``(start, end)`` (backward too), or an array of output times [s].
+            With an end or a pair the result is dense: every step is kept, with what is between.
+        x0: Initial state (nx,); or by names:
+        q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
+            or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0.
+        method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853.
+        rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
+            state, root mean square over them.
+        step: Step of RK4, first step of DOP853 [s].
+        max_step: Largest step of DOP853 [s].
+        inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
+            jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
+        sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
+            a digital controller does. Without it they are called at every stage of every step.
+        check: Raise instead of warn when the run does not reach its end.
+        progress: True, False or a function of the fraction done; None: a bar on a terminal once
+            the run takes longer than a second.
+
+    Returns:
+        The motion. If the run breaks down or is interrupted (Ctrl-C): what was computed, with
+        ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`.
+
+    Raises:
+        ModelError: an unknown name, an empty span, options that do not fit.
+        ValueError: wrong shapes.
+        SolveError: a number that is not finite; with ``check``, an early end.
+    """
+    over = span(t)
+    begin = start(model, x0, q, u)
+    how = settings(method, rtol, atol, step, max_step, over.length)
+    given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
+    runner = Runner(model, how, given, power=powered(model))
+    motion = _run(runner, over, begin, how, given, progress)
+    if not motion.success:
+        if check:
+            raise SolveError(motion.message)
+        warnings.warn(motion.message, SolveWarning, stacklevel=3)
+    return motion
+
+
+def powered(model: CompiledModel) -> bool:
+    """Whether the power of sources may be asked for; compiles side by side what is needed."""
+    available = "power" in model.manifest["available"]
+    model.prepare("rhs", *(["power"] if available else []))
+    return available
+
+
+def _run(
+    runner: Runner,
+    over: Span,
+    begin: Start,
+    how: Settings,
+    given: Signals,
+    progress: bool | Callable[[float], None] | None,
+) -> Trajectory:
+    """Drive the run to its end and collect what came out."""
+    run, rows, spreads = runner.record, [], []
+    runner.want(over.times, dense=over.times is None)
+    clock = time.perf_counter()
+    with showing(progress, runner.model.name) as show, runner.interruptible():
+        stops = [*given.corners(over.start, over.end), over.end]
+        answer = runner.start(over.start, begin.x, stops)
+        for said in runner.slices() if answer >= 0 else ():
+            answer = said
+            if answer != abi.MORE:
+                rows.append(runner.rows[: run.count].copy())
+                spreads.append(runner.spreads[: run.count].copy())
+                run.count = 0
+            show(min(1.0, abs(run.t - over.start) / over.length))
+    milliseconds = 1e3 * (time.perf_counter() - clock)
+    table = np.concatenate(rows) if rows else np.empty((0, 1 + runner.n + run.nr))
+    if not len(table):
+        table = _first_row(runner, over, begin)
+    status, message = explain(runner, answer, over)
+    statistics = {
+        "steps": run.steps,
+        "rejections": run.rejections,
+        "evaluations": run.evaluations,
+        "milliseconds": milliseconds,
+    }
+    defaulted = (*begin.defaulted, *given.defaulted)
+    initial = begin.named(runner.model)
+    initial |= {n: float(table[0, 1 + runner.n + k]) for k, n in enumerate(runner.model.inputs)}
+    conduct = Conduct(
+        how.method.name, how.words, initial, defaulted, status, message, dict(statistics)
+    )
+    return _trajectory(runner, table, spreads if over.times is None else None, conduct)
+
+
+def _first_row(runner: Runner, over: Span, begin: Start) -> Array:
+    """The start alone, for a run that broke down there."""
+    rest = np.zeros(runner.n - len(begin.x))
+    return np.concatenate([[over.start], begin.x, rest, runner.signals.constants])[None, :]
+
+
+def _trajectory(
+    runner: Runner, table: Array, spreads: list[Array] | None, conduct: Conduct
+) -> Trajectory:
+    model, n = runner.model, runner.n
+    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n :].copy()
+    quaternions = tuple(model.manifest["quaternions"])
+    dense = None
+    if spreads and len(t) > 1:
+        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions)
+    return Trajectory(
+        t=t,
+        x=y[:, : model.nx].copy(),
+        r=r,
+        given=y[:, model.nx :].copy(),
+        sources=runner.sources if runner.powered else None,
+        manifest=model.manifest,
+        conduct=conduct,
+        model=model,
+        dense=dense,
+        inputs_at=lambda times: runner.signals.at(times, t, r),
+    )

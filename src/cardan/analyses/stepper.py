@@ -1,0 +1,178 @@
+"""Motion step by step, under the caller's control."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError, SolveError, near
+from ..runtime.compiled import CompiledModel
+from . import record as abi
+from .outcome import explain
+from .run import Runner
+from .settings import Settings, Values, settings, start
+from .signals import signals
+from .times import Span
+
+Array = NDArray[np.float64]
+SOME_STEPS = 1 << 20
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A checkpoint of a stepper: its record and memory, to the bit."""
+
+    record: bytes
+    memory: bytes
+
+
+@final
+class Stepper:
+    """A run that goes on by as much as the caller says, such as beside hardware or a controller.
+
+    Made by ``model.stepper(...)``::
+
+        stepper = model.stepper(q={"elbow": 0.3}, rtol=1e-9)
+        while stepper.t < 1.0:
+            stepper.step(0.01, inputs={"torque": control(stepper.state)})
+    """
+
+    def __init__(self, runner: Runner, begin: Array, t: float) -> None:
+        self._runner, self._model = runner, runner.model
+        self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
+        answer = runner.start(t, begin, [t + 1.0])
+        if answer < 0:
+            raise SolveError(explain(runner, answer, Span(t, t + 1.0))[1])
+
+    @property
+    def t(self) -> float:
+        """Time [s]."""
+        return float(self._runner.record.t)
+
+    @property
+    def state(self) -> Array:
+        """State [q, u] (nx,), a copy."""
+        return self._runner.views["y"][: self._model.nx].copy()
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Inputs in force, by name."""
+        return dict(zip(self._names, self._runner.views["r"].tolist(), strict=True))
+
+    @property
+    def work(self) -> dict[str, float]:
+        """Energy that every source has given since the start [J]."""
+        given = self._runner.views["y"][self._model.nx :].tolist()
+        return dict(zip(self._runner.sources, given, strict=True))
+
+    def __repr__(self) -> str:
+        run = self._runner.record
+        method = self._runner.settings.method.name
+        return f"Stepper('{self._model.name}', {method}, t = {run.t:g} s, {run.steps} steps)"
+
+    def step(self, dt: float, inputs: Mapping[str, float] | None = None) -> Array:
+        """Go on by ``dt`` and say where that leads.
+
+        Args:
+            dt: Time to pass [s]; an adaptive method takes as many steps as it needs. Every step
+                goes in the same direction, backward for negative numbers.
+            inputs: New values of inputs; they hold until they are changed again.
+
+        Returns:
+            State [q, u] (nx,), a copy.
+
+        Raises:
+            ModelError: an unknown input, or no time.
+            SolveError: the motion broke down; the stepper is where it still was good.
+        """
+        if not (math.isfinite(dt) and dt != 0):
+            raise ModelError(f"dt={dt:g}: a step takes some time [s]")
+        self._set(inputs or {})
+        run, end = self._runner.record, self.t + dt
+        run.h = math.copysign(run.h, dt)
+        self._runner.aim([end])
+        run.t_start = run.t
+        # inputs may have jumped: the derivative at the start is new
+        answer = int(self._runner.library.cardan_segment(run))
+        while answer in (abi.DONE, abi.MORE, abi.FULL) and run.t != end:
+            run.count = 0
+            answer = self._runner.drive(SOME_STEPS)
+        self._runner.check()
+        if run.t != end:
+            raise SolveError(explain(self._runner, answer, Span(run.t_start, end))[1])
+        return self.state
+
+    def _set(self, inputs: Mapping[str, float]) -> None:
+        for name, value in inputs.items():
+            if name not in self._names:
+                raise ModelError(f"inputs: there is no input '{name}'.{near(name, self._names)}")
+            if not math.isfinite(value):
+                raise SolveError(f"inputs: '{name}' is {value}. Every input must be finite")
+            self._runner.views["r"][self._names.index(name)] = value
+
+    def save(self) -> Saved:
+        """A checkpoint; :meth:`restore` goes back to it bit for bit."""
+        return Saved(bytes(self._runner.record), self._runner.memory.tobytes())
+
+    def restore(self, saved: Saved) -> None:
+        """Go back to a checkpoint of this stepper.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        run, memory = self._runner.record, self._runner.memory
+        other = abi.Run.from_buffer_copy(saved.record) if len(saved.record) else None
+        if other is None or other.y != run.y or len(saved.memory) != memory.nbytes:
+            raise ModelError("this checkpoint was made by another stepper")
+        stops = run.stops
+        ctypes.memmove(ctypes.addressof(run), saved.record, len(saved.record))
+        # the stops were those of a step that is over
+        run.stops, run.stop_count, run.next_stop = stops, 1, 0
+        memory[:] = np.frombuffer(saved.memory)
+
+
+def stepper(
+    model: CompiledModel,
+    *,
+    t: float = 0.0,
+    x0: ArrayLike | None = None,
+    q: Values | ArrayLike | None = None,
+    u: Values | ArrayLike | None = None,
+    method: str = "auto",
+    rtol: float = 1e-6,
+    atol: float = 1e-9,
+    step: float | None = None,
+    max_step: float | None = None,
+    inputs: Mapping[str, Any] | None = None,
+) -> Stepper:
+    """A stepper at a start.
+
+    Args:
+        model: The compiled model.
+        t: Time at the start [s].
+        x0, q, u, method, rtol, atol, max_step: As for ``simulate``.
+        step: Step of RK4; first step of DOP853 [s].
+        inputs: Constants by name; later values go to :meth:`Stepper.step`.
+
+    Raises:
+        ModelError, ValueError, SolveError: as for ``simulate``.
+    """
+    from .simulate import powered
+
+    how: Settings = settings(method, rtol, atol, step, max_step, None)
+    for name, value in (inputs or {}).items():
+        if callable(value) or isinstance(value, tuple | list):
+            raise ModelError(
+                f"inputs: '{name}': a stepper takes numbers; new ones go to step(dt, inputs=...)"
+            )
+    given = signals(model.manifest["inputs"], inputs, None, (t, t))
+    begin = start(model, x0, q, u)
+    runner = Runner(model, how, given, power=powered(model))
+    runner.want(None, dense=False)
+    return Stepper(runner, begin.x, t)

@@ -1,0 +1,46 @@
+"""Dense output kept by a run: the state at any time inside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Dense:
+    """A polynomial over every step.
+
+    With theta from 0 to 1 over a step: y_old + theta (F0 + (1 - theta) (F1 + theta (F2 + ...))).
+
+    Attributes:
+        t: Ends of the steps (n + 1), in the direction of the run [s].
+        y: Values there (n + 1, size).
+        spreads: F0, F1, ... of every step (n, rows, size).
+        quaternions: First entries of the quaternions; values come out with unit length.
+    """
+
+    t: Array
+    y: Array
+    spreads: Array
+    quaternions: tuple[int, ...]
+
+    def at(self, times: Array) -> Array:
+        """Values (m, size) at times (m,), which must lie inside the run."""
+        sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
+        last = len(self.spreads) - 1
+        step = np.clip(np.searchsorted(sign * self.t, sign * times, side="right") - 1, 0, last)
+        theta = ((times - self.t[step]) / (self.t[step + 1] - self.t[step]))[:, None]
+        total = np.zeros((len(times), self.y.shape[1]))
+        for row in range(self.spreads.shape[1] - 1, -1, -1):
+            total = (total + self.spreads[step, row]) * (theta if row % 2 == 0 else 1 - theta)
+        values: Array = self.y[step] + total
+        # at the end of the run the sum may miss the last bit
+        values[times == self.t[-1]] = self.y[-1]
+        for start in self.quaternions:
+            q = values[:, start : start + 4]
+            q /= np.linalg.norm(q, axis=1, keepdims=True)
+        return values

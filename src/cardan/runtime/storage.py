@@ -1,0 +1,224 @@
+"""Runs as netCDF files, through SciPy alone.
+
+Dimensions ``time``, ``coordinate``, ``speed``, ``input``, ``source``, ``step``, ``body``; names of
+the entries stand in the attribute ``names`` of every variable, units in ``units``. The manifest
+(names, units, joints, shapes; no functions) is the attribute ``manifest``, as JSON.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import __version__
+from ..errors import CardanError, ModelError
+from .calling import Array
+from .dense import Dense
+from .trajectory import Conduct, Trajectory
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+FORMAT = 1
+LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
+LEFT_OUT = ("functions", "sha256", "available")
+
+
+def save(motion: Trajectory, path: Path) -> Path:
+    """Write a run; a file with its name is replaced in one step.
+
+    Raises:
+        ModelError: a variable too large for the format, or a directory that does not exist.
+    """
+    from scipy.io import netcdf_file
+
+    if not path.parent.is_dir():
+        raise ModelError(f"{path}: the directory {path.parent} does not exist")
+    variables = _variables(motion)
+    for name, (_, values, _) in variables.items():
+        if values.nbytes > LIMIT:
+            raise ModelError(
+                f"{path}: '{name}' takes {values.nbytes / 1e9:.1f} GB, netCDF-3 holds 2 GB in one "
+                "variable. Simulate with an array of output times to keep fewer of them"
+            )
+    handle, new = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".nc")
+    os.close(handle)
+    try:
+        with netcdf_file(new, "w", version=2) as file:
+            _attributes(file, motion)
+            _write(file, variables)
+        os.chmod(new, 0o666 & ~_umask())
+        os.replace(new, path)
+    except BaseException:
+        Path(new).unlink(missing_ok=True)
+        raise
+    return path
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+Variables = dict[str, tuple[tuple[str, ...], Array, dict[str, str]]]
+
+
+def _variables(motion: Trajectory) -> Variables:
+    """Name -> (dimensions, values, attributes)."""
+    manifest = motion.manifest
+
+    def listed(key: str) -> dict[str, str]:
+        return {
+            "names": _list(row["name"] for row in manifest[key]),
+            "units": _list(row.get("unit", "") for row in manifest[key]),
+        }
+
+    found: Variables = {
+        "time": (("time",), motion.t, {"units": "s"}),
+        "q": (("time", "coordinate"), motion.q, listed("coordinates")),
+        "u": (("time", "speed"), motion.u, listed("speeds")),
+        "r": (("time", "input"), motion.r, listed("inputs")),
+    }
+    if motion.sources:
+        names = {"names": _list(motion.sources), "units": "J"}
+        found["work"] = (("time", "source"), motion.given, names)
+    if motion.dense is not None:
+        found["spreads"] = (("step", "row", "entry"), motion.dense.spreads, {})
+    available = set(manifest.get("available", ()))
+    if "kinetic" in motion.stored or "energy" in available:
+        found["kinetic"] = (("time",), motion.energy.kinetic, {"units": "J"})
+        found["potential"] = (("time",), motion.energy.potential, {"units": "J"})
+    for k, body in enumerate(_bodies(motion)):
+        pose = motion.pose(body)[:, :3, :]
+        found[f"pose_{k}"] = (("time", "axis", "column"), pose, {"frame": body})
+    return found
+
+
+def _bodies(motion: Trajectory) -> list[str]:
+    """Frames whose motion goes into the file: one of every body that moves."""
+    bodies = [body["parts"][0] for body in motion.manifest["bodies"]]
+    if motion.model is None:
+        return [body for body in bodies if f"pose {body}" in motion.stored]
+    if "pose" not in motion.manifest.get("available", ()):
+        return []
+    motion.model.prepare(*(("pose", body) for body in bodies))
+    return bodies
+
+
+def _list(names: Any) -> str:
+    return json.dumps(list(names), ensure_ascii=True)
+
+
+def _attributes(file: Any, motion: Trajectory) -> None:
+    """What the run says about itself."""
+    kept = {k: v for k, v in motion.manifest.items() if k not in LEFT_OUT}
+    file.title = f"motion of {motion.manifest['name']}".encode("ascii", "replace")
+    file.source = f"cardan {__version__}".encode()
+    file.cardan_run = FORMAT
+    file.manifest = json.dumps(kept).encode("ascii")
+    file.conduct = json.dumps(asdict(motion.conduct)).encode("ascii")
+    scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
+    file.scene = json.dumps(scene).encode("ascii")
+    file.sources = json.dumps(motion.sources).encode("ascii")
+
+
+def _write(file: Any, variables: Variables) -> None:
+    for name, (dimensions, values, attributes) in variables.items():
+        for dimension, size in zip(dimensions, values.shape, strict=True):
+            # the format reads a length of 0 as "grows"
+            if dimension not in file.dimensions and size:
+                file.createDimension(dimension, size)
+        if 0 in values.shape:
+            continue
+        variable = file.createVariable(name, "f8", dimensions)
+        variable[:] = values
+        for key, text in attributes.items():
+            setattr(variable, key, text.encode("ascii", "backslashreplace"))
+
+
+def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
+    """Read a run.
+
+    Raises:
+        ModelError: not a run of cardan, a newer format, or a model with other coordinates.
+    """
+    values, notes, poses = _read(path)
+    manifest = json.loads(notes["manifest"])
+    manifest.setdefault("available", [])
+    if model is not None:
+        _compare(path, manifest, model)
+        manifest = model.manifest
+    t = values["time"]
+
+    def block(name: str, width: int) -> Array:
+        return values.get(name, np.zeros((len(t), width)))
+
+    q = block("q", len(manifest["coordinates"]))
+    u = block("u", len(manifest["speeds"]))
+    given = block("work", 0)
+    sources = json.loads(notes["sources"])
+    dense = None
+    if "spreads" in values:
+        rows = np.concatenate([q, u, given], axis=1)
+        dense = Dense(t, rows, values["spreads"], tuple(manifest["quaternions"]))
+    conduct = json.loads(notes["conduct"])
+    conduct["defaulted"] = tuple(conduct["defaulted"])
+    stored = {k: values[k] for k in ("kinetic", "potential") if k in values}
+    return Trajectory(
+        t=t,
+        x=np.concatenate([q, u], axis=1),
+        r=block("r", len(manifest["inputs"])),
+        given=given,
+        sources=None if sources is None else tuple(sources),
+        manifest=manifest,
+        conduct=Conduct(**conduct),
+        model=model,
+        dense=dense,
+        stored=stored | poses,
+        numbers={k: np.array(v) for k, v in json.loads(notes["scene"]).items()},
+    )
+
+
+def _read(path: Path) -> tuple[dict[str, Array], dict[str, bytes], dict[str, Array]]:
+    """Variables, attributes and poses of a file."""
+    from scipy.io import netcdf_file
+
+    try:
+        with netcdf_file(str(path), "r", mmap=False) as file:
+            if getattr(file, "cardan_run", None) != FORMAT:
+                raise ModelError(f"{path} is no run of cardan, or of a newer one than this")
+            notes = {k: getattr(file, k) for k in ("manifest", "conduct", "scene", "sources")}
+            values, poses = {}, {}
+            for name, variable in file.variables.items():
+                numbers = np.array(variable[:], dtype=np.float64)
+                if name.startswith("pose_"):
+                    last = np.broadcast_to([0.0, 0.0, 0.0, 1.0], (len(numbers), 1, 4))
+                    key = f"pose {variable.frame.decode('ascii')}"
+                    poses[key] = np.concatenate([numbers, last], axis=1)
+                else:
+                    values[name] = numbers
+    except FileNotFoundError:
+        raise ModelError(f"{path}: there is no such file") from None
+    except (OSError, TypeError, ValueError, AttributeError, KeyError, IndexError) as error:
+        if isinstance(error, CardanError):
+            raise
+        raise ModelError(f"{path} is no run that cardan can read: {error}") from error
+    return values, notes, poses
+
+
+def _compare(path: Path, manifest: dict[str, Any], model: CompiledModel) -> None:
+    for key in ("coordinates", "speeds", "inputs"):
+        here = [row["name"] for row in manifest[key]]
+        there = [row["name"] for row in model.manifest[key]]
+        if here != there:
+            raise ModelError(
+                f"{path} is a run of another model: its {key} are {', '.join(here) or 'none'}; "
+                f"those of '{model.name}' are {', '.join(there) or 'none'}"
+            )

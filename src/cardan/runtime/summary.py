@@ -1,0 +1,71 @@
+"""A run on one screen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import CardanError
+
+if TYPE_CHECKING:
+    from .trajectory import Trajectory
+
+LISTED = 12
+WIDTH = 92
+
+
+def summary(motion: Trajectory) -> str:
+    """What was run, how, from where, and how well energy was kept."""
+    conduct, count = motion.conduct, motion.conduct.statistics
+    span = f"{motion.t[0]:g} s to {motion.t[-1]:g} s" if len(motion) else "no time"
+    lines = [
+        f"motion of '{motion.manifest['name']}', {span}: {motion.message}",
+        f"  method    {conduct.method}, {conduct.settings}",
+        f"  rows      {len(motion)} times, {motion.q.shape[1]} coordinates, "
+        f"{motion.u.shape[1]} speeds",
+        f"  steps     {count['steps']:.0f}, {count['rejections']:.0f} rejected, "
+        f"{count['evaluations']:.0f} evaluations in {count['milliseconds']:.3g} ms",
+    ]
+    given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
+    lines += _values("start", "given", given)
+    rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
+    lines += _values("start", "by default", rest)
+    lines += _energy(motion)
+    return "\n".join(lines)
+
+
+def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
+    """Named values, a few lines at most; equal zeros are counted rather than listed."""
+    if not values:
+        return []
+    texts = [f"{name} = {value:.6g}" for name, value in values.items()]
+    shown = texts[:LISTED]
+    if len(texts) > LISTED:
+        rest = list(values.values())[LISTED:]
+        zeros = "all 0" if not any(rest) else f"{sum(v != 0 for v in rest)} of them not 0"
+        shown.append(f"and {len(rest)} more ({zeros})")
+    lines, line = [], f"  {label:<9} {origin}: "
+    for k, text in enumerate(shown):
+        piece = text + (", " if k + 1 < len(shown) else "")
+        if len(line) + len(piece) > WIDTH:
+            lines.append(line.rstrip())
+            line = " " * 12
+        line += piece
+    return [*lines, line.rstrip()]
+
+
+def _energy(motion: Trajectory) -> list[str]:
+    if not len(motion):
+        return []
+    try:
+        energy, drift = motion.energy, motion.drift
+    except CardanError as error:
+        return [f"  drift     not known: {error}"]
+    worst, scale = float(np.abs(drift).max()), float(np.abs(energy.kinetic).max())
+    relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if scale > 0 else ""
+    lines = [f"  drift     {worst:.1e} J of energy unaccounted for{relative}"]
+    if motion.sources:
+        work = ", ".join(f"{name} {w[-1]:.4g} J" for name, w in list(motion.work.items())[:LISTED])
+        lines.append(f"  work      {work}")
+    return lines

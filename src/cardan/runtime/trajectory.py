@@ -1,0 +1,369 @@
+"""The result of a simulation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import ModelError, near
+from .calling import Array
+from .dense import Dense
+from .kinematics import Energy
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+FINISHED = "finished"
+
+
+@dataclass(frozen=True)
+class Conduct:
+    """How a run went.
+
+    Attributes:
+        method: Integrator.
+        settings: Its tolerances or step, as words to print.
+        initial: Named initial value of every coordinate and speed.
+        defaulted: Those that the caller did not give.
+        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite`` or
+            ``model_failed``.
+        message: The same as a sentence, with time and coordinate.
+        statistics: steps, rejections, evaluations, milliseconds.
+    """
+
+    method: str
+    settings: str
+    initial: dict[str, float]
+    defaulted: tuple[str, ...]
+    status: str
+    message: str
+    statistics: dict[str, float]
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Trajectory:
+    """Motion of a model over time.
+
+    ``motion["elbow"]`` is the history of a coordinate, ``motion["elbow.u"]`` of a speed,
+    ``motion["base"]`` of all coordinates of a joint; outputs and inputs by their names.
+
+    Attributes:
+        t: Times (nt,) [s].
+        x: States [q, u] (nt, nx).
+        r: Inputs (nt, nr).
+        given: Energy that every source has given since the start (nt, sources) [J].
+        sources: Names of the sources; None where the model has no function ``power``.
+        manifest: Names and units, as the compiler states them.
+        conduct: How the run went.
+        model: The model, None for a run read from a file.
+        dense: Polynomials between the times, None where only output times were asked for.
+        inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
+        stored: Histories read from a file or computed before, by name.
+        numbers: The flat scene of a run read from a file, see :attr:`scene`.
+    """
+
+    t: Array
+    x: Array
+    r: Array
+    given: Array
+    sources: tuple[str, ...] | None
+    manifest: Mapping[str, Any]
+    conduct: Conduct
+    model: CompiledModel | None = None
+    dense: Dense | None = None
+    inputs_at: Callable[[Array], Array] | None = None
+    stored: dict[str, Array] = field(default_factory=dict)
+    numbers: Mapping[str, Array] = field(default_factory=dict)
+
+    # what happened
+
+    @property
+    def success(self) -> bool:
+        """Whether the run reached its end."""
+        return self.conduct.status == FINISHED
+
+    @property
+    def status(self) -> str:
+        """``finished``, or why the run ended early."""
+        return self.conduct.status
+
+    @property
+    def message(self) -> str:
+        """The status as a sentence."""
+        return self.conduct.message
+
+    @property
+    def statistics(self) -> dict[str, float]:
+        """steps, rejections, evaluations, milliseconds."""
+        return dict(self.conduct.statistics)
+
+    def __repr__(self) -> str:
+        from .summary import summary
+
+        return summary(self)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    # states
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return len(self.manifest["coordinates"])
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (nt, nq)."""
+        return self.x[:, : self.nq]
+
+    @property
+    def u(self) -> Array:
+        """Speeds (nt, nu)."""
+        return self.x[:, self.nq :]
+
+    def __getitem__(self, name: str) -> Array:
+        """History of a coordinate, speed, input or output, (nt,) or (nt, n) for several.
+
+        Raises:
+            ModelError: no such name.
+        """
+        place = self._places.get(name)
+        if place is not None:
+            values, columns = place
+            return values[:, columns]
+        known = [*self._places, *self._outputs]
+        if name in self._outputs:
+            outputs: Array = self._model(f"output '{name}'").outputs(
+                self.q, self.u, t=self.t, r=self._r
+            )
+            return outputs[:, self._outputs.index(name)]
+        raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
+
+    @cached_property
+    def _places(self) -> dict[str, tuple[Array, int | slice]]:
+        """Name -> the array it lies in, and its column or columns there."""
+        places: dict[str, tuple[Array, int | slice]] = {}
+        for letter, values, suffix in (("q", self.q, ""), ("u", self.u, ".u")):
+            for joint in self.manifest["joints"]:
+                start, size = joint[letter] or (0, 0)
+                if size:
+                    columns = start if size == 1 else slice(start, start + size)
+                    places[joint["name"] + suffix] = (values, columns)
+        for key, values in (("coordinates", self.q), ("speeds", self.u), ("inputs", self.r)):
+            for k, row in enumerate(self.manifest[key]):
+                places.setdefault(row["name"], (values, k))
+        return places
+
+    @cached_property
+    def _outputs(self) -> list[str]:
+        """Names of the outputs."""
+        return [row["name"] for row in self.manifest["outputs"]]
+
+    @property
+    def _r(self) -> Array | None:
+        """Inputs for functions of the model."""
+        return self.r if self.r.shape[1] else None
+
+    def _model(self, what: str) -> CompiledModel:
+        if self.model is None:
+            raise ModelError(
+                f"{what} needs the model, which a file does not hold. Compile it and give it: "
+                "load(path, model=...)"
+            )
+        return self.model
+
+    def at(self, t: ArrayLike) -> Array:
+        """State between the steps, (nx,) for one time, (m, nx) for m times.
+
+        Raises:
+            ModelError: a time outside the run, or the run kept only its output times.
+        """
+        times = np.asarray(t, dtype=np.float64)
+        values = self._dense_at(np.atleast_1d(times))[:, : self.x.shape[1]]
+        return values[0] if times.ndim == 0 else values
+
+    def _dense_at(self, times: Array) -> Array:
+        if self.dense is None:
+            raise ModelError(
+                "the run was asked for output times only and kept nothing between them. "
+                "Simulate with t as an end or (start, end)"
+            )
+        low, high = sorted((float(self.t[0]), float(self.t[-1])))
+        outside = times[~((times >= low) & (times <= high))]
+        if len(outside):
+            raise ModelError(f"t={outside[0]:g} s: the run covers {low:g} ... {high:g} s")
+        return self.dense.at(times)
+
+    def resample(self, times: ArrayLike) -> Trajectory:
+        """The same motion at other times, from the dense output.
+
+        Raises:
+            ModelError: as :meth:`at`.
+        """
+        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        y, nx = self._dense_at(at), self.x.shape[1]
+        if self.inputs_at is not None:
+            r = self.inputs_at(at)
+        else:
+            order = np.argsort(self.t)
+            columns = [np.interp(at, self.t[order], column[order]) for column in self.r.T]
+            r = np.stack(columns, axis=1) if columns else np.zeros((len(at), 0))
+        return replace(self, t=at, x=y[:, :nx], r=r, given=y[:, nx:], dense=None, stored={})
+
+    # energy
+
+    @cached_property
+    def energy(self) -> Energy:
+        """Kinetic, potential and total energy (nt,) each [J]."""
+        if "kinetic" in self.stored:
+            kinetic, potential = self.stored["kinetic"], self.stored["potential"]
+            return Energy(kinetic, potential, kinetic + potential)
+        return self._model("energy").energy(self.q, self.u, t=self.t, r=self._r)
+
+    @property
+    def work(self) -> dict[str, Array]:
+        """Energy that every force without a potential has given since the start (nt,) [J]."""
+        if self.sources is None:
+            raise ModelError(
+                "work needs the function 'power': compile(..., functions=[..., 'power'])"
+            )
+        return {name: self.given[:, k] for k, name in enumerate(self.sources)}
+
+    @cached_property
+    def drift(self) -> Array:
+        """What the energy ledger misses (nt,) [J]: zero but for integration errors.
+
+        Total energy minus that at the start minus the work of all sources.
+        """
+        total = self.energy.total
+        missing: Array = total - total[0] - sum(self.work.values(), np.zeros(len(total)))
+        return missing
+
+    # what a model shows along the motion
+
+    def pose(self, frame: str) -> Array:
+        """Transforms (nt, 4, 4) from frame axes to ground axes."""
+        key = f"pose {frame}"
+        if key not in self.stored and self.model is not None:
+            self.stored[key] = self.model.pose(frame, self.q, t=self.t, r=self._r)
+        return self.stored[key] if key in self.stored else self._rigid_pose(frame)
+
+    def _rigid_pose(self, frame: str) -> Array:
+        """Pose of a frame from the stored one of another frame of its body."""
+        rows = self.manifest["frames"]
+        body = next((row["body"] for row in rows if row["name"] == frame), None)
+        if body is None:
+            raise ModelError(
+                f"frame '{frame}' does not exist.{near(frame, [row['name'] for row in rows])}"
+            )
+        place = self.placed(frame)
+        if body == "ground":
+            return np.broadcast_to(place, (len(self), 4, 4)).copy()
+        for row in rows:
+            history = self.stored.get(f"pose {row['name']}")
+            if row["body"] == body and history is not None:
+                pose: Array = history @ np.linalg.inv(self.placed(row["name"])) @ place
+                return pose
+        self._model(f"the pose of '{frame}'")
+        raise ModelError(f"the file holds no pose of body '{body}'")
+
+    @cached_property
+    def scene(self) -> Mapping[str, Array]:
+        """Numbers of the scene at the parameters of the run, constant in body axes.
+
+        mass, first_moment (by body), position, rotation (of the inboard joint frame in the parent
+        body), frame_rotation, frame_position (by frame) and more.
+        """
+        if self.model is None:
+            return self.numbers
+        numbers: Mapping[str, Array] = self.model._evaluate_saved(
+            "scene", p=self.model.parameters.vector
+        )
+        return numbers
+
+    def placed(self, frame: str) -> Array:
+        """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
+        names = [row["name"] for row in self.manifest["frames"]]
+        if "frame_rotation" not in self.scene:
+            raise ModelError("the file does not say where frames sit in their bodies")
+        k, place = names.index(frame), np.eye(4)
+        place[:3, :3] = np.reshape(self.scene["frame_rotation"], (-1, 3, 3))[k]
+        place[:3, 3] = np.reshape(self.scene["frame_position"], (-1, 3))[k]
+        return place
+
+    def reaction(self, joint: str) -> Array:
+        """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
+        model = self._model(f"the reaction of '{joint}'")
+        reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r)
+        return reaction
+
+    # ways out
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` with named coordinates, speeds, inputs and energies.
+
+        Raises:
+            ModuleNotFoundError: xarray is not installed (extra ``data``).
+        """
+        from .dataset import to_xarray
+
+        return to_xarray(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the run as netCDF: everything but the model; see :func:`load`.
+
+        The file appears complete or not at all. Returns its path.
+        """
+        from .storage import save
+
+        return save(self, Path(path))
+
+    def plot(self, path: str | Path | None = None, names: Iterable[str] | None = None) -> Any:
+        """Histories over time as a Matplotlib figure, written to ``path`` if given.
+
+        Args:
+            path: Picture file; the ending says the format.
+            names: What to draw, such as ``["elbow", "elbow.u"]``; all coordinates, all speeds and
+                the energies by default.
+
+        Raises:
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ..view.plot import plot
+
+        return plot(self, None if path is None else Path(path), names)
+
+    def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
+        """Write one self-contained page that plays the motion in any browser. Returns its path.
+
+        Args:
+            path: HTML file.
+            fps: Pictures per second of motion; long motions get fewer.
+            title: Headline, the name of the model by default.
+        """
+        from ..view.page import write_page
+
+        return write_page(self, Path(path), fps=fps, title=title)
+
+
+def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
+    """Read a run that :meth:`Trajectory.save` wrote.
+
+    Args:
+        path: The file.
+        model: The compiled model, for what needs it (reactions, outputs, further poses).
+
+    Raises:
+        ModelError: not such a file, or the model has other coordinates.
+    """
+    from .storage import load_run
+
+    return load_run(Path(path), model)
