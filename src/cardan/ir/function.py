@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -110,28 +110,59 @@ def operands(node: Node) -> tuple[int, ...]:
     return node[1:]
 
 
-def live(graph: Graph, roots: Iterable[int]) -> list[int]:
-    """Indices of the nodes that the roots need, in topological order."""
+def live(graph: Graph, roots: Iterable[int], stop: Collection[int] = ()) -> list[int]:
+    """Indices of the nodes that the roots need, in topological order.
+
+    Args:
+        graph: Where the roots live.
+        roots: Nodes that are wanted.
+        stop: Nodes whose operands are not wanted for their sake.
+    """
+    roots = tuple(roots)
+    last = max(roots, default=-1)
+    few = _reached(graph, roots, stop, last // 8)
+    return _swept(graph, roots, stop, last) if few is None else sorted(few)
+
+
+def _reached(
+    graph: Graph, roots: Iterable[int], stop: Collection[int], most: int
+) -> set[int] | None:
+    """The nodes that the roots need; None where they are more than ``most``."""
     nodes, leaves = graph.nodes, LEAVES
-    needed = bytearray(len(nodes))
-    last = -1
+    stack, reached = list(roots), set[int]()
+    while stack:
+        i = stack.pop()
+        if i in reached:
+            continue
+        reached.add(i)
+        if len(reached) > most:
+            return None
+        node = nodes[i]
+        op = node[0]
+        if op not in leaves and i not in stop:
+            stack.extend(node[1:2] if op == "item" else node[4:] if op == "solve" else node[1:])
+    return reached
+
+
+def _swept(graph: Graph, roots: Iterable[int], stop: Collection[int], last: int) -> list[int]:
+    """The nodes that the roots need, by one sweep backwards: operands stand before their node."""
+    nodes, leaves = graph.nodes, LEAVES
+    needed = bytearray(last + 1)
     for i in roots:
         needed[i] = 1
-        last = max(last, i)
-    # operands stand before their node: one sweep backwards marks everything
     for i in range(last, -1, -1):
         if not needed[i]:
             continue
         node = nodes[i]
         op = node[0]
-        if op in leaves:
+        if op in leaves or i in stop:
             continue
         if op == "item":
             needed[node[1]] = 1
         else:
             for k in node[4:] if op == "solve" else node[1:]:
                 needed[k] = 1
-    return [i for i in range(last + 1) if needed[i]]
+    return [i for i, flag in enumerate(needed) if flag]
 
 
 @dataclass(frozen=True)
@@ -156,14 +187,7 @@ class Staged:
     def body(self) -> list[int]:
         """Live nodes of the part that runs at every call; w stands for what is prepared."""
         done = set(self.prepare)
-        nodes, needed = self.function.graph.nodes, set[int]()
-        stack = [i for i in self.function.roots if i not in done]
-        while stack:
-            i = stack.pop()
-            if i not in needed:
-                needed.add(i)
-                stack.extend(k for k in operands(nodes[i]) if k not in done)
-        return sorted(needed)
+        return [i for i in live(self.function.graph, self.function.roots, done) if i not in done]
 
     def operations(self) -> dict[str, int]:
         """Number of nodes per operator in the part that runs at every call."""

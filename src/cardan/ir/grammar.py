@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .function import Function
+from .function import Function, operands
 from .graph import Graph, Node
 from .ops import LEAVES, OPERATORS
 from .solve import KINDS
@@ -26,39 +26,33 @@ def check(function: Function) -> Function:
     _check_results(function)
     sizes = {block.name: len(block) for block in function.inputs}
     nodes = function.graph.nodes
-    for i in _reached(function):
+    for i in _live(function):
         node = nodes[i]
         op = node[0]
         # the common case in few steps: an operator of the table on single values
         if op in ARITIES and len(node) == ARITIES[op] + 1 and op not in NUMBERED:
-            operands = node[1:]
+            read = node[1:]
         else:
-            operands = _special_operands(function, i, node, sizes)
-        for k in operands:
+            read = _special_operands(function, i, node, sizes)
+        for k in read:
+            if not 0 <= k < i:
+                raise _broken(function, i, f"operand {k} does not stand before it")
             if nodes[k][0] == "solve" and op != "item":
                 raise _broken(function, i, f"it reads the solve node {k}, which is no single value")
     return function
 
 
-def _reached(function: Function) -> list[int]:
-    """Live nodes in topological order, all of whose operands stand before them."""
-    nodes = function.graph.nodes
-    last = max(function.roots, default=-1)
-    needed = bytearray(last + 1)
-    for i in function.roots:
-        needed[i] = 1
-    for i in range(last, -1, -1):
-        if not needed[i]:
-            continue
-        node = nodes[i]
-        op = node[0]
-        if op in LEAVES:
-            continue
-        for k in node[1:] if op in ARITIES else node[4:] if op == "solve" else node[1:2]:
-            if type(k) is not int or not 0 <= k < i:
-                raise _broken(function, i, f"operand {k} does not stand before it")
-            needed[k] = 1
-    return [i for i, flag in enumerate(needed) if flag]
+def _live(function: Function) -> list[int]:
+    """Live nodes; an operand that is no node at all is found here."""
+    try:
+        return function.live()
+    except (IndexError, TypeError):
+        size = len(function.graph.nodes)
+        for i, node in enumerate(function.graph.nodes):
+            for k in operands(node):
+                if type(k) is not int or not 0 <= k < size:
+                    raise _broken(function, i, f"operand {k} does not stand before it") from None
+        raise
 
 
 def _broken(function: Function, i: int, rule: str) -> ValueError:
@@ -109,9 +103,7 @@ def _special_operands(
         problem = f"operator {op!r} does not exist"
     if problem:
         raise _broken(function, i, problem)
-    if op in LEAVES:
-        return ()
-    return node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]
+    return operands(node)
 
 
 def _leaf_problem(node: Node, sizes: Mapping[str, int]) -> str:

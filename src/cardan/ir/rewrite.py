@@ -48,7 +48,7 @@ def rebuild(
         rule, copies = None, dict(replace or {})
     before = target.origin
     try:
-        _copy(graph, target, _needed(graph, roots, copies), copies, rule, thorough)
+        _copy(graph, target, live(graph, roots, copies), copies, rule, thorough)
     finally:
         target.origin = before
     return target, [copies[i] for i in roots]
@@ -72,24 +72,6 @@ def with_roots(function: Function, graph: Graph, roots: Sequence[int]) -> Functi
         at += len(nodes)
     f = function
     return Function(f.name, graph, f.inputs, tuple(outputs), f.owners, f.about)
-
-
-def _needed(graph: Graph, roots: Sequence[int], replaced: Mapping[int, int]) -> list[int]:
-    """Nodes to visit; what only replaced nodes read is left out."""
-    if not replaced:
-        return live(graph, roots)
-    nodes = graph.nodes
-    needed = bytearray(len(nodes))
-    for i in roots:
-        needed[i] = 1
-    for i in range(max(roots, default=-1), -1, -1):
-        if needed[i] and i not in replaced:
-            node = nodes[i]
-            op = node[0]
-            if op not in LEAVES:
-                for k in node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]:
-                    needed[k] = 1
-    return [i for i, flag in enumerate(needed) if flag]
 
 
 def _copy(

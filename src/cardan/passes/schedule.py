@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ..ir.function import Staged, operands
+from ..ir.ops import LEAVES
 
 LONG = 6000
 WAITING = frozenset({"div", "sqrt", "solve"})
@@ -30,17 +31,19 @@ def _depth_first(staged: Staged) -> tuple[int, ...]:
     nodes = staged.function.graph.nodes
     order: list[int] = []
     done = bytearray(len(nodes))
+    stack: list[int] = []
     for root in staged.function.roots:
-        stack = [root]
+        stack.append(root)
         while stack:
             i = stack[-1]
             if done[i]:
                 stack.pop()
                 continue
-            waiting = [k for k in operands(nodes[i]) if not done[k]]
+            node = nodes[i]
+            waiting = [k for k in operands(node) if not done[k]] if node[0] not in LEAVES else ()
             if waiting:
-                waiting.reverse()
-                stack.extend(waiting)
+                # the first operand comes first
+                stack.extend(waiting[::-1])
             else:
                 done[i] = 1
                 order.append(i)
