@@ -138,6 +138,17 @@ def test_interrupted_compile_cleans_up(source, cache_directory, monkeypatch):
     assert list(cache_directory.glob(".new-*")) == []
 
 
+def test_leftovers_of_killed_compiles_are_swept(source, cache_directory):
+    cache.directory()
+    old, young = cache_directory / ".new-old.so", cache_directory / ".new-young.so"
+    for path in (old, young):
+        path.write_text("half")
+    os.utime(old, (1.0, 1.0))
+    cache.build([source])
+    assert not old.exists()
+    assert young.exists()
+
+
 def test_missing_compiler_says_what_to_install(source, monkeypatch):
     monkeypatch.setenv("PATH", "/nonexistent")
     monkeypatch.delenv("CC", raising=False)

@@ -12,6 +12,7 @@ import json
 import os
 import stat
 import tempfile
+import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -22,6 +23,7 @@ from .toolchain import Compiler, compile_shared, find_compiler, processor
 
 DIGEST = 32
 VERSION = "1"
+ABANDONED = 3600.0
 
 
 @dataclass(frozen=True)
@@ -137,6 +139,7 @@ def build(
     path = cache / f"{key(sources, headers, by, reproducible)}.so"
     if intact(path):
         return Object(path, fresh=False)
+    sweep(cache)
     handle, name = tempfile.mkstemp(dir=cache, prefix=".new-", suffix=".so")
     os.close(handle)
     new = Path(name)
@@ -151,6 +154,18 @@ def build(
         new.unlink(missing_ok=True)
         raise
     return Object(path, fresh=True)
+
+
+def sweep(cache: Path) -> None:
+    """Remove what killed compiles left behind long ago."""
+    long_ago = time.time() - ABANDONED
+    for path in cache.glob(".new-*"):
+        try:
+            if path.stat().st_mtime < long_ago:
+                path.unlink()
+        except FileNotFoundError:
+            # another process was quicker
+            continue
 
 
 def intact(path: Path) -> bool:

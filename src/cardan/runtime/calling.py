@@ -20,6 +20,7 @@ BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0"
 ORDER = tuple(BLOCKS.split())
 SLOT = {name: k for k, name in enumerate(ORDER)}
 SHOWN = 12
+PIECE = 500_000_000  # operations: a few tenths of a second
 
 
 @dataclass(frozen=True)
@@ -118,9 +119,25 @@ class Caller:
         blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
         result = np.empty((count, self.size))
         if count:
-            status, failed = abi.run(self.address, blocks, strides, count, result, self.work_size)
+            status, failed = self._run(blocks, strides, result)
             self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
+
+    def _run(
+        self, blocks: list[Array | None], strides: list[int], result: Array
+    ) -> tuple[int, int]:
+        """The C loop in pieces short enough for Ctrl-C to be heard in between."""
+        piece, status, failed = max(1, PIECE // (self.operations + 100)), 0, -1
+        for start in range(0, len(result), piece):
+            rows = result[start : start + piece]
+            here = [
+                None if b is None else b[start * step :]
+                for b, step in zip(blocks, strides, strict=True)
+            ]
+            answer, bad = abi.run(self.address, here, strides, len(rows), rows, self.work_size)
+            if answer and not status:
+                status, failed = answer, start + bad
+        return status, failed
 
     def _read(self, argument: Argument, value: Any) -> Array | None:
         """The value as float64 with the trailing axes of the argument."""

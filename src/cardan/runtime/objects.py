@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import json
+import os
 import re
 import threading
 from collections.abc import Callable, Sequence
@@ -140,7 +141,7 @@ class Objects:
         with self._lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             if len(missing) > 1:
-                with ThreadPoolExecutor(max_workers=len(missing)) as pool:
+                with ThreadPoolExecutor(min(len(missing), os.cpu_count() or 1)) as pool:
                     made = list(pool.map(self._build, missing))
             else:
                 made = [self._build(s) for s in missing]
