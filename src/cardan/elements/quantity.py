@@ -15,6 +15,7 @@ class Quantity:
             enter as SymPy expressions made by :func:`cardan.table`.
         unit: Unit of every entry, "" where dimensionless.
         ratio: True for axes, rotations and ratios, where exact +-1 is structural too.
+        local: Symbols in it that stand for the owner's own coordinates; they become atoms.
         labels: Names of the entries, row by row; () for x, y, z of a 3-vector, 1x1 has none.
     """
 
@@ -22,3 +23,4 @@ class Quantity:
     unit: str = ""
     ratio: bool = False
     labels: tuple[str, ...] = ()
+    local: tuple[str, ...] = ()

@@ -335,7 +335,8 @@ class Kinematics:
         g = self.graph
         replace = {n: r for n, r in self._replace.items() if n < len(self.system.graph)}
         for i in live(g, nodes):
-            if g.nodes[i][0] == "atom":
+            # symbols of a joint's own are no atoms of the system: the joint resolves them
+            if g.nodes[i][0] == "atom" and g.nodes[i][1] in self.system.atoms:
                 replace[i] = placeholder(self, self.system.atoms[g.nodes[i][1]])
         if not replace:
             return tuple(nodes)

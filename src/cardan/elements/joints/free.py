@@ -77,6 +77,9 @@ class Free(Joint):
         turning, v = self._split(qdot)
         return Matrix.vstack(self.parameters.omega(self._split(q)[0], turning), v)
 
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6)
+
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
         (rotation, position), (turn, step) = self._split(q), self._split(du)
         return Matrix.vstack(self.parameters.integrate(rotation, turn), position + step)

@@ -53,3 +53,6 @@ class Prismatic(Joint):
             Matrix.hstack(Matrix.identity(graph, 3), Matrix.zeros(graph, 3, 2)),
             Matrix.hstack(Matrix.zeros(graph, 3, 3), across),
         )
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6)

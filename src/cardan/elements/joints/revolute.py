@@ -53,3 +53,6 @@ class Revolute(Joint):
             Matrix.hstack(across, Matrix.zeros(graph, 3, 3)),
             Matrix.hstack(Matrix.zeros(graph, 3, 2), Matrix.identity(graph, 3)),
         )
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6)

@@ -64,6 +64,9 @@ class Spherical(Joint):
     def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
         return self.parameters.omega(q, qdot)
 
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6)
+
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
         return self.parameters.integrate(q, du)
 

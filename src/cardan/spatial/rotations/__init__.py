@@ -1,10 +1,30 @@
 """The parametrizations of rotations, by the name a user writes."""
 
 from ...errors import ModelError, near
+from .direction_cosines import DirectionCosines
+from .euler_angles import SEQUENCES, EulerAngles
+from .euler_rodrigues import EulerRodrigues
+from .linear import Linear
+from .modified_rodrigues import ModifiedRodrigues
 from .quaternion import Quaternion
+from .rodrigues import Rodrigues
 from .rotation import Rotation
+from .rotation_vector import RotationVector
 
-ROTATIONS: dict[str, Rotation] = {r.name: r for r in (Quaternion(),)}
+ROTATIONS: dict[str, Rotation] = {
+    rotation.name: rotation
+    for rotation in (
+        Quaternion(),
+        *(EulerAngles(name) for name in SEQUENCES),
+        Rodrigues(),
+        ModifiedRodrigues("mrp", 1.0),
+        ModifiedRodrigues("conformal", 4.0),
+        EulerRodrigues(),
+        RotationVector(),
+        Linear(),
+        DirectionCosines(),
+    )
+}
 
 
 def parametrization(name: str, owner: str = "rotation") -> Rotation:
@@ -20,3 +40,6 @@ def parametrization(name: str, owner: str = "rotation") -> Rotation:
             + near(str(name), ROTATIONS)
         )
     return found
+
+
+__all__ = ["ROTATIONS", "SEQUENCES", "Rotation", "parametrization"]

@@ -1,0 +1,57 @@
+"""Cylindrical joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.axis import complement, rotation_about, unit
+from ..quantity import Quantity
+from ..written import axis
+from .joint import Component, Joint
+
+
+@dataclass(frozen=True)
+class Cylindrical(Joint):
+    """Rotation about an axis and sliding along it: q = [angle, displacement].
+
+    Args:
+        axis: Direction in the parent frame: "x", "y", "z", "-x", ... or three numbers or
+            expressions (of any length but 0).
+
+    Raises:
+        ModelError: the axis is zero, NaN or not a direction.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    """
+
+    kind: ClassVar[str] = "cylindrical"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    axis: Any = "z"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", axis("cylindrical joint", "axis", self.axis))
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return Component("angle", "rad"), Component("displacement", "m")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"axis": Quantity(self.axis, ratio=True)}
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        n = unit(data["axis"])
+        return rotation_about(n, q[0]), n * q[1]
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        n, zero = unit(data["axis"]), Matrix.zeros(q.graph, 3)
+        return Matrix.hstack(Matrix.vstack(n, zero), Matrix.vstack(zero, n))
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        across = Matrix.hstack(*complement(unit(data["axis"])))
+        zero = Matrix.zeros(q.graph, 3, 2)
+        return Matrix.vstack(Matrix.hstack(across, zero), Matrix.hstack(zero, across))
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(q.graph, 6)

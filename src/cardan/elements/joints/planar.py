@@ -1,0 +1,65 @@
+"""Planar joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.axis import complement, rotation_about, unit
+from ..quantity import Quantity
+from ..written import axis
+from .joint import Component, Joint
+
+
+@dataclass(frozen=True)
+class Planar(Joint):
+    """Sliding in a plane and turning about its normal: q = [x, y, angle].
+
+    x and y are along two directions of the parent that make a right-handed triad with the normal:
+    the parent's own axes where the normal is one of them (x, y for "z"; y, z for "x"; z, x for
+    "y").
+
+    Args:
+        normal: Direction in the parent frame: "x", "y", "z", "-x", ... or three numbers or
+            expressions (of any length but 0).
+
+    Raises:
+        ModelError: the normal is zero, NaN or not a direction.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1 (with speeds of our own).
+    """
+
+    kind: ClassVar[str] = "planar"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    normal: Any = "z"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "normal", axis("planar joint", "normal", self.normal))
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return Component("x", "m"), Component("y", "m"), Component("angle", "rad")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"normal": Quantity(self.normal, ratio=True)}
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        n = unit(data["normal"])
+        first, second = complement(n)
+        return rotation_about(n, q[2]), first * q[0] + second * q[1]
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        n, zero = unit(data["normal"]), Matrix.zeros(q.graph, 3)
+        turned = rotation_about(n, q[2]).T @ Matrix.hstack(*complement(n))
+        sliding = Matrix.vstack(Matrix.zeros(q.graph, 3, 2), turned)
+        return Matrix.hstack(sliding, Matrix.vstack(n, zero))
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        n, zero = unit(data["normal"]), Matrix.zeros(q.graph, 3)
+        across = Matrix.vstack(Matrix.hstack(*complement(n)), Matrix.zeros(q.graph, 3, 2))
+        return Matrix.hstack(across, Matrix.vstack(zero, n))
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        # the speeds are along directions of the parent: nothing is left without udot
+        return Matrix.zeros(q.graph, 6)

@@ -1,0 +1,74 @@
+"""Universal joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.axis import rotation_about, unit
+from ..quantity import Quantity
+from ..written import axis
+from .joint import Component, Joint
+
+
+@dataclass(frozen=True)
+class Universal(Joint):
+    """Rotation about an axis of the parent, then about a second one that turns with it.
+
+    q = [angle1, angle2]. Both axes are given in the parent frame at q = 0; the second is fixed in
+    the child. The axes need not be perpendicular, but not parallel.
+
+    Args:
+        axis1, axis2: Directions: "x", "y", "z", "-x", ... or three numbers or expressions.
+
+    Raises:
+        ModelError: an axis is zero, NaN or not a direction.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, section 4.4.
+    """
+
+    kind: ClassVar[str] = "universal"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.4"
+    axis1: Any = "x"
+    axis2: Any = "y"
+
+    def __post_init__(self) -> None:
+        for name in ("axis1", "axis2"):
+            object.__setattr__(self, name, axis("universal joint", name, getattr(self, name)))
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return Component("angle1", "rad"), Component("angle2", "rad")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "axis1": Quantity(self.axis1, ratio=True),
+            "axis2": Quantity(self.axis2, ratio=True),
+        }
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        first = rotation_about(unit(data["axis1"]), q[0])
+        second = rotation_about(unit(data["axis2"]), q[1])
+        return first @ second, Matrix.zeros(q.graph, 3)
+
+    def _axes(self, q: Matrix, data: dict[str, Matrix]) -> tuple[Matrix, Matrix]:
+        """Both axes in the child: the first one turned back by the second angle."""
+        second = unit(data["axis2"])
+        return rotation_about(second, q[1]).T @ unit(data["axis1"]), second
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        turning = Matrix.hstack(*self._axes(q, data))
+        return Matrix.vstack(turning, Matrix.zeros(q.graph, 3, 2))
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        first, second = self._axes(q, data)
+        across, zero = first.cross(second), Matrix.zeros(q.graph, 3)
+        held = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
+        return Matrix.hstack(Matrix.vstack(across, zero), held)
+
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        # the first axis turns back in the child with the second angle
+        first, second = self._axes(q, data)
+        turning = first.cross(second) * (u[0] * u[1])
+        return Matrix.vstack(turning, Matrix.zeros(q.graph, 3))
