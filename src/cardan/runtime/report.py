@@ -78,8 +78,8 @@ class Report:
         title = f"{self.model}: {self.compiler}, called through {self.way}"
         table = Table(title=title, caption=self.note or None)
         table.add_column("function", no_wrap=True)
-        for name in ("operations", "Python call", "C call", "in a batch", "lanes", "error"):
-            table.add_column(name, justify="right")
+        for name in ("ops", "from Python", "in C", "in a batch", "lanes", "error"):
+            table.add_column(name, justify="right", no_wrap=True)
         for row in self.rows:
             times = (f"{ns:.0f} ns" for ns in (row.python_ns, row.call_ns, row.state_ns))
             error = "-" if row.error is None else f"{row.error:.1e}"
