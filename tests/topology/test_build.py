@@ -311,6 +311,33 @@ def test_unknown_symbol_and_wrong_units():
         build(other)
 
 
+def test_masses_given_as_expressions_are_checked_at_their_defaults():
+    scene = Model("m")
+    m = scene.parameter("m", -1.0)
+    body = scene.body("b", mass=2 * m)
+    scene.joint("j", Revolute("y"), scene.ground, body)
+    with pytest.raises(ModelError, match="body 'b': mass is -2"):
+        build(scene)
+    scene = Model("m")
+    moment = scene.parameter("moment", 1.0)
+    body = scene.body("flat", mass=1.0, inertia=(moment, moment, 3 * moment))
+    scene.joint("j", Revolute("y"), scene.ground, body)
+    with pytest.warns(UserWarning, match="'flat': its inertia violates"):
+        build(scene)
+
+
+def test_what_a_body_is_depends_on_parameters_only():
+    scene = Model("m")
+    body = scene.body("b", mass=2 + sympy.Symbol("t"))
+    scene.joint("j", Revolute("y"), scene.ground, body)
+    with pytest.raises(ModelError, match=r"'b.mass' may depend on parameters only; it has 't'"):
+        build(scene)
+    scene = pendulum()
+    scene.bodies["lower"].at(scene.q("shoulder"), 0, 0, name="f")
+    with pytest.raises(ModelError, match=r"'f.position.x' may depend.*'shoulder'"):
+        build(scene)
+
+
 def test_forces_on_joints_that_do_not_move():
     scene = pendulum()
     scene.force("f", JointForce("elbw", 1.0))

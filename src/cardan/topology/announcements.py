@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterable
 
+from ..model.checks import mass
 from ..model.model import Model
 from .convert import Converter
-from .system import System
+from .system import Nodes, System
 
 
 def announce(system: System, model: Model, convert: Converter) -> System:
@@ -23,6 +25,21 @@ def announce(system: System, model: Model, convert: Converter) -> System:
         for name, joint in massless_tips(system)
     ]
     return dataclasses.replace(system, notes=tuple(notes))
+
+
+def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> None:
+    """Masses and inertias given as expressions are possible ones at the default parameters.
+
+    Args:
+        written: Name of a body, its mass and the entries xx xy xz yy yz zz of its inertia.
+        convert: Knows the defaults.
+
+    Raises:
+        ModelError: a negative mass.
+    """
+    for name, nodes in written:
+        values = convert.defaults(nodes)
+        mass(name, values[0], values[1:])
 
 
 def massless_tips(system: System) -> list[tuple[str, str]]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..ir.graph import ZERO
 from ..model.body import Body as UserBody
+from ..model.checks import is_number
 from ..model.connections import Joint as UserJoint
 from ..model.frame import Frame as UserFrame
 from ..model.frame import Place
@@ -16,7 +17,7 @@ from . import motion
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
 from .reference import Reference
-from .system import GROUND, Body, Frame, Joint, Part
+from .system import GROUND, Body, Frame, Joint, Nodes, Part
 from .tree import Branch
 
 ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
@@ -60,6 +61,7 @@ class Assembly:
         self.numbers: dict[Any, int] = {}
         self.joint_number: dict[str, int] = {}
         self.nq = self.nu = 0
+        self.unchecked: list[tuple[str, Nodes]] = []
         self.home: dict[UserBody, tuple[int, Placement]] = {}
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
@@ -135,6 +137,7 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             self.home[branch.outer] = (number, child_side.inverse(g))
             outer_side = inner.then(g, parent_side)
+        self._label_place(joint.name, outer_side)
         self._part(branch, "", HERE)
         element = joint.kind
         with g.made_by(joint.name, "data"):
@@ -170,6 +173,13 @@ class Assembly:
             self.nq += len(coordinates)
             self.nu += len(speeds)
 
+    def _label_place(self, joint: str, place: Placement) -> None:
+        """Names for readers of the C: where a joint sits on the parent body."""
+        for k, node in enumerate(place.rotation):
+            self.graph.label(node, joint, f"place_{'xyz'[k // 3]}{'xyz'[k % 3]}")
+        for axis, node in zip("xyz", place.position, strict=True):
+            self.graph.label(node, joint, f"place_{axis}")
+
     def _part(self, branch: Branch, joint: str, where: Placement) -> None:
         """The outer body as a part of its rigid body, with its mass in the axes of that.
 
@@ -189,6 +199,8 @@ class Assembly:
                 body.inertia, f"{body.name}.inertia", "kg m^2", labels=ENTRIES
             )
             first, tensor = moved_mass(g, placement, mass, com, symmetric(entries))
+        if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
+            self.unchecked.append((body.name, (mass, *entries)))
         inboard = rigid.index[branch.inner.name] if joint else -1
         rigid.index[body.name] = len(rigid.parts)
         side = frame
@@ -210,6 +222,11 @@ class Assembly:
                 mass = g.add(mass, part.mass)
                 moment = tuple(map(g.add, moment, part.first_moment))
                 inertia = tuple(map(g.add, inertia, part.inertia))
+        g.label(mass, rigid.name, "mass")
+        for axis, node in zip("xyz", moment, strict=True):
+            g.label(node, rigid.name, f"first_moment_{axis}")
+        for key, node in zip(ENTRIES, (inertia[k] for k in (0, 1, 2, 4, 5, 8)), strict=True):
+            g.label(node, rigid.name, f"inertia_{key}")
         return Body(rigid.name, rigid.parent, mass, moment, inertia, tuple(parts))
 
     def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:

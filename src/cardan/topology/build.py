@@ -8,8 +8,7 @@ from ..elements.forces.force import ForceElement
 from ..errors import ModelError, near
 from ..ir.graph import Graph
 from ..model.model import Model
-from . import motion
-from .announcements import announce
+from . import announcements, motion
 from .assembly import Assembly
 from .convert import Converter
 from .pictures import pictures
@@ -48,7 +47,10 @@ def build(model: Model) -> System:
         if frame.named:
             assembly.frame(frame, frame.name)
 
+    announcements.check_masses(assembly.unchecked, convert)
+
     # what expressions may speak of, then the expressions
+    convert.moving = True
     atoms = _atoms(scene, assembly)
     forces = tuple([_force(assembly, name) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
@@ -75,7 +77,7 @@ def build(model: Model) -> System:
         snaps=tuple(scene.snaps),
         structural=convert.structural,
     )
-    return announce(made, scene, convert)
+    return announcements.announce(made, scene, convert)
 
 
 def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:

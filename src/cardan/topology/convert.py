@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..elements.quantity import Quantity
@@ -34,6 +34,8 @@ class Converter:
         structural: Names and values of the numbers that are part of the form.
         used: Names of the symbols that some expression has.
         symbols: Names of the symbols an expression may have -> node.
+        moving: Whether expressions may speak of more than parameters: of t, inputs and motion.
+            Where bodies are and what they weigh may not.
         values: Numbers by dotted name that replace those written, as far as not yet used.
         same: Dotted name -> the name under which the same number is kept.
     """
@@ -43,6 +45,7 @@ class Converter:
         self.parameters: list[Parameter] = []
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
+        self.moving = False
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
         self.values = dict(model.values)
@@ -53,6 +56,7 @@ class Converter:
             node = self._parameter(entry.name, value, entry.unit, True)
             self._nodes[entry.name] = node
             self.define(entry.name, node, entry.unit if entry.stated else None)
+        self._fixed = set(self.symbols)
         self.define("t", graph.var("t", 0))
 
     def define(self, name: str, node: int, unit: str | None = None) -> None:
@@ -106,6 +110,8 @@ class Converter:
             symbol: self.symbols[symbol.name] for symbol in symbols if symbol.name in self.symbols
         }
         self.used.update(symbol.name for symbol in symbols)
+        if not self.moving:
+            self._check_fixed(known, name)
         if value.is_Symbol and value in known:
             node = known[value]
         else:
@@ -122,6 +128,14 @@ class Converter:
                 raise ModelError(f"'{name}': {problem}") from problem
         dimensions.check(value, unit, self.units, name)
         return node
+
+    def _check_fixed(self, known: Mapping[Any, int], name: str) -> None:
+        for symbol in known:
+            if symbol.name not in self._fixed:
+                raise ModelError(
+                    f"'{name}' may depend on parameters only; it has '{symbol.name}'. What moves a "
+                    "body is a joint, with motion= where it is prescribed"
+                )
 
     def vector(
         self,

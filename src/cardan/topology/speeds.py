@@ -26,6 +26,7 @@ def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tup
     if len(speeds) != system.nu:
         raise ModelError(f"speeds: {len(speeds)} are given, but the system has {system.nu}")
     convert = Converter(model, system.graph)
+    convert.moving = True
     declare_inputs(model, convert)
     for joint in system.joints:
         slots = (joint.q, joint.u) if joint.q >= 0 else None

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from ...elements.forces.damping import Damping
-from ...elements.joints import JOINTS
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.planar import Planar
 from ...elements.joints.prismatic import Prismatic
 from ...elements.joints.revolute import Revolute
 from ...errors import ModelError, TopologyError, near
@@ -285,11 +285,9 @@ class _Reader:
             raise ModelError(f"{element.where}: its axis is zero; give for example xyz='0 0 1'")
         if sum(x != 0 for x in direction) == 1:
             direction = [float((x > 0) - (x < 0)) for x in direction]
-        if kind == "planar":
-            planar: Any = JOINTS["planar"]
-            made: JointElement = planar(normal=tuple(direction))
-            return made
-        return Prismatic(tuple(direction)) if kind == "prismatic" else Revolute(tuple(direction))
+        family = {"prismatic": Prismatic, "planar": Planar}
+        made: JointElement = family.get(kind, Revolute)(tuple(direction))
+        return made
 
     def _limits(self, element: Element) -> dict[str, float] | None:
         limit = element.child("limit")
