@@ -85,15 +85,19 @@ class Dynamics:
             return articulated.forward_dynamics(self.k, tau, self.loads, self.gravity)
         self._refuse_massless()
         rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-        drive = tau - self.inverse(rest)
+        drive = self._label(tau - self.inverse(rest), "drive")
         with self.k.graph.made_by("M", "factor"):
             udot = solve("spd", self.mass_matrix, drive) if drive.rows else drive
+        return self._label(udot, "udot")
+
+    def _label(self, x: Matrix, quantity: str) -> Matrix:
+        """Name the entries of a vector like u after the joints they belong to."""
         for joint in self.k.system.joints:
             if joint.u >= 0:
                 names = [c.name for c in joint.element.speeds]
-                own = udot.block(slice(joint.u, joint.u + len(names)))
-                own.label(joint.name, "udot", names)
-        return udot
+                own = x.block(slice(joint.u, joint.u + len(names)))
+                own.label(joint.name, quantity, names)
+        return x
 
     def _refuse_massless(self) -> None:
         """Name the joints along whose motion nothing has inertia."""

@@ -192,6 +192,7 @@ class Kinematics:
         fixed, at = self.matrix(3, 3, joint.rotation), self.vector(joint.position)
         with g.made_by(name, "R"):
             inner, shift = joint.element.pose(q, **data)
+            self._label_angles(name, inner)
             rotation = fixed @ inner
             rotation.label(name, "R", ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"])
         with g.made_by(name, "p"):
@@ -205,6 +206,13 @@ class Kinematics:
             if joint.motion is not None:
                 drift = drift + s * Scalar(g, self.resolve([joint.motion.acceleration])[0])
         return JointMotion(q, u, inner, rotation, position, s, self._columns(i, s), velocity, drift)
+
+    def _label_angles(self, name: str, rotation: Matrix) -> None:
+        """Call cosines and sines of joint angles what they are."""
+        for node in rotation.nodes:
+            op = self.graph.nodes[node][0]
+            if op in ("cos", "sin"):
+                self.graph.label(node, name, op)
 
     def _drift(self, i: int, s: Matrix, velocity: Matrix) -> Matrix:
         """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
