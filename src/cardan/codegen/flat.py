@@ -20,10 +20,10 @@ def scene(system: System) -> Function:
     """The Function ``scene`` of p: masses, frames and axes of the tree, row by row per body.
 
     Outputs (nb bodies, nf frames): gravity (3); mass (nb); first_moment (nb, 3) and inertia
-    (nb, 3, 3) about the body's origin in body axes; rotation (nb, 3, 3) and position (nb, 3) of the
-    parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the joint,
-    0 where it has none; ratio, offset (nb) of coupled joints, else 0; frame_rotation (nf, 3, 3) and
-    frame_position (nf, 3) in axes of the frame's body.
+    (nb, 3, 3) about the body's origin in body axes; rotation (nb, 3, 3) and position (nb, 3) of
+    the parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the
+    joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; frame_rotation
+    (nf, 3, 3) and frame_position (nf, 3) in axes of the frame's body.
     """
     graph = system.graph.fork()
     bodies, joints, frames = system.bodies, system.joints, system.frames

@@ -68,7 +68,7 @@ def has_function(directory: Path, name: str) -> bool:
         content = (directory / entry["file"]).read_bytes()
     except OSError:
         return False
-    return hashlib.sha256(content).hexdigest() == entry["sha256"]
+    return hashlib.sha256(content).hexdigest() == str(entry["sha256"])
 
 
 def add_function(directory: Path, cfile: CFile, function: Function) -> None:

@@ -12,9 +12,8 @@ from functools import lru_cache
 
 LONGEST = 48
 
-RESERVED = frozenset(
-    # C99, C11, C23 and C++
-    """
+# C99, C11, C23 and C++; what the generated text uses; macros of compilers and of math.h
+_RESERVED = """
     alignas alignof and and_eq asm atomic auto bitand bitor bool break case catch char class compl
     complex const const_cast constexpr continue decltype default delete do double dynamic_cast else
     enum explicit export extern false float for friend goto if imaginary inline int long mutable
@@ -22,32 +21,39 @@ RESERVED = frozenset(
     register reinterpret_cast restrict return short signed sizeof static static_assert static_cast
     struct switch template this thread_local throw true try typedef typeid typename typeof
     typeof_unqual union unsigned using virtual void volatile wchar_t while xor xor_eq main
-    """.split()
-    # what the generated text and its headers use
-    + "real wreal in out work status w p t q u z s r udot zdot lam tau wrench du q0".split()
-    # macros of compilers and of the mathematical library
-    + "unix linux i386 NULL NAN INFINITY HUGE_VAL EOF I isnan isinf isfinite signbit".split()
-    + "fpclassify isnormal isgreater isless isunordered math_errhandling errno assert".split()
-)
-_TAKEN_BEGINNINGS = ("cardan_", "CARDAN_", "FP_", "M_", "DBL_", "FLT_", "prepare_")
+
+    real wreal in out work status w p t q u z s r udot zdot lam tau wrench du q0
+
+    unix linux i386 NULL NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL EOF I isnan isinf isfinite
+    isnormal signbit fpclassify isgreater isgreaterequal isless islessequal islessgreater
+    isunordered math_errhandling MATH_ERRNO MATH_ERREXCEPT errno assert M_E M_LOG2E M_LOG10E M_LN2
+    M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 DOMAIN SING OVERFLOW
+    UNDERFLOW PLOSS TLOSS X_TLOSS HUGE MAXFLOAT
+"""
+RESERVED = frozenset(_RESERVED.split())
+_TAKEN_BEGINNINGS = ("cardan_", "CARDAN_", "FP_", "DBL_", "FLT_", "LDBL_", "prepare_", "table_")
 
 
 @lru_cache(maxsize=65536)
-def mangle(name: str) -> str:
-    """A C identifier that reminds of a name; different names may give the same one.
+def mangle(*words: str) -> str:
+    """A C identifier that reminds of some words; different words may give the same one.
 
     ``"panda_joint2"`` stays, ``"base.com.x"`` is ``base_com_x``, ``"θ1"`` is ``theta1``.
     """
-    if name.isascii() and name.isidentifier():
-        text = name
-    else:
-        text = "".join(c if c.isascii() and c.isalnum() else _letter(c) for c in name)
-        while "__" in text:
-            text = text.replace("__", "_")
-    text = text.strip("_")[:LONGEST].rstrip("_")
+    text = "_".join(_clean(word) for word in words if word)
     if not text:
         return "x"
     return f"x{text}" if text[0].isdigit() or text.startswith(_TAKEN_BEGINNINGS) else text
+
+
+def _clean(name: str) -> str:
+    """ASCII letters and digits, with one "_" between words."""
+    text = name
+    if not (name.isascii() and name.isidentifier()):
+        text = "".join(c if c.isascii() and c.isalnum() else _letter(c) for c in name)
+        while "__" in text:
+            text = text.replace("__", "_")
+    return text.strip("_")[:LONGEST].rstrip("_")
 
 
 def _letter(c: str) -> str:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from heapq import heappop, heappush
 
-Sections = list[tuple[str, list[int]]]
+from .sections import Sections
 
-# statements of a function that stays in one piece, and of a part
-LONGEST = 1000
+# statements of a function that stays in one piece, and of the parts of a longer one: measured,
+# compile time per statement grows above some hundreds, calls cost nothing
+LONGEST, PART = 1000, 600
 
 
 def split(sections: Sections, longest: int = LONGEST) -> list[Sections]:
@@ -20,12 +21,12 @@ def split(sections: Sections, longest: int = LONGEST) -> list[Sections]:
 
     Args:
         sections: (title, statements).
-        longest: Most statements of a part; sections are only cut where they are as long as one.
+        longest: Most statements of one piece; sections are cut only where they are long.
     """
     total = sum(len(statements) for _, statements in sections)
     if total <= longest:
         return [sections]
-    size = -(-total // -(-total // longest))
+    size = -(-total // -(-total // min(longest, PART)))
     parts: list[Sections] = [[]]
     room = size
     for title, statements in sections:
@@ -62,6 +63,8 @@ def crossing(
     Returns:
         Statement -> place, and the length of the array.
     """
+    if len(parts) == 1:
+        return {}, start
     made_in = {i: n for n, part in enumerate(parts) for _, statements in part for i in statements}
     last_read: dict[int, int] = {}
     for i, n in made_in.items():

@@ -13,7 +13,8 @@ from typing import NamedTuple, TypeAlias
 from ..ir.graph import Graph
 
 
-class Index(NamedTuple):
+@dataclass(frozen=True)
+class Index:
     """An index inside a loop: ``stride * counter + offset``, looked up in a table if one is named.
 
     Attributes:
@@ -32,7 +33,7 @@ class Place(NamedTuple):
     """An array element, such as ``q[3]``."""
 
     array: str
-    index: int | Index
+    at: int | Index
 
 
 Value: TypeAlias = int | Place  # a node of the scope, or an array element
@@ -80,10 +81,10 @@ class Solve(NamedTuple):
 
 
 class Loop(NamedTuple):
-    """Statements repeated for ``counter`` = 0 ... count - 1, with expressions of their own scope."""
+    """Statements repeated for ``counter`` = 0 ... times - 1; their expressions have a scope."""
 
     counter: str
-    count: int
+    times: int
     scope: Scope
     body: tuple[Statement, ...]
 
@@ -177,16 +178,3 @@ class Program:
     operations: dict[str, int]
     work_size: int
     prepared_size: int
-
-
-def walk(statements: Sequence[Statement]) -> list[Statement]:
-    """All statements, those inside sections, loops and branches included, in order."""
-    found: list[Statement] = []
-    for statement in statements:
-        found.append(statement)
-        if isinstance(statement, Section | Loop):
-            found.extend(walk(statement.body))
-        elif isinstance(statement, Branch):
-            found.extend(walk(statement.then))
-            found.extend(walk(statement.otherwise))
-    return found

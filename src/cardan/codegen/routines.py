@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 from . import parts
 from .naming import comment
-from .plan import SHARED, Plan, make_plan
+from .owners import SHARED
+from .plan import Plan, make_plan
 from .program import Assign, Call, Declare, Place, Routine, Scope, Section, Solve, Statement
-from .sections import arrange
+from .sections import Sections, arrange
 from .values import Values
 
 TITLE = 84
@@ -63,9 +64,9 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     graph = values.function.graph
     given = values.w if stage.kind == "function" else {}
     wanted = [r.node for r in stage.results]
-    plan = make_plan(graph, stage.order, wanted, given, values.owners)
+    plan = make_plan(graph, stage.order, wanted, given, values.names, values.owners)
     builder = _Builder(stage, plan, values)
-    pieces = parts.split(arrange(plan, values.owners), longest)
+    pieces = parts.split(arrange(plan), longest)
     builder.crossing, length = parts.crossing(pieces, plan.reads, builder.length)
     bodies = [builder.part(piece) for piece in pieces]
     bodies[-1].extend(builder.plain())
@@ -107,25 +108,26 @@ class _Builder:
                 self.systems[i] = self.length
                 self.length += node[2] * (node[2] + node[3]) + 2 * node[2]
 
-    def part(self, sections: parts.Sections) -> list[Statement]:
+    def part(self, sections: Sections) -> list[Statement]:
         """The statements of some sections, each after what it loads from outside."""
         reads, crossing = self.plan.reads, self.crossing
         here: set[int] = set()
         found: list[Statement] = []
         for title, statements in sections:
-            loads: list[Statement] = []
+            outer: list[int] = []
             lines: list[Statement] = []
-            stores: list[Statement] = []
+            results: list[Statement] = []
             for i in statements:
                 for k in reads[i]:
                     if k not in here:
                         here.add(k)
-                        loads.append(self._load(k))
+                        outer.append(k)
                 here.add(i)
-                lines.extend(self._statements(i))
+                self._state(i, lines, results)
                 if i in crossing:
-                    stores.append(Assign(Place(self.stage.array, crossing[i]), i))
-            found.append(Section(self._title(title, statements), (*loads, *lines, *stores)))
+                    results.append(Assign(Place(self.stage.array, crossing[i]), i))
+            loads = [self._load(k) for k in sorted(outer, key=self._place)]
+            found.append(Section(self._title(title, statements), (*loads, *lines, *results)))
         return found
 
     def plain(self) -> list[Statement]:
@@ -141,36 +143,44 @@ class _Builder:
             lines.append(Assign(result.place, value, result.comment))
         return [Section("without computation", tuple(lines))] if lines else []
 
+    def _place(self, k: int) -> Place:
+        """Where a value of another part or from outside is read."""
+        if k in self.crossing:
+            return Place(self.stage.array, self.crossing[k])
+        return self.values.place(k, self.after)
+
     def _load(self, k: int) -> Declare:
-        """A value of another part, or from outside, by name."""
-        if k in self.plan.reads:
-            place = Place(self.stage.array, self.crossing[k])
-            return Declare(self.names[k], place, prepared=not self.after)
+        """The statement that gives such a value its name."""
+        if k in self.crossing:
+            return Declare(self.names[k], self._place(k), prepared=not self.after)
         load = self.values.load(k, self.after)
         self.names[k] = load.name
         return load
 
-    def _statements(self, i: int) -> list[Statement]:
-        """A statement and the results it serves."""
+    def _state(self, i: int, lines: list[Statement], results: list[Statement]) -> None:
+        """Add a statement to the lines, and the results it serves to the results."""
         node = self.graph.nodes[i]
-        results = self.results.get(i, [])
-        if node[0] == "solve":
-            return [Solve(*node[1:4], node[4:], self.stage.array, self.systems[i])]
         if i in self.plan.direct:
-            return [Assign(results[0].place, i, results[0].comment)]
-        name = self.names[i] = self.values.name(i)
+            result = self.results[i][0]
+            results.append(Assign(result.place, i, result.comment))
+            return
+        if node[0] == "solve":
+            kind, n, m = node[1:4]
+            lines.append(Solve(kind, n, m, node[4:], self.stage.array, self.systems[i]))
+            return
+        name = self.names[i] = self.values.named(i, self.plan.owners[i])
         value: int | Place = i
         if node[0] == "item":
             n = self.graph.nodes[node[1]][2]
             value = Place(self.stage.array, self.systems[node[1]] + n * n + node[2])
-        found: list[Statement] = [Declare(name, value, prepared=not self.after)]
-        found.extend(Assign(r.place, i, r.comment) for r in results)
-        return found
+        lines.append(Declare(name, value, "", not self.after))
+        if i in self.results:
+            results.extend([Assign(r.place, i, r.comment) for r in self.results[i]])
 
     def _title(self, owner: str, statements: Iterable[int]) -> str:
         """Whose section it is and what it computes."""
-        of = self.values.owners.of
-        words = dict.fromkeys(whole(of(i).quantity) for i in statements)
+        owners = self.plan.owners
+        words = dict.fromkeys(whole(q) for q in {owners[i].quantity: None for i in statements})
         what = ", ".join(word for word in words if word)
         if len(what) > TITLE - len(owner):
             what = what[: TITLE - len(owner)].rsplit(", ", 1)[0] + ", ..."

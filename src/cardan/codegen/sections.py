@@ -6,65 +6,73 @@ statement that waits. A sweep over a tree therefore reads body by body, as in th
 
 from __future__ import annotations
 
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
 
-from .plan import Owners, Plan
+from .plan import Plan
+
+Sections = list[tuple[str, list[int]]]
 
 
-def arrange(plan: Plan, owners: Owners) -> list[tuple[str, list[int]]]:
+def arrange(plan: Plan) -> Sections:
     """Sections (title, statements) that respect what reads what."""
-    readers: dict[int, list[int]] = {i: [] for i in plan.reads}
-    waiting: dict[int, int] = {}
-    for i, read in plan.reads.items():
-        missing = 0
-        for k in read:
-            if k in readers:
-                readers[k].append(i)
-                missing += 1
-        waiting[i] = missing
+    statements = _side_by_side(plan)
+    number = {i: n for n, i in enumerate(statements)}
+    home = [plan.owners[i].section for i in statements]
+    readers: list[list[int]] = [[] for _ in statements]
+    waiting = [0] * len(statements)
+    for n, i in enumerate(statements):
+        for k in plan.reads[i]:
+            if k in number:
+                readers[number[k]].append(n)
+                waiting[n] += 1
 
-    # ready statements of each section by place, and of all sections
-    node_at = _places(plan)
-    place = {i: at for at, i in node_at.items()}
-    home = {i: owners.of(i).section for i in plan.reads}
-    ready: dict[str, list[int]] = {}
-    anywhere: list[int] = []
-    for i, missing in waiting.items():
-        if not missing:
-            heappush(ready.setdefault(home[i], []), place[i])
-            heappush(anywhere, place[i])
+    # ready statements of every section, and of all of them
+    anywhere = [n for n, missing in enumerate(waiting) if not missing]
+    ready: dict[str, list[int]] = {title: [] for title in home}
+    for n in anywhere:
+        ready[home[n]].append(n)
+    for queue in ready.values():
+        heapify(queue)
 
-    sections: list[tuple[str, list[int]]] = []
-    done: set[int] = set()
+    sections: Sections = []
+    done = bytearray(len(statements))
     while anywhere:
-        at = heappop(anywhere)
-        if at in done:
+        n = heappop(anywhere)
+        if done[n]:
             continue
-        title, statements = home[node_at[at]], list[int]()
+        title, taken = home[n], list[int]()
         queue = ready[title]
         while queue:
-            at = heappop(queue)
-            done.add(at)
-            i = node_at[at]
-            statements.append(i)
-            for k in readers[i]:
+            n = heappop(queue)
+            done[n] = 1
+            taken.append(statements[n])
+            for k in readers[n]:
                 waiting[k] -= 1
                 if not waiting[k]:
-                    heappush(ready.setdefault(home[k], []), place[k])
-                    heappush(anywhere, place[k])
-        sections.append((title, statements))
+                    heappush(ready[home[k]], k)
+                    if home[k] != title:
+                        heappush(anywhere, k)
+        sections.append((title, taken))
     return sections
 
 
-def _places(plan: Plan) -> dict[int, int]:
-    """Place -> statement; sine and cosine of one angle stand side by side."""
+def _side_by_side(plan: Plan) -> list[int]:
+    """The statements; sine and cosine of one angle stand side by side."""
     nodes = plan.graph.nodes
-    node_at: dict[int, int] = {}
-    angles: dict[int, int] = {}
-    for number, i in enumerate(plan.reads):
-        at = 2 * number
+    partner: dict[int, int] = {}
+    first: dict[int, int] = {}
+    for i in plan.reads:
         if nodes[i][0] in ("sin", "cos"):
-            first = angles.setdefault(nodes[i][1], at)
-            at = first if first == at else first + 1
-        node_at[at] = i
-    return node_at
+            angle = nodes[i][1]
+            if angle in first:
+                partner[first[angle]] = i
+            else:
+                first[angle] = i
+    moved = set(partner.values())
+    found = []
+    for i in plan.reads:
+        if i not in moved:
+            found.append(i)
+        if i in partner:
+            found.append(partner[i])
+    return found

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..ir.function import Function
 from .naming import Names, comment, mangle
-from .plan import Owners
+from .owners import Owner, Owners
 from .program import Declare, Place
 
 
@@ -17,38 +17,50 @@ class Values:
         function: Whose values they are.
         owners: Whose the nodes are.
         w: Prepared node -> its place in w.
+        names: Identifiers given out so far; input entries and prepared values have theirs.
+
+    Args:
+        function: As above.
+        order: Its live nodes.
+        prepared: What the parameter stage makes, in the order of w.
     """
 
-    def __init__(self, function: Function, prepared: Sequence[int]) -> None:
+    def __init__(self, function: Function, order: Sequence[int], prepared: Sequence[int]) -> None:
         self.function = function
         self.owners = Owners(function.graph, function.owners)
         self.w = {node: k for k, node in enumerate(prepared)}
         self._unique = Names((function.name, f"prepare_{function.name}"))
-        self._names: dict[int, str] = {}
+        self.names: dict[int, str] = {}
         self._entries = {
             (block.name, k): entry
             for block in function.inputs
             for k, entry in enumerate(zip(block.entries, block.units, strict=True))
         }
-        # prepared values have one name in both stages, given out in the order of w
-        for node in prepared:
-            self.name(node)
+        # names of the user first; prepared values have one name in both stages
+        nodes = function.graph.nodes
+        for i in (*(i for i in order if nodes[i][0] == "var"), *prepared):
+            self.name(i)
 
     def name(self, i: int) -> str:
         """The identifier of a node, made when it is first asked for."""
-        found = self._names.get(i)
-        if found is None:
-            found = self._names[i] = self._unique.new(self._base(i))
-        return found
-
-    def _base(self, i: int) -> str:
         node = self.function.graph.nodes[i]
         if node[0] != "var":
-            return self.owners.base(i)
-        block, k = node[1:]
-        entry = self.entry(i)[0] or f"{block}_{k}"
-        # a coordinate is called like its joint: keep them apart
-        return mangle(f"{entry}_q" if block == "q" and "." not in entry else entry)
+            return self.named(i, self.owners.of(i))
+        if i not in self.names:
+            block, k = node[1:]
+            entry = self.entry(i)[0] or f"{block}_{k}"
+            # a coordinate is called like its joint: keep them apart
+            suffix = "q" if block == "q" and "." not in entry else ""
+            self.names[i] = self._unique.new(mangle(entry, suffix))
+        return self.names[i]
+
+    def named(self, i: int, owner: Owner) -> str:
+        """The identifier of a computed node whose owner is known."""
+        found = self.names.get(i)
+        if found is None:
+            base = owner.base or f"{self.function.graph.nodes[i][0]}_1"
+            found = self.names[i] = self._unique.new(base)
+        return found
 
     def entry(self, i: int) -> tuple[str, str]:
         """(name, unit) of an input entry as the user knows it, ("", "") for other nodes."""

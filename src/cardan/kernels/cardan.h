@@ -88,6 +88,9 @@ CARDAN_INLINE real cardan_log(real x) { return log(x); }
 CARDAN_INLINE real cardan_sinh(real x) { return sinh(x); }
 CARDAN_INLINE real cardan_cosh(real x) { return cosh(x); }
 CARDAN_INLINE real cardan_tanh(real x) { return tanh(x); }
+CARDAN_INLINE real cardan_asinh(real x) { return asinh(x); }
+CARDAN_INLINE real cardan_acosh(real x) { return acosh(x); }
+CARDAN_INLINE real cardan_atanh(real x) { return atanh(x); }
 CARDAN_INLINE real cardan_pow(real x, real y) { return pow(x, y); }
 CARDAN_INLINE real cardan_floor(real x) { return floor(x); }
 CARDAN_INLINE real cardan_abs(real x) { return fabs(x); }

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from ..naming import comment
 from ..program import (
@@ -10,7 +11,6 @@ from ..program import (
     Branch,
     Call,
     Declare,
-    Index,
     Loop,
     Place,
     Program,
@@ -20,9 +20,8 @@ from ..program import (
     Solve,
     Statement,
     Table,
-    walk,
 )
-from .expressions import Piece, definitions
+from .expressions import definitions
 
 SUFFIX = ".c"
 COLUMNS = 100
@@ -70,23 +69,19 @@ def _table(table: Table) -> list[str]:
 def _routine(routine: Routine, writer: _Writer) -> list[str]:
     """A function: its inputs by letter, its sections, its status."""
     prepares = routine.kind.startswith("prepare")
-    inside = walk(routine.body)
-    calls = any(isinstance(s, Call) for s in inside)
-    arrays = _arrays(inside)
-    body = [
-        f"{STEP}const {'wreal' if block == 'w' else 'real'} *const {block} = in->{block};"
-        for block in BLOCKS
-        if block in arrays and not prepares
-    ]
+    writer.touched, writer.checked = set(), False
+    lines = writer.all(routine.body, STEP)
+    arrays = writer.touched
+    body = [] if prepares else [_block(block) for block in BLOCKS if block in arrays]
     # what this routine leaves alone
+    if body:
+        arrays.add("in")
     arguments = ("p", "w") if prepares else ("in", "out", "work")
-    used = {*arguments} if calls else arrays | ({"in"} if body else set())
-    body.extend(f"{STEP}(void){name};" for name in arguments if name not in used)
-    checked = not prepares and (calls or any(isinstance(s, Solve) for s in inside))
+    body.extend(f"{STEP}(void){name};" for name in arguments if name not in arrays)
+    checked = writer.checked and not prepares
     if checked:
         body.append(f"{STEP}int status = CARDAN_OK;")
-    for statement in routine.body:
-        body.extend(writer.lines(statement, STEP))
+    body.extend(lines if body or not lines or lines[0] else lines[1:])
     if not prepares:
         body.append(f"{STEP}return {'status' if checked else 'CARDAN_OK'};")
     about = [f"/* {comment(routine.about)} */"] if routine.about else []
@@ -94,106 +89,125 @@ def _routine(routine: Routine, writer: _Writer) -> list[str]:
     return [*about, *_wrapped(signature, "", STEP), "{", *body, "}"]
 
 
-def _arrays(statements: Iterable[Statement]) -> set[str]:
-    """Arrays that statements touch."""
-    found: set[str] = set()
-    for s in statements:
-        if isinstance(s, Declare | Assign) and isinstance(s.value, Place):
-            found.add(s.value.array)
-        if isinstance(s, Assign):
-            found.add(s.target.array)
-        if isinstance(s, Solve):
-            found.add(s.array)
-    return found
+def _block(block: str) -> str:
+    """An input block by its letter."""
+    return f"{STEP}const {'wreal' if block == 'w' else 'real'} *const {block} = in->{block};"
 
 
 class _Writer:
-    """Writes the statements of one scope."""
+    """Writes the statements of one scope.
+
+    Attributes:
+        touched: Arrays that were written about since this was last emptied.
+        checked: Whether one of the statements has a status.
+    """
 
     def __init__(self, scope: Scope, program: Program) -> None:
         self.program = program
         self.scope = scope
         self.definitions, self.pieces = definitions(scope)
+        self.touched: set[str] = set()
+        self.checked = False
 
-    def lines(self, statement: Statement, indent: str) -> list[str]:
-        """The lines of a statement."""
-        if type(statement) is Declare:
-            kind = "wreal" if statement.prepared else "real"
-            head = f"{indent}const {kind} {statement.name} = "
-            return _line(head, self._value(statement.value, True), statement.comment, indent)
-        if type(statement) is Assign:
-            head = f"{indent}{_place(statement.target)} = "
-            return _line(head, self._value(statement.value), statement.comment, indent)
-        if isinstance(statement, Section):
-            title = [f"{indent}/* {comment(statement.title)} */"] if statement.title else []
-            return ["", *title, *self._all(statement.body, indent)]
-        if isinstance(statement, Solve):
-            return self._solve(statement, indent)
-        if isinstance(statement, Call):
-            return [f"{indent}{self._call(statement.routine)}"]
-        if isinstance(statement, Loop):
-            i, n = statement.counter, statement.count
-            inner = _Writer(statement.scope, self.program)
-            head = f"{indent}for (int {i} = 0; {i} < {n}; ++{i}) {{"
-            return [head, *inner._all(statement.body, indent + STEP), f"{indent}}}"]
-        return self._branch(statement, indent)
+    def all(self, statements: Sequence[Statement], indent: str) -> list[str]:
+        """The lines of statements."""
+        lines: list[str] = []
+        for statement in statements:
+            _WRITERS[type(statement)](self, statement, indent, lines)
+        return lines
 
-    def _all(self, statements: Sequence[Statement], indent: str) -> list[str]:
-        return [line for s in statements for line in self.lines(s, indent)]
+    def _declare(self, s: Declare, indent: str, lines: list[str]) -> None:
+        value = s.value
+        text = self.definitions[value] if isinstance(value, int) else self._place(value)
+        head = f"{indent}const {'wreal' if s.prepared else 'real'} {s.name} = "
+        _line(head, text, s.comment, indent, lines)
 
-    def _value(self, value: int | Place, define: bool = False) -> str:
-        if isinstance(value, tuple):
-            return _place(value)
-        return self.definitions[value] if define else self.pieces[value][0]
+    def _assign(self, s: Assign, indent: str, lines: list[str]) -> None:
+        value = s.value
+        text = self.pieces[value][0] if isinstance(value, int) else self._place(value)
+        _line(f"{indent}{self._place(s.target)} = ", text, s.comment, indent, lines)
 
-    def _call(self, routine: str) -> str:
-        kind = next(r.kind for r in self.program.routines if r.name == routine)
-        return (
-            f"{routine}(p, w);"
-            if kind == "prepare_part"
-            else f"status |= {routine}(in, out, work);"
-        )
+    def _section(self, s: Section, indent: str, lines: list[str]) -> None:
+        lines.append("")
+        if s.title:
+            lines.append(f"{indent}/* {comment(s.title)} */")
+        for statement in s.body:
+            _WRITERS[type(statement)](self, statement, indent, lines)
 
-    def _solve(self, s: Solve, indent: str) -> list[str]:
+    def _call(self, s: Call, indent: str, lines: list[str]) -> None:
+        kind = next(r.kind for r in self.program.routines if r.name == s.routine)
+        arguments = ("p", "w") if kind == "prepare_part" else ("in", "out", "work")
+        self.touched.update(arguments)
+        status = "" if kind == "prepare_part" else "status |= "
+        self.checked = True
+        lines.append(f"{indent}{status}{s.routine}({', '.join(arguments)});")
+
+    def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
         """A and B into the array, then the kernel."""
         right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
-        found = []
         for k, node in enumerate(s.entries):
-            found.extend(
-                _line(f"{indent}{s.array}[{s.start + k}] = ", self._value(node), "", indent)
-            )
-        kernel = "rank_revealing" if s.kind == "spd" else s.kind
+            head = f"{indent}{s.array}[{s.start + k}] = "
+            _line(head, self.pieces[node][0], "", indent, lines)
+        # the static elimination of spd needs no kernel of its own: any pivoting does
+        kernel = "symmetric_indefinite" if s.kind == "spd" else s.kind
         places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
         status = "status |= " if s.array == "work" else "(void)"
-        call = f"{indent}{status}cardan_solve_{kernel}({s.n}, {s.m}, {places});"
-        return [*found, call]
+        self.touched.add(s.array)
+        self.checked = True
+        lines.append(f"{indent}{status}cardan_solve_{kernel}({s.n}, {s.m}, {places});")
 
-    def _branch(self, s: Branch, indent: str) -> list[str]:
-        condition = self.pieces[s.condition][0]
-        found = [f"{indent}if ({condition} != 0.0) {{", *self._all(s.then, indent + STEP)]
+    def _loop(self, s: Loop, indent: str, lines: list[str]) -> None:
+        inner = _Writer(s.scope, self.program)
+        body = inner.all(s.body, indent + STEP)
+        self.touched |= inner.touched
+        self.checked |= inner.checked
+        i = s.counter
+        lines.append(f"{indent}for (int {i} = 0; {i} < {s.times}; ++{i}) {{")
+        lines.extend([*body, f"{indent}}}"])
+
+    def _branch(self, s: Branch, indent: str, lines: list[str]) -> None:
+        lines.append(f"{indent}if ({self.pieces[s.condition][0]} != 0.0) {{")
+        lines.extend(self.all(s.then, indent + STEP))
         if s.otherwise:
-            found.extend([f"{indent}}} else {{", *self._all(s.otherwise, indent + STEP)])
-        return [*found, f"{indent}}}"]
+            lines.append(f"{indent}}} else {{")
+            lines.extend(self.all(s.otherwise, indent + STEP))
+        lines.append(f"{indent}}}")
+
+    def _place(self, place: Place) -> str:
+        """An array element."""
+        self.touched.add(place.array)
+        at = place.at
+        if isinstance(at, int):
+            return f"{place.array}[{at}]"
+        stride = f"{at.stride} * " if at.stride != 1 else ""
+        offset = f" + {at.offset}" if at.offset else ""
+        text = f"{stride}{at.counter}{offset}"
+        return f"{place.array}[{at.table}[{text}]]" if at.table else f"{place.array}[{text}]"
 
 
-def _place(place: Place) -> str:
-    """An array element."""
-    index = place.index
-    if isinstance(index, int):
-        return f"{place.array}[{index}]"
-    stride = f"{index.stride} * " if index.stride != 1 else ""
-    offset = f" + {index.offset}" if index.offset else ""
-    text = f"{stride}{index.counter}{offset}"
-    return f"{place.array}[{index.table}[{text}]]" if index.table else f"{place.array}[{text}]"
+_WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
+    Declare: _Writer._declare,
+    Assign: _Writer._assign,
+    Section: _Writer._section,
+    Call: _Writer._call,
+    Solve: _Writer._solve,
+    Loop: _Writer._loop,
+    Branch: _Writer._branch,
+}
 
 
-def _line(head: str, value: str, about: str, indent: str) -> list[str]:
+def _line(head: str, value: str, about: str, indent: str, lines: list[str]) -> None:
     """``head value; /* about */``, the comment above and the line wrapped where it is long."""
     line = f"{head}{value};"
-    if len(line) + len(about) + 7 <= COLUMNS or not about and len(line) <= COLUMNS:
-        return [f"{line} /* {about} */" if about else line]
-    above = [f"{indent}/* {about} */"] if about else []
-    return above + (_wrapped(line, "", indent + STEP) if len(line) > COLUMNS else [line])
+    if about:
+        if len(line) + len(about) + 7 <= COLUMNS:
+            lines.append(f"{line} /* {about} */")
+            return
+        lines.append(f"{indent}/* {about} */")
+    if len(line) > COLUMNS:
+        lines.extend(_wrapped(line, "", indent + STEP))
+    else:
+        lines.append(line)
 
 
 def _wrapped(text: str, first: str, indent: str) -> list[str]:
@@ -203,6 +217,8 @@ def _wrapped(text: str, first: str, indent: str) -> list[str]:
         least = len(indent) + 1
         at = max(text.rfind(sign, least, COLUMNS) for sign in (" + ", " - "))
         if at <= least:
+            at = text.rfind(", ", least, COLUMNS) + 1
+        if at <= least:
             at = text.rfind(" ", least, COLUMNS + 1)
         if at <= least:
             at = text.find(" ", COLUMNS)
@@ -211,6 +227,3 @@ def _wrapped(text: str, first: str, indent: str) -> list[str]:
         lines.append(text[:at].rstrip())
         text = indent + text[at + 1 :]
     return [*lines, text]
-
-
-__all__ = ["SUFFIX", "Index", "Piece", "write"]

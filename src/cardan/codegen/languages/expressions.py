@@ -80,7 +80,7 @@ def product_of(a: Piece, b: Piece) -> Piece:
         left, l = f"({left})", ATOM
     if r == SUM:
         right = f"({right})"
-    elif r == PRODUCT:
+    elif r == PRODUCT or (l == ATOM and right[0].isdigit()):
         if l == ATOM:
             left, right = right, left
         else:

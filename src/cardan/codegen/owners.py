@@ -1,0 +1,63 @@
+"""Whose the values are: the section they stand in, and the words of their names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ..ir.graph import Graph
+from .naming import mangle
+
+SHARED = "shared"
+
+
+class Owner(NamedTuple):
+    """Whose a value is.
+
+    Attributes:
+        section: Owner whose section it stands in; "shared" where there are several.
+        name, quantity: Words of its name.
+        base: Its name before it is made unique, ``<owner>_<quantity>``; "" without words.
+    """
+
+    section: str
+    name: str
+    quantity: str
+    base: str
+
+
+class Owners:
+    """Owners of the nodes of a graph: by label, else the first in graph numbering.
+
+    Args:
+        graph: The graph.
+        owners: Names of the owners in graph numbering.
+    """
+
+    def __init__(self, graph: Graph, owners: Sequence[str]) -> None:
+        self._graph = graph
+        self._rank = {name: k for k, name in enumerate(owners)}
+        self._made: dict[tuple[str, str, bool], Owner] = {}
+
+    def of(self, i: int) -> Owner:
+        """Owner of a node. Nodes of several owners stand in the section "shared"."""
+        graph, several = self._graph, False
+        origin = graph.labels.get(i)
+        if origin is None:
+            origin = graph.origins[i]
+            if i in graph.shared:
+                origin, several = self._first(i)
+        found = self._made.get((*origin, several))
+        if found is None:
+            name, quantity = origin
+            base = mangle(name, quantity) if name or quantity else ""
+            found = Owner(SHARED if several else name, name, quantity, base)
+            self._made[(*origin, several)] = found
+        return found
+
+    def _first(self, i: int) -> tuple[tuple[str, str], bool]:
+        """First origin of a node in graph numbering, and whether owners differ."""
+        last = len(self._rank)
+        origins = {*self._graph.shared[i], self._graph.origins[i]}
+        known = sorted(origins, key=lambda o: (o[0] == "", self._rank.get(o[0], last), o))
+        return known[0], len({owner for owner, _ in known if owner}) > 1
