@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cardan.elements.joints import JOINTS
 from cardan.runtime.newton_euler import KINDS, Scene, inverse_dynamics, joint_motion, mass_matrix
 from cardan.runtime.rotations import PARAMETERS, about
+from cardan.spatial.rotations import ROTATIONS
 
 SIZES = {
     "revolute": (1, 1),
@@ -197,5 +199,6 @@ def test_speeds_are_the_derivative_of_the_pose(kind):
     assert np.abs(shift - now.shift @ u).max() < 10 * h**2
 
 
-def test_every_parametrization_is_known():
-    assert {"quaternion", "rodrigues", "mrp", "conformal", "linear", "dcm"} <= set(PARAMETERS)
+def test_every_parametrization_and_joint_is_known():
+    assert set(PARAMETERS) == set(ROTATIONS)
+    assert set(KINDS) == set(JOINTS) - {"fixed", "custom"}

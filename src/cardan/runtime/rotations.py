@@ -48,6 +48,11 @@ def quaternion(q: Matrix) -> Matrix:
     return _from_products(q[..., 1:], 2 * q[..., 0], np.full_like(q[..., 0], 2.0))
 
 
+def euler_rodrigues(q: Matrix) -> Matrix:
+    """2 n sin(phi/2): the vector part of a unit quaternion, doubled."""
+    return quaternion(np.concatenate([np.sqrt(1 - _square(q) / 4)[..., None], q / 2], axis=-1))
+
+
 def rotation_vector(q: Matrix) -> Matrix:
     """phi n: the exponential of [q]."""
     x = _square(q)
@@ -161,6 +166,7 @@ PARAMETERS: dict[str, Parameters] = {
     "rodrigues": Parameters(3, rodrigues, _scaled(lambda a: np.tan(a / 2)), 2.2),
     "mrp": Parameters(3, mrp, _scaled(lambda a: np.tan(a / 4)), 2.8),
     "conformal": Parameters(3, conformal, _scaled(lambda a: 4 * np.tan(a / 4)), 2.8),
+    "euler_rodrigues": Parameters(3, euler_rodrigues, _scaled(lambda a: 2 * np.sin(a / 2)), 2.5),
     "linear": Parameters(3, linear, _scaled(np.sin), 1.2),
     "dcm": Parameters(6, dcm, _columns_of, 3.1),
     **{s: Parameters(3, angles(s), _angles_of(s), 3.1) for s in SEQUENCES},
