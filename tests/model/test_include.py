@@ -7,11 +7,11 @@ import pytest
 import sympy
 
 from cardan.elements.forces import JointForce, SpringDamper
-from cardan.elements.joints import Revolute
+from cardan.elements.joints import Custom, Revolute
 from cardan.errors import ModelError
 from cardan.model import Model, t
 from cardan.topology import build
-from topology.numbers_of import frame_pose, values
+from topology.numbers_of import body_poses, frame_pose, values
 
 
 def arm():
@@ -66,6 +66,19 @@ def test_two_arms_on_a_torso():
     assert set(names.values()) == {"left.ground", "left.lower"}
     assert "left.lower.position.z" in system.atoms
     assert left.symbols["m"] == sympy.Symbol("left.m")
+
+
+def test_own_symbols_of_a_custom_joint_keep_their_names():
+    s = sympy.Symbol("s")
+    part = Model("part")
+    k = part.parameter("k", 2.0)
+    body = part.body("b", mass=1.0)
+    part.joint("curve", Custom([s], position=(s, k * s**2, 0)), part.ground, body)
+    scene = Model("whole")
+    scene.parameter("s", 9.0, unit="kg")
+    scene.include(part, "left")
+    system = build(scene)
+    np.testing.assert_allclose(body_poses(system, [0.5])[0][:3, 3], [0.5, 2 * 0.25, 0])
 
 
 def test_nested_and_repeated():

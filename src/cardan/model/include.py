@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
+from copy import copy as shallow
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -73,6 +74,7 @@ class _Copy:
     frames: dict[str, Frame] = field(default_factory=dict)
     joints: dict[str, Joint] = field(default_factory=dict)
     symbols: dict[str, Any] = field(default_factory=dict)
+    local: frozenset[str] = frozenset()
 
     def name(self, old: str) -> str:
         return self.prefix + old
@@ -88,7 +90,8 @@ class _Copy:
             return value
         from sympy import Symbol
 
-        names = {s: self.name(s.name) for s in symbols if s.name != "t"}
+        kept = self.local | {"t"}
+        names = {s: self.name(s.name) for s in symbols if s.name not in kept}
         return value.xreplace({old: Symbol(new) for old, new in names.items()})
 
     def place(self, place: Place) -> Place:
@@ -183,10 +186,14 @@ class _Copy:
 
     def record(self, element: Any, joints: frozenset[str] = frozenset()) -> Any:
         """A joint kind or force element with its fields copied; ``joints``: names to change."""
-        changes = {}
+        # symbols that stand for the element's own coordinates keep their names
+        self.local = frozenset(n for q in element.quantities().values() for n in q.local)
+        # the fields are checked and normalized already: copied as they are
+        made = shallow(element)
         for entry in dataclasses.fields(element):
-            if entry.init:
-                value = getattr(element, entry.name)
-                is_joint = isinstance(value, str) and value in joints
-                changes[entry.name] = self.name(value) if is_joint else self.value(value)
-        return dataclasses.replace(element, **changes)
+            value = getattr(element, entry.name)
+            is_joint = isinstance(value, str) and value in joints
+            new = self.name(value) if is_joint else self.value(value)
+            object.__setattr__(made, entry.name, new)
+        self.local = frozenset()
+        return made

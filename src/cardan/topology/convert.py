@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from ..elements.quantity import Quantity
@@ -164,8 +165,12 @@ class Converter:
             sliding: It belongs to a joint that slides: of a unit with two forms, such as
                 "N*m*s/rad|N*s/m", the second holds.
         """
-        value, ratio = quantity.value, quantity.ratio
         unit = quantity.unit.split("|")[-1 if sliding else 0]
+        with self._local(quantity.local):
+            return self._rows(quantity, name, unit)
+
+    def _rows(self, quantity: Quantity, name: str, unit: str) -> tuple[int, int, Nodes]:
+        value, ratio = quantity.value, quantity.ratio
         value = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(value, (list, tuple)):
             return 1, 1, (self.scalar(value, name, unit, ratio),)
@@ -177,6 +182,21 @@ class Converter:
             vector = len(rows) <= 3 and columns == 1
             labels = "xyz"[: len(rows)] if vector else [str(k) for k in range(len(flat))]
         return len(rows), columns, self.vector(flat, name, unit, ratio, labels)
+
+    @contextmanager
+    def _local(self, names: Sequence[str]) -> Iterator[None]:
+        """Symbols that stand for the coordinates of the element itself: placeholders."""
+        if not names:
+            yield
+            return
+        before = self.symbols, self.units, self._fixed
+        own = {name: self.graph.atom(name) for name in names}
+        self.symbols, self._fixed = self.symbols | own, self._fixed | set(own)
+        self.units = {name: u for name, u in self.units.items() if name not in own}
+        try:
+            yield
+        finally:
+            self.symbols, self.units, self._fixed = before
 
     def finish(self) -> None:
         """All given values have been used.
