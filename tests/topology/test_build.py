@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import sympy
@@ -251,6 +254,35 @@ def test_values_replace_numbers_by_dotted_name():
     scene.values["lowr.mass"] = 1.0
     with pytest.raises(ModelError, match=r"'lowr.mass'.*Did you mean 'lower.mass'"):
         build(scene)
+
+
+def test_a_chain_of_numbers_needs_no_sympy():
+    program = """
+import sys
+from cardan.elements.joints import Revolute
+from cardan.model import Model
+from cardan.topology import build
+scene = Model("chain")
+inner = scene.ground
+for k in range(100):
+    body = scene.body(f"b{k}", mass=1.0, com=(0.5, 0, 0), inertia=(0.1, 0.1, 0.1))
+    scene.joint(f"j{k}", Revolute("y"), inner.at(1, 0, 0), body)
+    inner = body
+print(build(scene).nq, scene.graph.mass_pattern.shape, "sympy" in sys.modules)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.stdout.strip() == "100 (100, 100) False", done.stderr
+
+
+def test_symbols_of_joints_whose_names_begin_alike():
+    scene = Model("m")
+    a, b = scene.body("a", mass=1.0), scene.body("b", mass=1.0)
+    scene.joint("z", Free(), scene.ground, a)
+    scene.joint("z.w", Revolute("y"), a, b)
+    assert scene.q("z.px") == sympy.Symbol("z.px")
+    assert scene.atoms["z.px"].place == "z"
+    scene.u("z.w")
+    assert scene.atoms["z.w.u"].place == "z.w"
 
 
 def test_build_changes_nothing_and_repeats_itself():

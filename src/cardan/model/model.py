@@ -129,7 +129,8 @@ class Model:
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 
     def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
-        name = max((j for j in self.joints if given == j or given.startswith(j + ".")), default="")
+        fitting = [j for j in self.joints if given == j or given.startswith(j + ".")]
+        name = max(fitting, key=len, default="")
         if not name:
             raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
         kind = self.joints[name].kind
