@@ -66,6 +66,11 @@ class JointMotion:
     turn_rate: Array
 
 
+def cross(a: Array, b: Array) -> Array:
+    """a x b over leading axes."""
+    return np.asarray(a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]])
+
+
 def normalized(v: Array) -> Array:
     """v / |v|."""
     return np.asarray(v / np.linalg.norm(v))
@@ -104,7 +109,7 @@ def joint_motion(scene: Scene, i: int, q: Array, u: Array) -> JointMotion:
     if kind == "universal":
         return _universal(a, b, q, u)
     # planar: two displacements in the plane, then a turn about its normal
-    plane = np.stack([b, np.cross(a, b)], axis=-1)
+    plane = np.stack([b, cross(a, b)], axis=-1)
     turn = np.hstack([np.zeros((3, 2)), column])
     shift = np.hstack([plane, zero])
     place = (plane @ q[..., :2, None])[..., 0]
@@ -117,7 +122,7 @@ def _universal(a: Array, b: Array, q: Array, u: Array) -> JointMotion:
     first = np.swapaxes(second, -1, -2) @ a
     turn = np.stack([first, np.broadcast_to(b, first.shape)], axis=-1)
     # the first axis is seen to turn backwards from the child
-    rate = -np.cross(b * u[..., 1:2], first) * u[..., :1]
+    rate = -cross(b * u[..., 1:2], first) * u[..., :1]
     fixed = np.zeros(first.shape)
     return JointMotion(about(a, q[..., 0]) @ second, fixed, turn, np.zeros((3, 2)), rate)
 
@@ -169,8 +174,8 @@ def inverse_dynamics(
         spin_up = _times(body, _times(joint.turn, udoti) + joint.turn_rate)
         w = omega[k]
         omega.append(w + spin)
-        alpha.append(alpha[k] + spin_up + np.cross(w, spin))
-        carried = np.cross(alpha[k], arm) + np.cross(w, np.cross(w, arm)) + 2 * np.cross(w, drift)
+        alpha.append(alpha[k] + spin_up + cross(w, spin))
+        carried = cross(alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
         accel.append(accel[k] + carried + _times(side, _times(joint.shift, udoti)))
         turned.append(body)
         arms.append(arm)
@@ -187,8 +192,8 @@ def _rates_of_momentum(
     """Moment about the origin and force that move body i."""
     s = _times(body, numbers["first_moment"][i])
     inertia = body @ numbers["inertia"][i] @ np.swapaxes(body, -1, -2)
-    force = numbers["mass"][i] * a + np.cross(alpha, s) + np.cross(w, np.cross(w, s))
-    moment = _times(inertia, alpha) + np.cross(w, _times(inertia, w)) + np.cross(s, a)
+    force = numbers["mass"][i] * a + cross(alpha, s) + cross(w, cross(w, s))
+    moment = _times(inertia, alpha) + cross(w, _times(inertia, w)) + cross(s, a)
     return moment, force
 
 
@@ -214,7 +219,7 @@ def _backward(
             tau[..., start : start + size] += along
         k = scene.parents[i]
         if k >= 0:
-            moments[k] = moments[k] + moments[i] + np.cross(arms[i], forces[i])
+            moments[k] = moments[k] + moments[i] + cross(arms[i], forces[i])
             forces[k] = forces[k] + forces[i]
     return tau
 
