@@ -31,7 +31,7 @@ equations = cd.derive(scene, method="kane")
 print("M =", equations.mass_matrix)
 print("h =", equations.bias)
 print("f =", equations.forces)
-shared, (matrix,) = equations.symbolic("mass_matrix")
+shared, matrix = equations.symbolic("mass_matrix")
 print(f"{len(shared)} shared intermediates")
 
 # C, header and manifest that compile on their own, without Python and without cardan.

@@ -70,10 +70,10 @@ def margin(rotation: str, matrix: np.ndarray) -> float:
 
 
 def start(rotation: str) -> tuple[float, ...]:
-    """Coordinates of a posture 0.4 rad or less off the resting one."""
+    """Coordinates of a posture 0.4 rad or less off the resting one; 0.2 for the small domain."""
     if rotation in SEQUENCES:
         return (0.3, np.pi / 2 + 0.3 if is_proper(rotation) else 0.3, -0.2)
-    phi, n = 0.4, np.array([2.0, -2.0, 1.0]) / 3
+    phi, n = 0.2 if rotation == "linear" else 0.4, np.array([2.0, -2.0, 1.0]) / 3
     if rotation in VECTORS:
         return tuple(VECTORS[rotation][0](phi) * n)
     if rotation == "quaternion":
@@ -104,7 +104,7 @@ def free(rotation: str) -> cd.Model:
 
 
 def spherical_member(rotation: str) -> Mechanism:
-    slow = State({"ball": start(rotation)}, {"ball": (0.2, -0.1, 0.03)})
+    slow = State({"ball": start(rotation)}, {"ball": (0.1, -0.05, 0.0)})
     fast = State({"ball": start(rotation)}, {"ball": (2.0, -1.0, 3.0)})
     return Mechanism(
         f"spherical_{rotation}",
