@@ -32,6 +32,8 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
+    ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
+    ("cardan.runtime.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
 }
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand
@@ -44,7 +46,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
     "passes": frozenset(),
-    "codegen.languages": frozenset(),
+    "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "meshes"}),
     "cli": frozenset({"terminal", "tour", "peer", "screen"}),
