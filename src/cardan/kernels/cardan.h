@@ -109,33 +109,46 @@ CARDAN_INLINE real cardan_sign(real x) { return cardan_lt(0.0, x) - cardan_lt(x,
 CARDAN_INLINE real cardan_min(real a, real b) { return b < a ? b : a; }
 CARDAN_INLINE real cardan_max(real a, real b) { return b > a ? b : a; }
 
+CARDAN_INLINE double cardan_factorial(int n)
+{
+    double product = 1.0;
+    for (int j = 2; j <= n; ++j) product *= j;
+    return product;
+}
+
+/* c_k(x) by its series, for 2 |x| < (k + 1) (k + 2), where the terms fall at once */
+CARDAN_INLINE real cardan_stumpff_series(int k, real x)
+{
+    real term = 1.0 / cardan_factorial(k), total = term;
+    for (int i = k; fabs(term) > 1e-17 * fabs(total); i += 2) {
+        term *= -x / ((i + 1.0) * (i + 2.0));
+        total += term;
+    }
+    return total;
+}
+
+/* c_1(x) = sin(sqrt(x)) / sqrt(x), the hyperbolic sine for negative x */
+CARDAN_INLINE real cardan_stumpff_1(real x)
+{
+    if (fabs(x) < 3.0) return cardan_stumpff_series(1, x);
+    const real root = sqrt(fabs(x));
+    return (x > 0.0 ? sin(root) : sinh(root)) / root;
+}
+
 /*
- * Stumpff function c_k(x) = sum_i (-x)^i / (k + 2 i)!, smooth for every real x.
+ * Stumpff function c_k(x) = sum_i (-x)^i / (k + 2 i)!, smooth for every real x; k is a literal.
  * Source: K. Stumpff, Himmelsmechanik I, 1959.
  */
 CARDAN_INLINE real cardan_stumpff(int k, real x)
 {
-    double factorial = 1.0;
-    for (int j = 2; j <= k; ++j) factorial *= j;
-    if (fabs(x) < 1.0) {
-        /* the series by Horner's rule: thirteen terms reach double precision */
-        real total = 1.0;
-        for (int i = 12; i > 0; --i)
-            total = 1.0 - x * total * (1.0 / ((k + 2.0 * i - 1.0) * (k + 2.0 * i)));
-        return total / factorial;
-    }
-    /* c_0 and c_1, trigonometric or hyperbolic */
-    const real root = sqrt(fabs(x));
-    real value = x > 0.0 ? cos(root) : cosh(root);
-    real other = (x > 0.0 ? sin(root) : sinh(root)) / root;
+    if (2.0 * fabs(x) < (k + 1.0) * (k + 2.0)) return cardan_stumpff_series(k, x);
+    if (k == 0) return x > 0.0 ? cos(sqrt(x)) : cosh(sqrt(-x));
+    /* c_1, or c_2 by the half angle, which keeps the digits where 1 - cos vanishes */
+    const real half = cardan_stumpff_1(k % 2 ? x : 0.25 * x);
+    real value = k % 2 ? half : 0.5 * half * half;
     /* c_{j+2} = (1/j! - c_j) / x upwards */
-    factorial = 1.0;
-    for (int j = 0; j < k; ++j) {
-        const real next = (1.0 / factorial - value) / x;
-        value = other;
-        other = next;
-        factorial *= j + 1;
-    }
+    for (int j = k % 2 ? 1 : 2; j < k; j += 2)
+        value = (1.0 / cardan_factorial(j) - value) / x;
     return value;
 }
 

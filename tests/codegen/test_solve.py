@@ -1,0 +1,83 @@
+"""Linear systems inside generated functions: the kernels that pivot."""
+
+import numpy as np
+import pytest
+from cardan.codegen import generate
+
+from codegen.functions import solving
+from codegen.running import call, compilers
+
+PIVOTING = ("symmetric_indefinite", "rank_revealing")
+
+
+def system(kind: str, seed: int, n: int = 4, m: int = 2) -> tuple[np.ndarray, np.ndarray]:
+    """A regular system without usable diagonal, so that elimination in order would fail."""
+    rng = np.random.default_rng(seed)
+    a = rng.uniform(-1, 1, (n, n))
+    if kind == "symmetric_indefinite":
+        a = a + a.T
+        np.fill_diagonal(a, 0)
+    a[0, 0] = 0
+    return a, rng.uniform(-1, 1, (n, m))
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+@pytest.mark.parametrize("kind", (*PIVOTING, "spd"))
+@pytest.mark.parametrize("of", ["q", "p"])
+def test_solution_has_a_small_residual(kind: str, of: str, compiler: str) -> None:
+    cfile = generate(solving(kind, of=of))
+    for seed in range(10):
+        a, b = system(kind, seed)
+        if kind == "spd":
+            a = a @ a.T + np.eye(4)
+        answer = call(cfile, {of: [*a.ravel(), *b.ravel()]}, compiler)
+        x = answer.out[:8].reshape(4, 2)
+        assert answer.status == 0
+        # backward stable: the residual is rounding of |A| |x|
+        bound = 50 * np.finfo(float).eps * (np.abs(a) @ np.abs(x) + np.abs(b)).max()
+        assert np.abs(a @ x - b).max() <= bound
+        assert answer.out[8] == pytest.approx(x.sum(), rel=1e-13)
+
+
+def test_redundant_equations_are_solved() -> None:
+    cfile = generate(solving("rank_revealing", 4, 1))
+    rng = np.random.default_rng(7)
+    left, right = rng.uniform(-1, 1, (4, 2)), rng.uniform(-1, 1, (2, 4))
+    a = left @ right
+    b = a @ rng.uniform(-1, 1, 4)
+    answer = call(cfile, {"q": [*a.ravel(), *b]})
+    assert answer.status == 0
+    assert np.abs(a @ answer.out[:4] - b).max() <= 1e-14
+    # two unknowns are free and became 0
+    assert np.sum(answer.out[:4] == 0) == 2
+
+
+@pytest.mark.parametrize("kind", PIVOTING)
+def test_contradiction_is_said_in_numbers_and_status(kind: str) -> None:
+    cfile = generate(solving(kind, 3, 1))
+    a = np.array([[1.0, 1, 0], [1, 1, 0], [0, 0, 1]])
+    answer = call(cfile, {"q": [*a.ravel(), 1.0, 2.0, 3.0]})
+    assert answer.status == 1
+    assert np.isnan(answer.out[:3]).all()
+
+
+@pytest.mark.parametrize("kind", PIVOTING)
+def test_nan_comes_through(kind: str) -> None:
+    cfile = generate(solving(kind, 3, 1))
+    answer = call(cfile, {"q": [np.nan] * 12})
+    assert answer.status == 1
+    assert np.isnan(answer.out).all()
+
+
+def test_symmetric_kernel_reads_the_lower_triangle() -> None:
+    cfile = generate(solving("symmetric_indefinite", 3, 1))
+    a = np.array([[0.0, 2, 1], [2, 0, 3], [1, 3, 0]])
+    upper = np.where(np.triu(np.ones((3, 3)), 1) == 1, 77.0, a)
+    x = np.array([1.0, -2, 3])
+    answer = call(cfile, {"q": [*upper.ravel(), *(a @ x)]})
+    assert np.allclose(answer.out[:3], x, rtol=1e-14)
+
+
+def test_only_functions_with_systems_include_the_kernels() -> None:
+    assert generate(solving("rank_revealing")).includes == ("cardan.h", "solve.h")
+    assert generate(solving("spd")).includes == ("cardan.h",)
