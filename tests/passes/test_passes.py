@@ -15,8 +15,8 @@ from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
 from cardan.ir.matrix import Matrix
 from cardan.ir.solve import solve
-from cardan.passes import PASSES, STANDARD, optimize
-from equations.trees import TREES, state
+from cardan.passes import PASSES, optimize, standard
+from equations.trees import TREES, state, tree
 from ir.expressions import function, functions, y
 
 Pass = Callable[[Function], Function]
@@ -65,19 +65,19 @@ METHODS = {
 }
 
 
-@pytest.mark.parametrize("tree", TREES)
+@pytest.mark.parametrize("name", TREES)
 @pytest.mark.parametrize("method", METHODS)
-def test_functions_of_trees(tree: str, method: str) -> None:
-    system, p = TREES[tree].system, TREES[tree].exact
+def test_functions_of_trees(name: str, method: str) -> None:
+    system, p = TREES[name].system, TREES[name].exact
     f = Equations(system, method).function(METHODS[method])
     with mpmath.workdps(80):
         exact = [mpmath.mpf(x.numerator) / x.denominator for x in p]
     values = {**state(system, seed=5), "p": exact}
     expected = evaluate(f, values, "mp", 80)
     made = f
-    for name in PASSES:
-        before, made = made, check(PASSES[name](made))
-        if name != "unroll":
+    for step in PASSES:
+        before, made = made, check(PASSES[step](made))
+        if step != "unroll":
             assert sum(made.operations().values()) <= sum(before.operations().values())
         found = evaluate(made, values, "mp", 80)
         assert all(close(expected[o.name], found[o.name]) for o in f.outputs)
@@ -94,11 +94,18 @@ def test_derivation_and_passes_are_deterministic() -> None:
     assert first.graph.labels == second.graph.labels
 
 
-def test_standard_passes_exist_and_leave_no_positive_definite_system() -> None:
-    assert set(STANDARD) <= set(PASSES)
-    f = Equations(TREES["chain"].system, "composite").function("forward_dynamics")
-    assert "solve" in f.operations()
-    assert "solve" not in optimize(f).operations()
+def test_standard_passes() -> None:
+    composite = Equations(TREES["chain"].system, "composite").function("forward_dynamics")
+    arm = tree("rprr", range(-1, 3)).system
+    articulated = Equations(arm, "articulated").function("forward_dynamics")
+    assert standard(articulated) == ("reassociate",)
+    assert standard(composite) == ("unroll", "reassociate")
+    seven = Equations(tree("r" * 7, range(-1, 6)).system, "composite").function("forward_dynamics")
+    assert standard(seven) == ("unroll",)
+    assert "solve" in composite.operations()
+    assert "solve" not in optimize(composite).operations()
+    depth = optimize(articulated).function.critical_path()
+    assert depth < articulated.critical_path()
 
 
 def test_optimize_refuses_what_breaks_the_grammar() -> None:

@@ -1,8 +1,7 @@
-"""Stage and schedule: what is prepared, and the order of what is left."""
+"""Stage: what is prepared, and the order of what is left."""
 
 from __future__ import annotations
 
-import pytest
 from hypothesis import given, settings
 
 from cardan.ir.function import Function, operands
@@ -10,7 +9,7 @@ from cardan.ir.graph import ONE, Graph
 from cardan.ir.matrix import Matrix
 from cardan.ir.rewrite import rebuild
 from cardan.ir.solve import solve
-from cardan.passes import optimize, schedule, stage
+from cardan.passes import optimize, stage
 from ir.expressions import function, functions, y
 
 
@@ -72,21 +71,3 @@ def test_the_order_is_complete_and_after_operands(f: Function) -> None:
     assert len(staged.order) == len(place)
     nodes = staged.function.graph.nodes
     assert all(place[k] < place[i] for i in place for k in operands(nodes[i]))
-
-
-def waiting(n: int, op: str) -> Function:
-    """n independent results, the operands of all made before the first."""
-    g = Graph()
-    u, q = g.var("u", 0), g.var("q", 0)
-    parts = [g.add(q, g.const(float(k + 2))) for k in range(n)]
-    return function(g, [g.apply(op, u, x) for x in parts])
-
-
-@pytest.mark.parametrize(
-    ("op", "n", "late"), [("div", 10, True), ("mul", 10, False), ("div", 4000, False)]
-)
-def test_operands_stand_late_where_code_waits(op: str, n: int, late: bool) -> None:
-    staged = schedule(stage(waiting(n, op)))
-    nodes = staged.function.graph.nodes
-    operations = [nodes[i][0] for i in staged.order if nodes[i][0] in ("add", op)]
-    assert operations == (["add", op] * n if late else ["add"] * n + [op] * n)
