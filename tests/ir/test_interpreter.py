@@ -134,6 +134,13 @@ def test_undetermined_unknowns_are_zero_where_rank_is_revealed() -> None:
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_contradictions_are_refused(arithmetic: str) -> None:
+    values = {"q": [2, 1, 0, 2, 1, 0, 0, 0, 5], "u": [4, 2, 5, 2, 10, 5]}
+    with pytest.raises(SolveError, match="rank 2 and contradicts itself"):
+        evaluate(system("rank_revealing"), values, arithmetic)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
 @pytest.mark.parametrize("kind", ["spd", "symmetric_indefinite"])
 def test_singular_systems_are_refused(kind: str, arithmetic: str) -> None:
     values = {"q": [1, 0, 0, 0, 0, 0, 0, 0, 1], "u": [1] * 6}

@@ -20,7 +20,7 @@ def solve(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
 
     Raises:
         SolveError: A is singular; a ``rank_revealing`` solve goes on with zeros for the unknowns
-            that A does not determine.
+            that A does not determine, unless B contradicts A.
     """
     return _static(a, b) if kind == "spd" else _pivoting(kind, a, b, eps)
 
@@ -52,6 +52,8 @@ def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
     n = len(a)
     columns = list(range(n))
     largest, rank = 0, n
+    # the largest entry of every row of B tells rounding from contradiction
+    scale = [max(map(abs, row)) for row in b]
     for k in range(n):
         size, row, column = max((abs(a[i][j]), -i, -j) for i in range(k, n) for j in range(k, n))
         row, column = -row, -column
@@ -59,8 +61,8 @@ def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
         if size <= n * eps * largest:
             rank = k
             break
-        a[k], a[row] = a[row], a[k]
-        b[k], b[row] = b[row], b[k]
+        for rows in (a, b, scale):
+            rows[k], rows[row] = rows[row], rows[k]
         columns[k], columns[column] = columns[column], columns[k]
         for line in a:
             line[k], line[column] = line[column], line[k]
@@ -68,8 +70,11 @@ def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
             factor = a[i][k] / a[k][k]
             a[i] = [x - factor * y for x, y in zip(a[i], a[k], strict=True)]
             b[i] = [x - factor * y for x, y in zip(b[i], b[k], strict=True)]
+            scale[i] = max(scale[i], abs(factor) * scale[k])
     if rank < n and kind != "rank_revealing":
         raise SolveError(f"a system of {n} equations has rank {rank}: its matrix is singular")
+    if any(abs(x) > 64 * n * eps * scale[i] for i in range(rank, n) for x in b[i]):
+        raise SolveError(f"a system of {n} equations has rank {rank} and contradicts itself")
     return _back(a, b, columns, rank)
 
 
