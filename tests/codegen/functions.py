@@ -48,7 +48,26 @@ def apply(g: Graph, op: str, *x: int) -> int:
     return g.apply(op, *x)
 
 
-ARITY = dict.fromkeys("add sub mul div min max lt le eq and or atan2 pow stumpff table".split(), 2)
+ARITY = dict.fromkeys(
+    [
+        "add",
+        "sub",
+        "mul",
+        "div",
+        "min",
+        "max",
+        "lt",
+        "le",
+        "eq",
+        "and",
+        "or",
+        "atan2",
+        "pow",
+        "stumpff",
+        "table",
+    ],
+    2,
+)
 
 
 def random_function(seed: int, size: int = 120, operators: str = EXACT) -> Function:
@@ -64,7 +83,9 @@ def random_function(seed: int, size: int = 120, operators: str = EXACT) -> Funct
             op = rng.choice(names)
             arity = 3 if op == "select" else ARITY.get(op, 1)
             # mostly of late values, so that expressions grow deep
-            operands = [rng.choice(pool[-12:] if rng.random() < 0.7 else pool) for _ in range(arity)]
+            operands = [
+                rng.choice(pool[-12:] if rng.random() < 0.7 else pool) for _ in range(arity)
+            ]
             pool.append(apply(g, op, *operands))
         if rng.random() < 0.15:
             g.label(pool[-1], rng.choice(owners), f"value_{k % 5}")

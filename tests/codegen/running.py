@@ -14,6 +14,7 @@ from pathlib import Path
 from tempfile import mkdtemp
 
 import numpy as np
+
 from cardan.codegen import CFile
 from cardan.codegen.layout import KERNELS
 from cardan.ir.function import Function
@@ -22,7 +23,7 @@ from cardan.ir.interpreter import evaluate
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 SPEED = ("-O2", "-fno-tree-vectorize", "-fno-math-errno")
 EXACT = (*STRICT, *SPEED, "-ffp-contract=off")
-ORDER = "t q u z s r p w udot zdot lam tau wrench du q0".split()
+ORDER = ["t", "q", "u", "z", "s", "r", "p", "w", "udot", "zdot", "lam", "tau", "wrench", "du", "q0"]
 
 ZIG = (sys.executable, "-m", "ziglang", "cc")
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from cardan.codegen import generate
 
+from cardan.codegen import generate
 from codegen.functions import solving
 from codegen.running import call, compilers
 

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from cardan.codegen import generate
-from cardan.ir.interpreter import evaluate
-from cardan.ir.ops import OPERATORS
 
-from codegen.functions import EXACT, LIBRARY, apply, blocks, random_function, values
-from codegen.running import SPEED, STRICT, call, compilers, expected
+from cardan.codegen import generate
 from cardan.ir.function import Function, Output
 from cardan.ir.graph import Graph
+from cardan.ir.interpreter import evaluate
+from cardan.ir.ops import OPERATORS
+from codegen.functions import EXACT, LIBRARY, apply, blocks, random_function, values
+from codegen.running import SPEED, STRICT, call, compilers, expected
 
 COMPILERS = sorted(compilers())
 

@@ -62,10 +62,10 @@ def scene_motion(system: System) -> Function | None:
 
 def unknown(system: System) -> list[str]:
     """Why the flat scene does not tell everything about the masses of a system, in words."""
-    reasons = []
+    reasons, graph = [], system.graph.fork()
     for force in system.forces:
         data = {
-            name: Matrix(system.graph.fork(), rows, columns, nodes)
+            name: Matrix(graph, rows, columns, nodes)
             for name, (rows, columns, nodes) in force.data.items()
         }
         if force.element.rotor_inertia(data):

@@ -29,8 +29,7 @@ def lower(
         CodegenError: a placeholder was left in the graph.
     """
     function = staged.function
-    # in the order of making, bases come before tips: sections read as a textbook does
-    order = sorted(staged.order) or function.live()
+    order = staged.order or tuple(function.live())
     values = Values(function, order, staged.prepare)
 
     # w[k] is the k-th prepared node; what crosses between parts of prepare follows

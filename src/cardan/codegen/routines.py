@@ -141,7 +141,8 @@ class _Builder:
             else:
                 continue
             lines.append(Assign(result.place, value, result.comment))
-        return [Section("without computation", tuple(lines))] if lines else []
+        title = "results that are numbers or inputs" if self.after else "parameters as they are"
+        return [Section(title, tuple(lines))] if lines else []
 
     def _place(self, k: int) -> Place:
         """Where a value of another part or from outside is read."""

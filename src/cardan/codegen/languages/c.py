@@ -43,7 +43,7 @@ def write(program: Program) -> str:
     lines = ["/*"]
     for number, paragraph in enumerate(program.head):
         lines.extend([" *"] if number else [])
-        lines.extend(f" * {line}".rstrip() for line in paragraph)
+        lines.extend(piece for line in paragraph for piece in _wrapped(f" * {line}", "", " *     "))
     lines.append(" */")
     lines.extend(f'#include "{name}"' for name in program.includes)
     for table in program.tables:

@@ -1,0 +1,96 @@
+"""Statements that straight-line functions do not need: loops over tables, branches, solves."""
+
+import numpy as np
+import pytest
+
+from cardan.codegen import CFile
+from cardan.codegen.languages import c
+from cardan.codegen.program import (
+    Assign,
+    Branch,
+    Declare,
+    Index,
+    Loop,
+    Place,
+    Program,
+    Routine,
+    Scope,
+    Section,
+    Table,
+)
+from cardan.ir.graph import Graph
+from codegen.running import call, compilers
+
+
+def program(body: tuple, scope: Scope, tables: tuple[Table, ...] = ()) -> CFile:
+    """A file of one function q -> out of six entries."""
+    nothing = Scope(Graph(), (), {})
+    routines = (
+        Routine("prepare_looped", "prepare", "", nothing, ()),
+        Routine("looped", "function", "six numbers", scope, body),
+    )
+    made = Program("looped", (("a test",),), ("cardan.h",), tables, routines, ("q",), {}, 6, 0)
+    entry = {"inputs": ["q"], "output_size": 6, "work_size": 6, "prepared_size": 0}
+    return CFile("looped", c.write(made), entry)
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_loop_over_a_table(compiler: str) -> None:
+    # out[i] = 2 x + x^2 of x = q[order[i]]; work is addressed with stride and offset
+    g = Graph()
+    x, y = g.var("x", 0), g.var("x", 1)
+    square = g.mul(x, x)
+    total = g.add(g.mul(g.const(2.0), x), y)
+    inner = Scope(g, range(len(g)), {x: "x", y: "y"})
+    body = (
+        Loop(
+            "i",
+            3,
+            inner,
+            (
+                Declare("x", Place("q", Index("i", table="order"))),
+                Assign(Place("work", Index("i", 2, 1)), square),
+            ),
+        ),
+        Loop(
+            "i",
+            3,
+            inner,
+            (
+                Declare("x", Place("q", Index("i", table="order"))),
+                Declare("y", Place("work", Index("i", 2, 1))),
+                Assign(Place("out", Index("i")), total),
+                Assign(Place("out", Index("i", 1, 3)), Place("q", Index("i")), "a copy"),
+            ),
+        ),
+    )
+    tables = (Table("order", (2, 0, 1), integer=True, comment="which entry of q"),)
+    cfile = program((Section("twice", body),), Scope(Graph(), (), {}), tables)
+    assert "static const int order[3] = {" in cfile.text
+    answer = call(cfile, {"q": [1.0, 10.0, 100.0]}, compiler)
+    x = np.array([100.0, 1.0, 10.0])
+    assert answer.out.tolist() == [*(2 * x + x * x), 1.0, 10.0, 100.0]
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_branch_takes_one_side(compiler: str) -> None:
+    g = Graph()
+    mode, x = g.var("q", 0), g.var("q", 1)
+    root = g.apply("sqrt", x)
+    scope = Scope(g, range(len(g)), {mode: "mode", x: "x"}, frozenset({mode, x}))
+    rest = tuple(Assign(Place("out", k), 0) for k in range(1, 6))
+    body = (
+        Declare("mode", Place("q", 0)),
+        Declare("x", Place("q", 1)),
+        Branch(mode, (Assign(Place("out", 0), root),), (Assign(Place("out", 0), x),)),
+        Branch(x, rest),
+    )
+    cfile = program(body, scope)
+    assert call(cfile, {"q": [1.0, 9.0]}, compiler).out.tolist() == [3.0, 0, 0, 0, 0, 0]
+    assert call(cfile, {"q": [0.0, 9.0]}, compiler).out.tolist() == [9.0, 0, 0, 0, 0, 0]
+
+
+def test_number_tables_are_complete() -> None:
+    values = (0.1, 1e-300, 3.0)
+    text = c.write(Program("f", (), ("cardan.h",), (Table("data", values),), (), (), {}, 0, 0))
+    assert "static const double data[3] = {\n    0.1, 1e-300, 3.0\n};" in text

@@ -1,0 +1,178 @@
+"""The C as a reader sees it: head, sections, names, lines; the same bytes every time."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from cardan.codegen import generate
+from cardan.codegen.lowering import lower
+from cardan.errors import CodegenError
+from cardan.ir.function import Block, Function, Output, Staged
+from cardan.ir.graph import Graph
+from cardan.ir.matrix import Matrix
+from codegen.functions import random_function
+from codegen.running import SPEED, STRICT, compilers, shared
+
+
+def pendulums(n: int = 3) -> Function:
+    """Torques of a chain of points, made as equations make them: owners, quantities, labels."""
+    g = Graph()
+    roots = []
+    omega = Matrix.zeros(g, 3)
+    force = Matrix.zeros(g, 3)
+    names = tuple(f"joint{k + 1}" for k in range(n))
+    for k, name in enumerate(names):
+        with g.made_by(name, "rotation"):
+            c, s = g.apply("cos", g.var("q", k)), g.apply("sin", g.var("q", k))
+            g.label(s, name, "sin")
+            g.label(c, name, "cos")
+            R = Matrix(g, 3, 3, (c, 0, s, 0, 1, 0, g.neg(s), 0, c))
+        with g.made_by(name, "omega"):
+            omega = R.T @ omega + Matrix(g, 3, 1, (0, g.var("u", k), g.var("u", k)))
+            omega.label(name, "omega")
+        with g.made_by(name, "force"):
+            force = force + omega.cross(omega.cross(Matrix(g, 3, 1, (0, 0, g.var("p", k)))))
+            roots.append(force.nodes[0])
+    blocks = (
+        Block("q", names, ("rad",) * n),
+        Block("u", tuple(f"{x}.u" for x in names), ("rad/s",) * n),
+        Block("p", tuple(f"{x}.length" for x in names), ("m",) * n),
+    )
+    output = Output("f", (n,), tuple(roots), names, ("N",) * n)
+    return Function("chain_force", g, blocks, (output,), names, "centripetal forces of a chain")
+
+
+def test_head_says_what_where_and_how_much() -> None:
+    text = generate(pendulums(), model="three links", notes=["formalism: by hand"]).text
+    head = text.split("*/")[0]
+    for line in (
+        " * chain_force of three links",
+        " * centripetal forces of a chain",
+        " * formalism: by hand",
+        " * Input q (3): generalized coordinates",
+        " *   q[1]  joint2 [rad]",
+        " *   u[2]  joint3.u [rad/s]",
+        " * Output f (3)",
+        " *   out[0]  joint1 [N]",
+    ):
+        assert line in head.splitlines()
+    assert re.search(r"Sizes: out 3, work 0, w 2", head)
+    assert re.search(r"Operations per call: \d+ = .*\d+ mul", head)
+
+
+def test_sections_stand_in_the_order_of_the_joints() -> None:
+    body = generate(pendulums()).text.split("CARDAN_API int")[1]
+    titles = re.findall(r"^    /\* (joint\d): ", body, re.MULTILINE)
+    assert list(dict.fromkeys(titles)) == ["joint2", "joint3"]
+    assert "/* joint2: " in body
+    assert "omega" in body.split("/* joint2: ")[1].split("*/")[0]
+
+
+def test_temporaries_are_called_after_owner_and_quantity() -> None:
+    text = generate(pendulums()).text
+    assert "const real joint2_sin = cardan_sin(joint2_q);" in text
+    assert "const real joint3_omega_z = " in text
+    assert "const wreal joint2_length = w[0]; /* m */" in text
+    assert re.search(r"out\[1\] = .*; /\* f: joint2 \[N\] \*/", text)
+    assert "_tmp" not in text
+
+
+def test_sine_and_cosine_of_an_angle_stand_side_by_side() -> None:
+    lines = generate(pendulums()).text.splitlines()
+    for k, line in enumerate(lines):
+        if "cardan_sin(" in line:
+            angle = line.split("cardan_sin(")[1]
+            near = " ".join((lines[k - 1], lines[k + 1]))
+            assert f"cardan_cos({angle}" in near
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_lines_fit_a_screen(seed: int) -> None:
+    text = generate(random_function(seed, 150), longest=50).text
+    assert max(map(len, text.splitlines())) <= 100
+    assert max(map(len, generate(pendulums(6)).text.splitlines())) <= 100
+    assert not re.search(r"[ \t]$", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_no_warnings(compiler: str) -> None:
+    for function in (pendulums(), random_function(1), constant()):
+        for longest in (1000, 5):
+            assert shared(generate(function, longest=longest).text, compiler, (*STRICT, *SPEED))
+
+
+def constant() -> Function:
+    """A function that reads nothing."""
+    g = Graph()
+    return Function("nothing", g, (), (Output("y", (2,), (0, 1)), Output("none", (0,), ())))
+
+
+def test_headers_compile_as_cpp() -> None:
+    assert "gcc" in compilers()
+    text = '#include "solve.h"\nint main() { return CARDAN_ABI - 1; }\n'
+    command = [
+        "g++",
+        "-std=c++11",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-x",
+        "c++",
+        "-",
+        "-o",
+        "/dev/null",
+    ]
+    kernels = Path(__file__).parents[2] / "src" / "cardan" / "kernels"
+    answer = subprocess.run(
+        [*command, f"-I{kernels}"], input=text, text=True, capture_output=True, check=False
+    )
+    assert answer.returncode == 0, answer.stderr
+
+
+def test_same_bytes_in_every_process() -> None:
+    script = (
+        "import hashlib; from codegen.functions import random_function, solving;"
+        "from cardan.codegen import generate;"
+        "texts = [generate(random_function(s), longest=l).text for s in range(3) for l in (9, 999)];"
+        "texts.append(generate(solving('rank_revealing')).text);"
+        "print(hashlib.sha256(''.join(texts).encode()).hexdigest())"
+    )
+    root = Path(__file__).parents[2]
+    found = set()
+    for seed in ("0", "1", "77"):
+        environment = {
+            **os.environ,
+            "PYTHONHASHSEED": seed,
+            "PYTHONPATH": os.pathsep.join((str(root / "src"), str(root / "tests"))),
+        }
+        answer = subprocess.run(
+            [sys.executable, "-c", script], env=environment, capture_output=True, check=True
+        )
+        found.add(answer.stdout)
+    assert len(found) == 1
+
+
+def test_nodes_of_several_owners_stand_in_a_section_of_their_own() -> None:
+    g = Graph()
+    with g.made_by("left", "pull"):
+        shared_node = g.mul(g.var("q", 0), g.var("q", 1))
+        left = g.add(shared_node, g.var("q", 2))
+    with g.made_by("right", "pull"):
+        right = g.sub(g.mul(g.var("q", 0), g.var("q", 1)), g.var("q", 3))
+    block = Block("q", tuple("abcd"), ("",) * 4)
+    outputs = (Output("y", (3,), (left, right, shared_node)),)
+    text = generate(Function("both", g, (block,), outputs, ("left", "right"))).text
+    assert "/* shared by several: pull */" in text
+    assert "const real left_pull = a_q * b_q;" in text
+
+
+def test_a_placeholder_is_an_error() -> None:
+    g = Graph()
+    node = g.add(g.var("q", 0), g.atom("velocity of hand"))
+    function = Function("f", g, (Block("q", ("a",), ("",)),), (Output("y", (1,), (node,)),))
+    with pytest.raises(CodegenError, match="velocity of hand"):
+        lower(Staged(function, ()))
