@@ -86,48 +86,9 @@ def tan(x: Scalar) -> Scalar:
     return x.apply("tan")
 
 
-def asin(x: Scalar) -> Scalar:
-    return x.apply("asin")
-
-
-def acos(x: Scalar) -> Scalar:
-    return x.apply("acos")
-
-
 def atan2(y: Scalar, x: Number) -> Scalar:
     """Angle of the point (x, y); its derivative at the origin is taken as 0."""
     return y.apply("atan2", x)
-
-
-def exp(x: Scalar) -> Scalar:
-    return x.apply("exp")
-
-
-def tanh(x: Scalar) -> Scalar:
-    return x.apply("tanh")
-
-
-def absolute(x: Scalar) -> Scalar:
-    """Magnitude; its derivative at 0 is taken as 0."""
-    return x.apply("abs")
-
-
-def sign(x: Scalar) -> Scalar:
-    """-1, 0 or 1."""
-    return x.apply("sign")
-
-
-def less(a: Scalar, b: Number) -> Scalar:
-    """1 where a < b, else 0."""
-    return a.apply("lt", b)
-
-
-def minimum(a: Scalar, b: Number) -> Scalar:
-    return a.apply("min", b)
-
-
-def maximum(a: Scalar, b: Number) -> Scalar:
-    return a.apply("max", b)
 
 
 def select(condition: Scalar, then: Number, otherwise: Number) -> Scalar:
