@@ -56,7 +56,9 @@ _PUBLIC: dict[str, str] = {
     "compile": "pipeline",
     "Equations": "equations.record",
     "CompiledModel": "runtime.compiled",
+    "load_model": "runtime.saved",
     "Trajectory": "runtime.trajectory",
+    "load_motion": "runtime.trajectory",
     **dict.fromkeys(
         (
             "CardanError",
@@ -72,6 +74,7 @@ _PUBLIC: dict[str, str] = {
     ),
 }
 _MODULES = frozenset({"inertia", "shape"})
+_RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]
 
@@ -81,7 +84,7 @@ def __getattr__(name: str) -> Any:
     if name not in _PUBLIC:
         raise AttributeError(f"module 'cardan' has no attribute '{name}'")
     module = import_module(f".{_PUBLIC[name]}", __name__)
-    value = module if name in _MODULES else getattr(module, name)
+    value = module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
     globals()[name] = value
     return value
 

@@ -115,15 +115,12 @@ def compile(
         c_name = equations.c_name(name, of)
         if not layout.has_function(folder, c_name):
             function = equations.function(name, of)
-            text = generate(function, model=equations.system.name, notes=_notes(equations))
-            layout.add_function(folder, text, function)
+            notes = [f"formalism: {equations.method}"]
+            file = generate(function, model=equations.system.name, notes=notes, of=of)
+            layout.add_function(folder, file, function)
         return c_name
 
     return CompiledModel(folder, provide)
-
-
-def _notes(equations: Equations) -> list[str]:
-    return [f"formalism: {equations.method}"]
 
 
 def fingerprint(equations: Equations) -> str:

@@ -10,6 +10,10 @@ from ..ir.matrix import Matrix
 from .kinematics import Kinematics
 
 
+# components of a tensor, row by row
+CELLS = tuple(i + j for i in "xyz" for j in "xyz")
+
+
 @dataclass(frozen=True)
 class Inertia:
     """Mass m, first moment h = m c (3, 1) and inertia tensor about the origin (3, 3)."""
@@ -37,11 +41,13 @@ class Inertia:
 
 def of_body(k: Kinematics, i: int) -> Inertia:
     """Inertia of a body about its origin, in its axes; depends on p alone."""
-    body = k.system.bodies[i]
+    body, name = k.system.bodies[i], k.owner(i)
+    mass = Scalar(k.graph, k.resolve([body.mass])[0])
+    k.graph.label(mass.node, name, "mass")
     return Inertia(
-        Scalar(k.graph, k.resolve([body.mass])[0]),
-        k.vector(body.first_moment),
-        k.matrix(3, 3, body.inertia),
+        mass,
+        k.vector(body.first_moment).label(name, "first_moment"),
+        k.matrix(3, 3, body.inertia).label(name, "inertia", CELLS),
     )
 
 

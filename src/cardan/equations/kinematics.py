@@ -194,7 +194,7 @@ class Kinematics:
             inner, shift = joint.element.pose(q, **data)
             self._label_angles(name, inner)
             rotation = fixed @ inner
-            rotation.label(name, "R", ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"])
+            rotation.label(name, "R", [i + j for i in "xyz" for j in "xyz"])
         with g.made_by(name, "p"):
             position = (at + fixed @ shift).label(name, "p")
         with g.made_by(name, "S"):

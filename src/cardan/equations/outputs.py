@@ -173,9 +173,12 @@ def _fixed_reaction(
             turned = k.joints[i].rotation @ moments[i]
             moment = moment + turned + k.joints[i].position.cross(carried)
             force = force + carried
-    at = k.system.frames[next(p for p in parts if p.joint == name).joint_frame]
+    held = next(p for p in parts if p.joint == name)
+    at = k.system.frames[held.joint_frame]
     axes = k.matrix(3, 3, at.rotation).T
-    return Matrix.vstack(axes @ (moment - k.vector(at.position).cross(force)), axes @ force)
+    wrench = Matrix.vstack(axes @ (moment - k.vector(at.position).cross(force)), axes @ force)
+    # declared the other way round, the part is the parent of its joint
+    return -wrench if held.reversed else wrench
 
 
 def _holder(k: Kinematics, name: str) -> tuple[int, tuple[Part, ...]]:

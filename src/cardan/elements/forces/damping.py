@@ -37,7 +37,7 @@ class Damping(ForceElement):
         object.__setattr__(self, "damping", number("damping", "damping", self.damping))
 
     def quantities(self) -> dict[str, Quantity]:
-        return {"damping": Quantity(self.damping, "N*m*s/rad")}
+        return {"damping": Quantity(self.damping, "N*m*s/rad|N*s/m")}
 
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}

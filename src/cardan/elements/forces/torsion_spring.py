@@ -45,9 +45,9 @@ class TorsionSpring(ForceElement):
 
     def quantities(self) -> dict[str, Quantity]:
         return {
-            "stiffness": Quantity(self.stiffness, "N*m/rad"),
-            "damping": Quantity(self.damping, "N*m*s/rad"),
-            "rest": Quantity(self.rest, "rad"),
+            "stiffness": Quantity(self.stiffness, "N*m/rad|N/m"),
+            "damping": Quantity(self.damping, "N*m*s/rad|N*s/m"),
+            "rest": Quantity(self.rest, "rad|m"),
         }
 
     def joints(self) -> dict[str, str]:

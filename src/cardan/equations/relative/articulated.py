@@ -15,7 +15,7 @@ from ...errors import DerivationError
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
-from ..inertia import of_body, turn_general, turn_symmetric
+from ..inertia import CELLS, of_body, turn_general, turn_symmetric
 from ..kinematics import Kinematics
 from ..loads import Loads
 
@@ -74,8 +74,10 @@ def _inward(k: Kinematics, tau: Matrix, loads: Loads) -> list[Elimination]:
     bodies = [_rigid(k, i, loads) for i in range(len(k.system.bodies))]
     eliminations: dict[int, Elimination] = {}
     for i in range(len(bodies) - 1, -1, -1):
-        joint, parent = k.system.joints[i], k.system.bodies[i].parent
-        with k.graph.made_by(k.owner(i), "elimination"):
+        joint, parent, name = k.system.joints[i], k.system.bodies[i].parent, k.owner(i)
+        for block, letter in ((bodies[i].I, "I"), (bodies[i].H, "H"), (bodies[i].M, "M")):
+            block.label(name, f"articulated_{letter}", CELLS)
+        with k.graph.made_by(name, "elimination"):
             convective = k.convective(i)
             if joint.motion is not None:
                 eliminations[i] = Elimination(

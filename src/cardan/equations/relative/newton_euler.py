@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ..inertia import Inertia, of_body, second_moment
+from ..inertia import CELLS, Inertia, of_body, second_moment
 from ..kinematics import Kinematics
 from ..loads import Loads, spread
 
@@ -91,8 +91,10 @@ def _spread(omega: Matrix, alpha: Matrix) -> Matrix:
 
 def inertia_force(k: Kinematics, i: int, acc: Accelerations) -> tuple[Matrix, Matrix]:
     """Rate of change of momentum of a body about its origin: moment and force."""
-    with k.graph.made_by(k.owner(i), "inertia_force"):
-        return second_moment_force(of_body(k, i), acc.a[i], acc.spread[i])
+    inertia, name = of_body(k, i), k.owner(i)
+    second_moment(inertia.tensor).label(name, "second_moment", CELLS)
+    with k.graph.made_by(name, "inertia_force"):
+        return second_moment_force(inertia, acc.a[i], acc.spread[i])
 
 
 def second_moment_force(inertia: Inertia, a: Matrix, spread: Matrix) -> tuple[Matrix, Matrix]:
