@@ -1,0 +1,154 @@
+"""Measured data as functions: interpolation tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from hashlib import sha256
+from itertools import pairwise
+from typing import Any
+
+from ..errors import ModelError, near
+from ..ir.graph import Table
+from ..ir.numbers import FLOATS
+
+
+def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interpolation:
+    """A function through measured points.
+
+    Below the first and above the last point the first and the last piece of the curve continue,
+    so that no corner arises at the ends; measure a little farther than the motion goes.
+
+    Args:
+        x: Abscissae, increasing, (n,) with n >= 2.
+        y: Values, (n,).
+        kind: ``akima`` (smooth, does not swing beside a jump), ``linear``, ``cubic`` (two
+            continuous derivatives, not-a-knot ends) or ``pchip`` (keeps monotonicity).
+
+    Returns:
+        A callable: numbers and arrays give numbers, SymPy expressions give an expression.
+
+    Raises:
+        ModelError: an unknown kind, unequal lengths, fewer than two points, values that are not
+            finite numbers, or abscissae that do not increase.
+
+    Source: H. Akima, A New Method of Interpolation and Smooth Curve Fitting, J. ACM 17 (1970);
+        F. N. Fritsch, J. Butland, A Method for Constructing Local Monotone Piecewise Cubic
+        Interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
+    """
+    if kind not in KINDS:
+        raise ModelError(f"table: kind {kind!r} does not exist.{near(str(kind), KINDS)}")
+    breaks, values = _column("x", x), _column("y", y)
+    if len(breaks) != len(values):
+        raise ModelError(
+            f"table: x has {len(breaks)} entries and y has {len(values)}; give one y for every x"
+        )
+    if len(breaks) < 2:
+        raise ModelError(f"table: {len(breaks)} points make no curve; give at least 2")
+    for i, (left, right) in enumerate(pairwise(breaks)):
+        if not left < right:
+            raise ModelError(
+                f"table: x[{i + 1}] = {right} does not exceed x[{i}] = {left}; sort the points by "
+                "x and give one y for every x"
+            )
+    # two points determine a straight line, whatever the kind
+    pieces = KINDS["linear" if len(breaks) == 2 else kind](breaks, values)
+    return Interpolation(Table(breaks, pieces), kind)
+
+
+@dataclass(frozen=True)
+class Interpolation:
+    """What :func:`table` makes.
+
+    Attributes:
+        data: The piecewise polynomial.
+        kind: How it goes through the points.
+    """
+
+    data: Table = field(repr=False)
+    kind: str
+
+    def __call__(self, x: Any) -> Any:
+        """Value at a number or at every entry of an array; expression of an expression."""
+        if hasattr(x, "free_symbols"):
+            return _symbolic(self.data, 0)(x)
+        if hasattr(x, "__len__"):
+            import numpy as np
+
+            found = [FLOATS.table(self.data, 0, float(entry)) for entry in np.ravel(x)]
+            return np.reshape(found, np.shape(x))
+        return FLOATS.table(self.data, 0, float(x))
+
+
+def _column(name: str, entries: Any) -> tuple[float, ...]:
+    """Finite floats."""
+    try:
+        column = tuple(float(entry) for entry in entries)
+    except (TypeError, ValueError) as problem:
+        raise ModelError(f"table: {name} must be a sequence of numbers: {problem}") from problem
+    for i, entry in enumerate(column):
+        if not math.isfinite(entry):
+            raise ModelError(f"table: {name}[{i}] is {entry}; give finite numbers only")
+    return column
+
+
+# how the curve goes through the points
+
+
+def _linear(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+    return tuple(((y[i + 1] - y[i]) / (x[i + 1] - x[i]), y[i]) for i in range(len(x) - 1))
+
+
+def _curve(name: str) -> Callable[..., tuple[tuple[float, ...], ...]]:
+    """Pieces of a piecewise polynomial of ``scipy.interpolate``."""
+
+    def pieces(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+        from scipy import interpolate
+
+        coefficients = getattr(interpolate, name)(x, y).c
+        return tuple(tuple(float(c) for c in piece) for piece in coefficients.T)
+
+    return pieces
+
+
+KINDS: dict[str, Callable[..., tuple[tuple[float, ...], ...]]] = {
+    "akima": _curve("Akima1DInterpolator"),
+    "linear": _linear,
+    "cubic": _curve("CubicSpline"),
+    "pchip": _curve("PchipInterpolator"),
+}
+
+
+# the SymPy side
+
+
+@cache
+def _symbolic(data: Table, derivative: int) -> Any:
+    """The SymPy function of a table or of one of its derivatives; equal tables share it."""
+    import sympy
+
+    def at_number(cls: Any, x: Any) -> Any:
+        if x.is_number and x.is_extended_real and x.is_finite:
+            return sympy.Float(FLOATS.table(data, derivative, float(x)))
+        return None
+
+    def slope(self: Any, argindex: int = 1) -> Any:
+        higher = derivative + 1
+        return sympy.Integer(0) if higher >= data.order else _symbolic(data, higher)(self.args[0])
+
+    # the name orders arguments of sums: it depends on the data, not on the process
+    digest = sha256(repr((data.breaks, data.coefficients)).encode()).hexdigest()[:8]
+    return type(
+        f"table_{digest}" + (f"_d{derivative}" if derivative else ""),
+        (sympy.Function,),
+        {
+            "nargs": 1,
+            "is_extended_real": True,
+            "cardan_table": data,
+            "cardan_derivative": derivative,
+            "eval": classmethod(at_number),
+            "fdiff": slope,
+        },
+    )

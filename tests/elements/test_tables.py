@@ -1,0 +1,105 @@
+"""Interpolation tables against SciPy, and their way through SymPy into C expressions."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import sympy
+from scipy import interpolate
+
+import cardan as cd
+from cardan.ir.function import Block, Function, Output
+from cardan.ir.graph import Graph
+from cardan.ir.interpreter import evaluate
+from cardan.ir.sympy_bridge import from_sympy
+
+X = [-1.0, 0.0, 0.5, 2.0, 3.0, 4.5]
+Y = [0.3, 1.0, -0.7, 0.4, 2.0, 1.9]
+SCIPY = {
+    "akima": interpolate.Akima1DInterpolator(X, Y, extrapolate=True),
+    "cubic": interpolate.CubicSpline(X, Y),
+    "pchip": interpolate.PchipInterpolator(X, Y),
+    "linear": interpolate.make_interp_spline(X, Y, k=1),
+}
+# outside, at the breaks and between them
+AT = np.array([-1.7, *X, -0.3, 0.2, 1.234, 2.7, 4.4, 5.0])
+
+
+@pytest.mark.parametrize("kind", SCIPY)
+def test_values_are_those_of_scipy(kind: str) -> None:
+    curve = cd.table(X, Y, kind)
+    np.testing.assert_allclose(curve(AT), SCIPY[kind](AT), rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose([curve(x) for x in X], Y, rtol=1e-14)
+    assert curve(AT.reshape(1, -1)).shape == (1, len(AT))
+    assert isinstance(curve(0.3), float)
+
+
+@pytest.mark.parametrize("kind", SCIPY)
+@pytest.mark.parametrize("order", [0, 1, 2, 3, 4])
+def test_expressions_and_their_derivatives(kind: str, order: int) -> None:
+    """The SymPy expression, differentiated, as ir expression at many points."""
+    x = sympy.Symbol("x")
+    expression = sympy.diff(3 * cd.table(X, Y, kind)(x), x, order)
+    graph = Graph()
+    node = from_sympy(graph, expression, {x: graph.var("q", 0)})
+    block = Block("q", ("x",), ("",))
+    function = Function("f", graph, (block,), (Output("y", (1,), (node,)),))
+    # at breaks the higher derivatives jump; SciPy evaluates those pieces alike
+    inside = AT if kind != "linear" else AT[~np.isin(AT, X)]
+    found = [evaluate(function, {"q": [at]})["y"][0] for at in inside]
+    wanted = 3 * SCIPY[kind](inside, order) if order < 4 else np.zeros(len(inside))
+    np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-11)
+
+
+def test_numbers_that_come_in_as_sympy() -> None:
+    curve = cd.table(X, Y)
+    x = sympy.Symbol("x")
+    assert curve(sympy.Rational(1, 4)) == pytest.approx(curve(0.25), rel=1e-15)
+    assert float((curve(x) ** 2).subs(x, 0.25)) == pytest.approx(curve(0.25) ** 2, rel=1e-15)
+
+
+def test_equal_tables_are_equal() -> None:
+    x = sympy.Symbol("x")
+    assert cd.table(X, Y)(x) - cd.table(list(X), tuple(Y))(x) == 0
+    assert cd.table(X, Y)(x) != cd.table(X, Y[::-1])(x)
+    assert cd.table(X, Y)(x) != cd.table(X, Y, "pchip")(x)
+
+
+@pytest.mark.parametrize("kind", SCIPY)
+def test_two_points_make_a_straight_line(kind: str) -> None:
+    line = cd.table([1.0, 3.0], [2.0, -2.0], kind)
+    np.testing.assert_allclose(line(np.array([0.0, 2.0, 4.0])), [4.0, 0.0, -4.0], atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "message"),
+    [
+        ([0, 1, 2], [0, 1], r"x has 3 entries and y has 2.*one y for every x"),
+        ([0], [1], r"1 points make no curve; give at least 2"),
+        ([0, 2, 2], [0, 1, 2], r"x\[2\] = 2.0 does not exceed x\[1\] = 2.0; sort"),
+        ([0, 2, 1], [0, 1, 2], r"x\[2\] = 1.0 does not exceed"),
+        ([0, 1, float("inf")], [0, 1, 2], r"x\[2\] is inf; give finite"),
+        ([0, 1, 2], [0, float("nan"), 2], r"y\[1\] is nan; give finite"),
+        (3.0, [1, 2], r"x must be a sequence of numbers"),
+        ([0, 1], ["a", "b"], r"y must be a sequence of numbers"),
+    ],
+)
+def test_bad_data_are_named(x: object, y: object, message: str) -> None:
+    with pytest.raises(cd.ModelError, match=message):
+        cd.table(x, y)
+
+
+def test_an_unknown_kind_is_told_the_near_one() -> None:
+    with pytest.raises(cd.ModelError, match=r"'cubik' does not exist.*Did you mean 'cubic'"):
+        cd.table([0, 1], [0, 1], "cubik")
+
+
+def test_sympy_is_loaded_by_expressions_only() -> None:
+    program = (
+        "import sys, cardan as cd; print(cd.table([0, 1, 2], [0, 1, 0])(0.5)); "
+        "sys.exit('sympy' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
