@@ -31,7 +31,7 @@ def from_sympy(graph: Graph, expression: Any, symbols: Mapping[Any, int]) -> int
             real.
     """
     done: dict[Any, int] = dict(symbols)
-    root = sympy.sympify(expression)
+    root = sympy.sympify(expression, strict=True)
     stack = [root]
     while stack:
         e = stack[-1]
