@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 # Pinocchio's XML reader stops at a robot without a name
 UNREADABLE = frozenset({"ur_description/urdf/ur3.urdf"})
-# its joints mimic "index_q1", which the file calls "Left_index_q1": it can only be freed
+# its joints mimic "index_q1", which the file calls "Left_index_q1": they stay free
 LEADERLESS = frozenset({"alex_description/urdf/alex_psyonic_hands.urdf"})
 # their M is singular: links without inertia at the end of joints
 SINGULAR = frozenset(
