@@ -22,7 +22,7 @@ def system(kind: str, seed: int, n: int = 4, m: int = 2) -> tuple[np.ndarray, np
 
 
 @pytest.mark.parametrize("compiler", sorted(compilers()))
-@pytest.mark.parametrize("kind", (*PIVOTING, "spd"))
+@pytest.mark.parametrize("kind", [*PIVOTING, "spd"])
 @pytest.mark.parametrize("of", ["q", "p"])
 def test_solution_has_a_small_residual(kind: str, of: str, compiler: str) -> None:
     cfile = generate(solving(kind, of=of))

@@ -137,7 +137,8 @@ def test_same_bytes_in_every_process() -> None:
     script = (
         "import hashlib; from codegen.functions import random_function, solving;"
         "from cardan.codegen import generate;"
-        "texts = [generate(random_function(s), longest=l).text for s in range(3) for l in (9, 999)];"
+        "made = [(random_function(s), n) for s in range(3) for n in (9, 999)];"
+        "texts = [generate(f, longest=n).text for f, n in made];"
         "texts.append(generate(solving('rank_revealing')).text);"
         "print(hashlib.sha256(''.join(texts).encode()).hexdigest())"
     )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import Any
 
 from .. import __version__
@@ -42,7 +43,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         functions: Names that may be asked for.
     """
     system = equations.system
-    joints = [_joint(system, i) for i in range(len(system.joints))]
+    joints = [_joint(equations, i) for i in range(len(system.joints))]
     data: dict[str, Any] = {
         "abi": ABI,
         "schema": SCHEMA,
@@ -147,9 +148,11 @@ def _speeds(equations: Equations) -> list[dict[str, Any]]:
     return [{"name": name, "unit": unit, "joint": joint} for name, unit, joint in rows]
 
 
-def _joint(system: System, number: int) -> dict[str, Any]:
+def _joint(equations: Equations, number: int) -> dict[str, Any]:
+    system = equations.system
     joint, element = system.joints[number], system.joints[number].element
     quaternion = element.quaternion
+    own_speeds = joint.u >= 0 and not equations.chosen
     coupled = None
     if joint.coupling is not None:
         coupled = {"leader": system.joints[joint.coupling.leader].name}
@@ -162,10 +165,10 @@ def _joint(system: System, number: int) -> dict[str, Any]:
         "parent_frame": system.frames[joint.parent_frame].name,
         "child_frame": system.frames[joint.child_frame].name,
         "q": [joint.q, len(element.coordinates)] if joint.q >= 0 else None,
-        "u": [joint.u, len(element.speeds)] if joint.u >= 0 else None,
+        "u": [joint.u, len(element.speeds)] if own_speeds else None,
         "q0": list(joint.q0) if joint.q0 is not None else None,
         "u0": list(joint.u0) if joint.u0 is not None else None,
-        "limits": {name: value for name, value in limits if value is not None},
+        "limits": {name: value for name, value in limits if value is not None and isfinite(value)},
         "quaternion": joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
         "rotation": _rotation(joint),
         "domain": element.domain,
