@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from .terminal import console
@@ -20,7 +21,8 @@ def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
     out.print()
     out.print(
         f"derived {tour.bodies} bodies in {tour.derived * 1e3:.1f} ms, "
-        f"{tour.operations} operations, compiled and checked in {tour.compiled:.2f} s"
+        f"{tour.operations} operations, compiled and checked in {tour.compiled:.2f} s",
+        soft_wrap=True,
     )
     for line in tour.lines:
         out.print(f"    {line}", style="cyan", soft_wrap=True)
@@ -30,14 +32,17 @@ def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
         else "Pinocchio is not installed"
     )
     out.print(
-        f"{tour.call * 1e9:.0f} ns per call, worst error {tour.error:.1e} against 40 digits, {peer}"
+        f"{tour.call * 1e9:.0f} ns per call, worst error {tour.error:.1e} against 40 digits, "
+        f"{peer}",
+        soft_wrap=True,
     )
     out.print(
         f"10 s simulated in {tour.simulated * 1e3:.1f} ms ({tour.steps} steps), "
-        f"energy drift {tour.drift:.1e} of the largest kinetic energy"
+        f"energy drift {tour.drift:.1e} of the largest kinetic energy",
+        soft_wrap=True,
     )
     for note in tour.notes[:3]:
-        out.print(f"note: {note}", style="dim", soft_wrap=True)
+        out.print(f"note: {shorten(note, 100, placeholder=' ...')}", style="dim", soft_wrap=True)
     for file in tour.files:
         out.print(f"wrote {shown(file)}", soft_wrap=True)
     out.print()

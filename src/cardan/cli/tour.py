@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -34,7 +34,7 @@ class Tour:
 
     Attributes:
         graph: Drawing of bodies and joints.
-        bodies, joints: Their number.
+        bodies: Their number.
         derived: Time from file to C text of forward dynamics [s].
         operations: In that text.
         compiled: Time to compile, load and check it [s].
@@ -51,7 +51,6 @@ class Tour:
 
     graph: str
     bodies: int
-    joints: int
     derived: float
     operations: int
     compiled: float
@@ -108,11 +107,14 @@ def take(
     return Tour(
         graph=str(scene.graph),
         bodies=len(equations.system.bodies),
-        joints=len(equations.system.joints),
         derived=derived,
         operations=sum(text.entry["operations"].values()),
         compiled=compiled,
-        lines=excerpt(text.text, tuple(joint.name for joint in equations.system.joints)),
+        lines=excerpt(
+            text.text,
+            [joint.name for joint in equations.system.joints],
+            [body.name for body in equations.system.bodies],
+        ),
         call=call,
         error=error,
         peer=peer,
@@ -147,15 +149,27 @@ def speed_and_error(equations: Equations, model: CompiledModel) -> tuple[float, 
     return min(times), worst
 
 
-def excerpt(text: str, joints: tuple[str, ...]) -> tuple[str, ...]:
-    """Six consecutive assignments that name a joint, from the middle of the C."""
+def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[str, ...]:
+    """Six consecutive assignments of the C: those with most names of joints and bodies."""
     lines = [line.strip() for line in text.splitlines()]
-    named = re.compile("|".join(re.escape(joint) for joint in joints) or "$^")
-    good = [bool(re.match(r"const real|real", line)) and bool(named.search(line)) for line in lines]
-    runs = [i for i in range(len(lines) - 6) if all(good[i : i + 6])]
-    # short lines read best
-    chosen = min(runs, key=lambda i: max(map(len, lines[i : i + 6])), default=0)
-    return tuple(lines[chosen : chosen + 6])
+    # C names spell what is no letter or digit as _
+    moving, owners = (
+        "|".join(re.sub(r"\W", "_", name) for name in names)
+        for names in (joints, (*joints, *bodies))
+    )
+    speaks, owned = re.compile(rf"\b({moving})_"), re.compile(rf"const real ({owners})_")
+    windows = [
+        lines[i : i + 6]
+        for i in range(len(lines) - 5)
+        if all(re.match(r"const real \w+ = .*;", line) for line in lines[i : i + 6])
+    ]
+
+    def quality(window: list[str]) -> tuple[int, int]:
+        # among equals the short lines read best
+        names = sum(bool(owned.match(line)) + bool(speaks.search(line)) for line in window)
+        return names, -sum(map(len, window))
+
+    return tuple(max(windows, key=quality, default=[]))
 
 
 def write(motion: Trajectory, out: Path, picture: bool) -> tuple[Path, ...]:
