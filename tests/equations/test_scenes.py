@@ -1,0 +1,109 @@
+"""Scenes small enough for a closed form: reactions, prescribed motion, chosen speeds, outputs."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import cardan as cd
+
+G = 9.81
+BALL = (0.1, 0.1, 0.1)
+
+
+def console(reverse: bool = False) -> cd.Model:
+    """A horizontal arm of two welded bodies with a weight hanging from its tip."""
+    scene = cd.Model("console", gravity=(0, 0, -G))
+    inner = scene.body("inner", mass=2, com=(0.1, 0, 0), inertia=BALL)
+    outer = scene.body("outer", mass=3, com=(0.5, 0, 0), inertia=BALL)
+    bob = scene.body("bob", mass=1, com=(0, 0, -1), inertia=BALL)
+    scene.joint("base", cd.Revolute("y"), scene.ground, inner)
+    ends = (outer, inner.at(1, 0, 0)) if reverse else (inner.at(1, 0, 0), outer)
+    scene.joint("weld", cd.Fixed(), *ends)
+    scene.joint("hook", cd.Revolute("y"), outer.at(1, 0, 0), bob)
+    return scene
+
+
+@pytest.mark.parametrize("reverse", [False, True])
+def test_reaction_of_a_weld_at_rest(reverse: bool) -> None:
+    """Both weights hang on the weld: 3 kg at 0.5 m and 1 kg at 1 m."""
+    model = cd.compile(console(reverse), functions=["inverse_dynamics", "reaction"])
+    rest = [0.0, 0.0]
+    tau = model.inverse_dynamics(rest, rest, rest)
+    expected = np.array([0, -(1.5 + 1.0) * G, 0, 0, 0, 4 * G]) * (-1 if reverse else 1)
+    np.testing.assert_allclose(model.reaction("weld", rest, rest, tau=tau), expected, atol=1e-13)
+
+
+def test_reaction_counts_wrenches_on_the_right_part() -> None:
+    """A wrench on the outer body loads the weld, one on the inner body does not."""
+    model = cd.compile(
+        console(), functions=["inverse_dynamics", "reaction", "pose", "frame_jacobian"]
+    )
+    rest, up = [0.0, 0.0], np.array([0, 0, 0, 0, 0, 5.0])
+    loads = {}
+    for body in ("inner", "outer"):
+        tau = model.inverse_dynamics(rest, rest, rest, wrenches={body: up})
+        loads[body] = model.reaction("weld", rest, rest, tau=tau, wrenches={body: up})
+    np.testing.assert_allclose(loads["inner"] - loads["outer"], up, atol=1e-13)
+
+
+def test_force_of_a_prescribed_motion_is_the_rate_of_momentum() -> None:
+    """A pendulum of 2 kg and 1 m on a cart of 1 kg that moves as 0.3 sin 2t."""
+    import sympy
+
+    scene = cd.Model("crane", gravity=(0, 0, -G))
+    cart = scene.body("cart", mass=1)
+    bob = scene.body("bob", mass=2, com=(0, 0, -1))
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, cart, motion=0.3 * sympy.sin(2 * cd.t))
+    scene.joint("rope", cd.Revolute("y"), cart, bob)
+    model = cd.compile(scene, functions=["forward_dynamics", "outputs"])
+    angle, rate, t = 0.3, 0.7, 0.5
+    acceleration = -1.2 * math.sin(2 * t)
+    # about the moving pivot: theta'' = x'' cos(theta) - g sin(theta)
+    turning = acceleration * math.cos(angle) - G * math.sin(angle)
+    got = model.forward_dynamics([angle], [rate], t=t)
+    np.testing.assert_allclose(got, [turning], rtol=1e-14)
+    swing = -turning * math.cos(angle) + rate**2 * math.sin(angle)
+    force = model.outputs([angle], [rate], t=t)
+    np.testing.assert_allclose(force, [3 * acceleration + 2 * swing], rtol=1e-14)
+
+
+def test_chosen_speeds_transform_the_equations() -> None:
+    """w = Y u: the mass matrix becomes Y^-T M Y^-1 and udot follows from wdot."""
+    scene = console()
+    speeds = {"w1": scene.u("base"), "w2": scene.u("base") + scene.u("hook")}
+    chosen = cd.compile(cd.derive(scene, speeds=speeds))
+    usual = cd.compile(scene)
+    q, u = np.array([0.3, -0.8]), np.array([0.4, 1.1])
+    y = np.array([[1.0, 0.0], [1.0, 1.0]])
+    back = np.linalg.inv(y)
+    m = usual.mass_matrix(q)
+    np.testing.assert_allclose(chosen.mass_matrix(q), back.T @ m @ back, rtol=1e-13)
+    np.testing.assert_allclose(chosen.qdot(q, y @ u), u, rtol=1e-14)
+    udot = usual.forward_dynamics(q, u)
+    np.testing.assert_allclose(chosen.forward_dynamics(q, y @ u), y @ udot, rtol=1e-12)
+
+
+def test_accelerations_stand_in_outputs_but_not_in_force_laws() -> None:
+    scene = console()
+    scene.output("fall", scene.bodies["bob"].acceleration()[2])
+    udot = cd.compile(scene, functions=["outputs"]).outputs([0.0, 0.0], [0.0, 0.0])
+    assert udot[0] < 0
+    scene.force("jet", cd.Force(scene.bodies["bob"], (0, 0, scene.bodies["bob"].acceleration()[2])))
+    with pytest.raises(cd.DerivationError, match="acceleration of frame 'bob' cannot stand"):
+        cd.derive(scene).function("forward_dynamics")
+
+
+@pytest.mark.parametrize("method", ["kane", "newton_euler", "composite", "articulated"])
+def test_a_massless_tip_is_named(method: str) -> None:
+    scene = cd.Model("tip")
+    arm = scene.body("arm", mass=1, com=(0.5, 0, 0), inertia=BALL)
+    tip = scene.body("tip", mass=0)
+    scene.joint("shoulder", cd.Revolute("y"), scene.ground, arm)
+    scene.joint("wrist", cd.Revolute("z"), arm.at(1, 0, 0), tip)
+    equations = cd.derive(scene, method=method)
+    with pytest.raises(cd.DerivationError, match="joint 'wrist'"):
+        equations.function("forward_dynamics")
+    assert equations.function("inverse_dynamics").operations()
