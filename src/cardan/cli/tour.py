@@ -169,7 +169,7 @@ def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[st
         names = sum(bool(owned.match(line)) + bool(speaks.search(line)) for line in window)
         return names, -sum(map(len, window))
 
-    return tuple(max(windows, key=quality, default=[]))
+    return tuple(max(windows, key=quality)) if windows else ()
 
 
 def write(motion: Trajectory, out: Path, picture: bool) -> tuple[Path, ...]:
