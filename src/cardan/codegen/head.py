@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 
 from ..ir.function import Block, Function, Output
-from ..ir.graph import Graph
 from ..ir.ops import LEAVES
 from .naming import comment
 from .routines import Built
@@ -32,10 +30,9 @@ MEANING = {
 }
 
 
-def operations(graph: Graph, order: Iterable[int]) -> dict[str, int]:
+def operations(built: Built) -> dict[str, int]:
     """Number of computed nodes per operator, the most frequent first."""
-    nodes = graph.nodes
-    counts = Counter([nodes[i][0] for i in order])
+    counts = built.operators
     found = [(op, n) for op, n in counts.items() if op not in LEAVES and op != "item"]
     return dict(sorted(found, key=lambda row: (-row[1], row[0])))
 
@@ -53,7 +50,6 @@ def head(
     Args:
         blocks: Input blocks that are read.
     """
-    graph = function.graph
     title = f"{function.name} of {model}" if model else function.name
     first = [comment(title)]
     if function.about:
@@ -62,8 +58,8 @@ def head(
     size = sum(len(output.nodes) for output in function.outputs)
     sizes = (
         f"Sizes: out {size}, work {body.length}, w {prepare.length}",
-        f"Operations per call: {_counts(operations(graph, body.order))}",
-        f"Operations of prepare: {_counts(operations(graph, prepare.order))}",
+        f"Operations per call: {_counts(operations(body))}",
+        f"Operations of prepare: {_counts(operations(prepare))}",
     )
     found = [tuple(first), sizes]
     found.extend(_input(block) for block in function.inputs if block.name in blocks)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ..ir.function import Function, Staged
 from ..ir.graph import Graph
@@ -39,18 +39,17 @@ def lower(
     second = Stage(function.name, "function", order, results(function), "work", 0)
     body = build(second, values, longest)
 
-    computed = (*prepare.order, *body.order)
-    nodes = function.graph.nodes
-    read = {nodes[i][1] for i in computed if nodes[i][0] == "var"}
-    solves = any(nodes[i][0] == "solve" for i in computed)
+    counts = (operations(body), operations(prepare))
+    read = prepare.blocks | body.blocks
+    solves = any("solve" in count for count in counts)
     return Program(
         name=function.name,
         head=head(function, model, notes, read, prepare, body),
         includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
-        tables=tables(function.graph, computed),
+        tables=tables(function.graph, (*prepare.order, *body.order), counts),
         routines=prepare.routines + body.routines,
         blocks=tuple(block.name for block in function.inputs if block.name in read),
-        operations=operations(function.graph, body.order),
+        operations=counts[0],
         work_size=body.length,
         prepared_size=prepare.length,
     )
@@ -80,8 +79,12 @@ def _position(shape: tuple[int, ...], k: int) -> str:
     return text
 
 
-def tables(graph: Graph, order: Sequence[int]) -> tuple[Table, ...]:
+def tables(
+    graph: Graph, order: Sequence[int], counts: Sequence[Mapping[str, int]]
+) -> tuple[Table, ...]:
     """The measured data that the nodes read, as constant arrays."""
+    if not any("table" in count for count in counts):
+        return ()
     read = {graph.nodes[i][1] for i in order if graph.nodes[i][0] == "table"}
     found = []
     for k in sorted(int(graph.nodes[i][1]) for i in read):

@@ -17,7 +17,7 @@ from .owners import Owner, Owners
 # the widest expression, with its name: a line of 100 columns and most of a second one
 WIDEST = 150
 # the least width that can be too much; "_12" behind a name that is not unique
-NARROW, NUMBER = 80, 3
+NARROW, NUMBER = 110, 3
 
 INFIX = frozenset({"add", "sub", "mul", "div"})
 SEPARATE = frozenset({"sin", "cos", "solve", "item"})
@@ -116,8 +116,11 @@ class _Planner:
         self.reads: dict[int, tuple[int, ...]] = {}
 
     def plan(self, order: list[int], outside: frozenset[int], names: Mapping[int, str]) -> None:
-        nodes, labels, roots, uses = self.graph.nodes, self.graph.labels, self.roots, self.uses
-        width, sees = self.width, self.sees
+        nodes, uses, width, sees = self.graph.nodes, self.uses, self.width, self.sees
+        # what is labeled or wanted is a statement in any case
+        kept = bytearray(len(nodes))
+        for i in (*self.graph.labels, *self.roots):
+            kept[i] = 1
         for i in order:
             node = nodes[i]
             op = node[0]
@@ -140,7 +143,7 @@ class _Planner:
                 total, seen = self._shorten(i, node, total, seen)
             # a changed sign of something with a name needs no name
             often = uses[i] > 1 and not (op == "neg" and sees[node[1]] == node[1:])
-            if often or i in labels or i in roots or op in SEPARATE:
+            if often or kept[i] or op in SEPARATE:
                 self._state(i, seen)
             else:
                 width[i], sees[i] = total, seen

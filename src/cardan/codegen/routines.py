@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
@@ -46,10 +47,20 @@ class Stage(NamedTuple):
 
 
 class Built(NamedTuple):
-    """Routines of a stage (the last is the stage itself), what they compute, and array length."""
+    """What a stage became.
+
+    Attributes:
+        routines: The last is the stage itself, before it its parts.
+        order: Nodes it computes or reads from inputs.
+        operators: How often each operator is among them.
+        blocks: Input blocks it reads.
+        length: Length of its array.
+    """
 
     routines: tuple[Routine, ...]
     order: tuple[int, ...]
+    operators: dict[str, int]
+    blocks: frozenset[str]
     length: int
 
 
@@ -81,8 +92,11 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
             routines.append(Routine(f"{stage.name}_part{n}", kind, "", scope, tuple(body)))
         bodies[-1] = [Call(routine.name) for routine in routines]
     routines.append(Routine(stage.name, stage.kind, about, scope, tuple(bodies[-1])))
-    computed = tuple(i for i in plan.order if i not in given)
-    return Built(tuple(routines), computed, length)
+    nodes = graph.nodes
+    computed = tuple([i for i in plan.order if i not in given])
+    operators = Counter([nodes[i][0] for i in computed])
+    blocks = frozenset(nodes[i][1] for i in plan.outside if i not in given)
+    return Built(tuple(routines), computed, dict(operators), blocks, length)
 
 
 class _Builder:
