@@ -25,6 +25,7 @@ VECTORS: dict[str, tuple[Callable[[float], float], float]] = {
     "mrp": (lambda phi: np.tan(phi / 4), 2 * np.pi),
     "conformal": (lambda phi: 4 * np.tan(phi / 4), 2 * np.pi),
     "rotation_vector": (lambda phi: phi, 2 * np.pi),
+    "euler_rodrigues": (lambda phi: 2 * np.sin(phi / 2), np.pi),
     "linear": (np.sin, np.pi / 2),
 }
 REGULAR = ("quaternion", "dcm")

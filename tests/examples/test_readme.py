@@ -1,0 +1,46 @@
+"""The README is true to the letter: its Python runs, its commands and links exist."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from cardan.cli import parser
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_way_in_is_short() -> None:
+    assert len(TEXT.splitlines()) <= 40
+    assert "When not to use it" in TEXT
+
+
+def test_python_block(tmp_path: Path) -> None:
+    (program,) = re.findall(r"```python\n(.*?)```", TEXT, flags=re.DOTALL)
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "Matrix" in done.stdout
+    assert (tmp_path / "pendulum.html").is_file()
+
+
+@pytest.mark.parametrize("target", re.findall(r"make (\w+)", TEXT))
+def test_make_targets(target: str) -> None:
+    assert re.search(rf"^{target}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+@pytest.mark.parametrize("line", re.findall(r"`cardan ([^`]+)`", TEXT))
+def test_command_lines(line: str) -> None:
+    words = shlex.split(line)
+    assert parser(words[0]).parse_args(words).command == words[0]
+
+
+@pytest.mark.parametrize("link", re.findall(r"\]\(([^)]+)\)", TEXT))
+def test_links(link: str) -> None:
+    assert (ROOT / link).exists()
