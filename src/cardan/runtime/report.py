@@ -5,12 +5,14 @@ from __future__ import annotations
 import importlib.util
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import DerivationError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache
@@ -27,6 +29,7 @@ JUDGED = 3
 DIGITS = 40
 ROUNDS = 5
 PATIENCE = 2e-3
+MAIN = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
 
 
 @dataclass(frozen=True)
@@ -90,11 +93,18 @@ class Report:
 def report(model: CompiledModel, seed: int = 1) -> Report:
     """Measure every function that is compiled or written, and print the table.
 
+    Where none is yet, the dynamics are taken.
+
     Returns:
         The numbers of the table.
     """
     from rich.console import Console
 
+    if not model._written():
+        for name in MAIN:
+            # M of a massless tip is singular: its udot does not exist
+            with suppress(DerivationError):
+                model.prepare(name)
     saved = model._objects.saved()
     judge, note = _judge()
     rows = []
