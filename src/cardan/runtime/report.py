@@ -91,20 +91,17 @@ class Report:
 
 
 def report(model: CompiledModel, seed: int = 1) -> Report:
-    """Measure every function that is compiled or written, and print the table.
-
-    Where none is yet, the dynamics are taken.
+    """Measure the dynamics and every other function that is written; print the table.
 
     Returns:
         The numbers of the table.
     """
     from rich.console import Console
 
-    if not model._written():
-        for name in MAIN:
-            # M of a massless tip is singular: its udot does not exist
-            with suppress(DerivationError):
-                model.prepare(name)
+    for name in MAIN:
+        # not asked for, or without meaning: udot where M of a massless tip is singular
+        with suppress(DerivationError):
+            model.prepare(name)
     saved = model._objects.saved()
     judge, note = _judge()
     rows = []
