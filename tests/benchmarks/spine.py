@@ -51,10 +51,13 @@ print(time.perf_counter() - start)
 
 @dataclass(frozen=True)
 class Case:
-    """A scene to measure; ``urdf`` where Pinocchio can read it too."""
+    """A scene to measure; ``urdf`` where Pinocchio can read it too.
+
+    ``build(snap)`` makes the scene, with angles as printed where ``snap`` is False.
+    """
 
     name: str
-    build: Callable[[], Any]
+    build: Callable[[bool], Any]
     urdf: Path | None = None
     locked: tuple[str, ...] = ()
 
@@ -86,10 +89,19 @@ def cases() -> list[Case]:
         )
         fingers = ("panda_finger_joint1", "panda_finger_joint2")
         found = [
-            Case("Panda, fingers fixed", lambda: cd.load(_without(panda, fingers)), panda, fingers),
-            Case("UR5", lambda: cd.load(ur5), ur5),
+            Case(
+                "Panda, fingers fixed",
+                lambda snap: cd.load(_without(panda, fingers), snap=snap),
+                panda,
+                fingers,
+            ),
+            Case("UR5", lambda snap: cd.load(ur5, snap=snap), ur5),
         ]
-    return [*found, Case("chain of 7", lambda: chain(7)), Case("chain of 100", lambda: chain(100))]
+    return [
+        *found,
+        Case("chain of 7", lambda snap: chain(7)),
+        Case("chain of 100", lambda snap: chain(100)),
+    ]
 
 
 def _without(path: Path, joints: tuple[str, ...]) -> Path:
@@ -117,10 +129,10 @@ def best(repeats: int, work: Callable[[], Any]) -> float:
 
 def ours(case: Case) -> tuple[Row, np.ndarray, np.ndarray]:
     """Our figures, and the states they were taken at."""
-    equations = cd.derive(case.build())
+    equations = cd.derive(case.build(True))
 
     def derivation() -> None:
-        generate(cd.derive(case.build()).function("forward_dynamics"), model=case.name)
+        generate(cd.derive(case.build(True)).function("forward_dynamics"), model=case.name)
 
     derived = best(3, derivation)
     model = cd.compile(equations, functions=("forward_dynamics",))
@@ -147,10 +159,13 @@ def ours(case: Case) -> tuple[Row, np.ndarray, np.ndarray]:
     return row, q, u
 
 
-def digits(equations: Any, q: np.ndarray, u: np.ndarray) -> np.ndarray:
+def digits(equations: Any, q: np.ndarray, u: np.ndarray, damped: bool = True) -> np.ndarray:
     """Accelerations from 40 digits."""
     function = equations.function("forward_dynamics")
-    p = [parameter.value for parameter in equations.system.parameters]
+    p = [
+        parameter.value * (damped or not parameter.name.endswith(".damping"))
+        for parameter in equations.system.parameters
+    ]
     blocks = {"p": p, "tau": [0.0] * equations.system.nu, "t": [0.0]}
     rows = [
         evaluate(function, blocks | {"q": a, "u": b}, arithmetic="mp")["udot"]
@@ -172,23 +187,29 @@ def peers(case: Case, q: np.ndarray, u: np.ndarray, program: Path | None) -> lis
         model, [model.getJointId(name) for name in case.locked], pin.neutral(model)
     )
     data, rest = model.createData(), np.zeros(model.nv)
-    some = [(a, b) for a, b in zip(q[:200], u[:200], strict=True)]
+    some = list(zip(q[:200], u[:200], strict=True))
+    few = q[:EXACT_STATES], u[:EXACT_STATES]
+    # Pinocchio takes angles as printed, the hand-written CasADi exact zeros; neither damps
+    printed, snapped = (digits(cd.derive(case.build(x)), *few, damped=False) for x in (False, True))
     call = best(5, lambda: [pin.aba(model, data, a, b, rest) for a, b in some]) / len(some)
-    rows = [Row("Pinocchio ABA, called from Python", call=call)]
-    if program is not None:
-        with tempfile.TemporaryDirectory() as folder:
+    found = np.array([pin.aba(model, data, a, b, rest) for a, b in some[:EXACT_STATES]])
+    error = relative(found, printed)
+    rows = [Row("Pinocchio ABA from Python", call=call, error=error)]
+    with tempfile.TemporaryDirectory() as folder:
+        if program is not None:
             call = pinocchio_cpp.time(program, model, Path(folder))
-        rows.append(Row("Pinocchio ABA, header-only C++ loop", call=call))
-    if importlib.util.find_spec("casadi"):
-        from benchmarks.casadi_aba import Peer
+            rows.append(Row("Pinocchio ABA in C++", call=call, error=error))
+        if importlib.util.find_spec("casadi"):
+            from benchmarks.casadi_aba import Peer
 
-        with tempfile.TemporaryDirectory() as folder:
             start = perf_counter()
             peer = Peer(model, Path(folder))
             built = perf_counter() - start
-            call, _ = peer.time(q, u, 5)
-        name = "CasADi, its C of an ABA"
-        rows.append(Row(name, compiled=built, call=call, operations=peer.operations))
+            call, found = peer.time(q, u, 5)
+            error = relative(found[:EXACT_STATES], snapped)
+            counts = peer.operations
+            name = "CasADi's C of an ABA"
+            rows.append(Row(name, compiled=built, call=call, error=error, operations=counts))
     return rows
 
 
