@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import DerivationError
+from ..errors import DerivationError, ModelError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache
@@ -100,7 +100,7 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
 
     for name in MAIN:
         # not asked for, or without meaning: udot where M of a massless tip is singular
-        with suppress(DerivationError):
+        with suppress(DerivationError, ModelError):
             model.prepare(name)
     saved = model._objects.saved()
     judge, note = _judge()
