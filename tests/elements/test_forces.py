@@ -1,0 +1,341 @@
+"""Laws of every force element: potentials and power, action and reaction, guards, messages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import inf, nan
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+
+import cardan as cd
+from cardan.elements.forces import FORCES
+from cardan.elements.forces.force import Action, ForceElement
+from cardan.ir.arithmetic import Scalar
+from cardan.ir.derivative import gradient
+from cardan.ir.graph import Graph
+from cardan.ir.matrix import Matrix
+from cardan.spatial.exponential import exp
+from elements.written_of import converted
+from spatial.numbers_of import block, close, difference, moving, numbers
+
+INSTANCES: dict[str, ForceElement] = {
+    "force": cd.Force("A", (1.0, -2.0, 0.5)),
+    "force in axes": cd.Force("A", (1.0, -2.0, 0.5), in_="B"),
+    "torque": cd.Torque("A", (0.3, 0.0, -2.0)),
+    "torque in axes": cd.Torque("A", (0.3, 0.0, -2.0), in_="B"),
+    "spring": cd.SpringDamper("A", "B", stiffness=30.0, length=0.4),
+    "spring of no length": cd.SpringDamper("A", "B", stiffness=30.0),
+    "damper": cd.SpringDamper("A", "B", damping=4.0),
+    "spring and damper": cd.SpringDamper("A", "B", stiffness=30.0, damping=4.0, length=0.4),
+    "torsion spring": cd.TorsionSpring("one", stiffness=7.0, rest=0.2),
+    "torsion spring and damper": cd.TorsionSpring("one", stiffness=7.0, damping=0.3),
+    "joint force": cd.JointForce("one", 3.0),
+    "joint forces": cd.JointForce("two", (3.0, -1.0)),
+    "damping": cd.Damping("two", 0.8),
+    "rigid drive": cd.Drive("one", inertia=0.1, ratio=50.0, torque=0.6, friction=0.02),
+    "gyroscopic drive": cd.Drive("one", inertia=0.1, ratio=-4.0, torque=0.6, gyroscopic=True),
+    "elastic drive": cd.Drive(
+        "one", inertia=0.1, ratio=20.0, torque=0.6, friction=0.02, stiffness=90.0, damping=1.5
+    ),
+}
+FRAMES, JOINTS = {"A": 0, "B": 1}, {"one": 0, "two": 1, "rotor": 2}
+# positions and rotation vectors of two frames, coordinates of three joints; then their rates
+STATE = {
+    "x0": [0.3, -0.2, 1.0],
+    "x1": [-0.6, 0.4, 0.1],
+    "r0": [0.0, 0.0, 0.0],
+    "r1": [0.5, -0.4, 1.1],
+    "q0": [0.7],
+    "q1": [0.4, -1.2],
+    "q2": [9.0],
+}
+RATES = {
+    "x0": [0.5, 1.5, -0.3],
+    "x1": [-1.1, 0.2, 0.9],
+    "r0": [0.2, -0.1, 0.4],
+    "r1": [0.3, 0.3, -0.7],
+    "q0": [-1.3],
+    "q1": [0.6, 0.9],
+    "q2": [4.0],
+}
+
+
+class Moving:
+    """Two frames and three joints whose states are input blocks."""
+
+    def __init__(self) -> None:
+        self.graph = Graph()
+
+    def position(self, frame: int) -> Matrix:
+        return block(self.graph, f"x{frame}", 3)
+
+    def rotation(self, frame: int) -> Matrix:
+        return exp(block(self.graph, f"r{frame}", 3))
+
+    def velocity(self, frame: int) -> Matrix:
+        return block(self.graph, f"v_x{frame}", 3)
+
+    def angular_velocity(self, frame: int) -> Matrix:
+        return block(self.graph, f"v_r{frame}", 3)
+
+    def q(self, joint: int) -> Matrix:
+        return block(self.graph, f"q{joint}", len(STATE[f"q{joint}"]))
+
+    def u(self, joint: int) -> Matrix:
+        return block(self.graph, f"v_q{joint}", len(STATE[f"q{joint}"]))
+
+    @property
+    def time(self) -> Scalar:
+        return block(self.graph, "t", 1)[0]
+
+
+class Bench:
+    """An element on the moving frames and joints."""
+
+    def __init__(self, element: ForceElement) -> None:
+        self.element, self.motion = element, Moving()
+        self.data, self.parameters = converted(self.motion.graph, element.quantities())
+        self.state = STATE | {f"v_{name}": rates for name, rates in RATES.items()}
+        self.actions = self.act()
+
+    def act(self) -> tuple[Action, ...]:
+        frames = {role: FRAMES[name] for role, name in self.element.frames().items()}
+        joints = {role: JOINTS[name] for role, name in self.element.joints().items()}
+        return self.element.act(self.motion, self.data, frames, joints | {"rotor": JOINTS["rotor"]})
+
+    def value(self, x: Matrix | Scalar, kind: str = "mp", **values: Any) -> Any:
+        return numbers(x, kind, **(self.parameters | self.state | values))
+
+    def power(self, action: Action) -> Scalar:
+        motion, graph = self.motion, self.motion.graph
+        total = Scalar(graph, 0)
+        for load in action.loads:
+            total = total + load.force.dot(motion.velocity(load.frame))
+            total = total + load.torque.dot(motion.angular_velocity(load.frame))
+        for load in action.joint_loads:
+            total = total + load.force.dot(motion.u(load.joint))
+        return total
+
+
+@pytest.fixture(params=INSTANCES)
+def bench(request: pytest.FixtureRequest) -> Bench:
+    return Bench(INSTANCES[request.param])
+
+
+def test_every_element_is_tested() -> None:
+    assert {element.kind for element in INSTANCES.values()} == set(FORCES)
+    assert all(FORCES[e.kind] is type(e) and e.source for e in INSTANCES.values())
+
+
+def test_power_is_what_the_potential_loses(bench: Bench) -> None:
+    paths = {name: moving(STATE[name], RATES[name]) for name in STATE}
+    stored = [action for action in bench.actions if action.potential is not None]
+    assert len(stored) == bool(getattr(bench.element, "stiffness", 0))
+    for action in stored:
+
+        def energy(t: Any, action: Action = action) -> Any:
+            return bench.value(action.potential, **{k: path(t) for k, path in paths.items()})
+
+        assert close([bench.value(bench.power(action)) + difference(energy)], 0)
+        assert energy(0) > 0
+
+
+DAMPERS = [name for name in INSTANCES if "damp" in name or name == "elastic drive"]
+
+
+@pytest.mark.parametrize("name", DAMPERS)
+def test_dampers_take_power(name: str) -> None:
+    """Whatever the speeds; of the elastic drive, the shaft."""
+    bench, rng = Bench(INSTANCES[name]), np.random.default_rng(11)
+    (damper,) = [action for action in bench.actions if action.potential is None][:1]
+    for _ in range(5):
+        rates = {f"v_{name}": rng.normal(size=len(x)) for name, x in STATE.items()}
+        assert bench.value(bench.power(damper), **rates) < 0
+
+
+@pytest.mark.parametrize("name", [n for n, e in INSTANCES.items() if e.kind == "spring_damper"])
+def test_forces_between_frames_are_balanced(name: str) -> None:
+    """Force and moment about the origin of what acts between two frames sum to zero."""
+    bench = Bench(INSTANCES[name])
+    for action in bench.actions:
+        force, moment = Matrix.zeros(bench.motion.graph, 3), Matrix.zeros(bench.motion.graph, 3)
+        for load in action.loads:
+            force = force + load.force
+            position = bench.motion.position(load.frame)
+            moment = moment + load.torque + position.cross(load.force)
+        assert len(action.loads) == 2
+        assert close(bench.value(force), 0, 70)
+        assert close(bench.value(moment), 0, 70)
+
+
+def load_of(element: ForceElement, k: int = 0) -> np.ndarray:
+    """Torque and force of the first load, or a joint force, summed over the actions; floats."""
+    bench = Bench(element)
+    total = 0.0
+    for action in bench.actions:
+        if action.loads:
+            load = action.loads[k]
+            total = total + bench.value(Matrix.vstack(load.torque, load.force), "float")
+        for joint_load in action.joint_loads:
+            if joint_load.joint == k:
+                total = total + bench.value(joint_load.force, "float")
+    return total
+
+
+# values in closed form
+
+
+def test_spring_and_damper_in_closed_form() -> None:
+    span = np.subtract(STATE["x1"], STATE["x0"])
+    distance = np.linalg.norm(span)
+    rate = span @ np.subtract(RATES["x1"], RATES["x0"]) / distance
+    wanted = (30.0 * (distance - 0.4) + 4.0 * rate) * span / distance
+    found = load_of(INSTANCES["spring and damper"])
+    np.testing.assert_allclose(found, [0, 0, 0, *wanted], rtol=1e-13)
+
+
+def test_loads_turn_with_their_axes() -> None:
+    R = numbers(exp(Matrix.vector(Graph(), STATE["r1"])))
+    force, torque = load_of(INSTANCES["force in axes"]), load_of(INSTANCES["torque in axes"])
+    np.testing.assert_allclose(force, [0, 0, 0, *(R @ (1.0, -2.0, 0.5))], rtol=1e-14)
+    np.testing.assert_allclose(torque, [*(R @ (0.3, 0.0, -2.0)), 0, 0, 0], rtol=1e-14)
+    assert np.array_equal(load_of(INSTANCES["force"]), [0, 0, 0, 1.0, -2.0, 0.5])
+    assert np.array_equal(load_of(INSTANCES["torque"]), [0.3, 0.0, -2.0, 0, 0, 0])
+
+
+def test_joint_elements_in_closed_form() -> None:
+    q, u = STATE["q0"][0], RATES["q0"][0]
+    assert load_of(INSTANCES["torsion spring"]) == pytest.approx([-7.0 * (q - 0.2)], rel=1e-15)
+    wanted = [-7.0 * q - 0.3 * u]
+    assert load_of(INSTANCES["torsion spring and damper"]) == pytest.approx(wanted, rel=1e-14)
+    assert np.array_equal(load_of(INSTANCES["joint forces"], 1), [3.0, -1.0])
+    np.testing.assert_allclose(load_of(INSTANCES["damping"], 1), [-0.8 * 0.6, -0.8 * 0.9])
+    # reflected through the gear: torque by the ratio, friction by its square
+    wanted = [50.0 * 0.6 - 50.0**2 * 0.02 * u]
+    assert load_of(INSTANCES["rigid drive"]) == pytest.approx(wanted, rel=1e-14)
+
+
+def test_elastic_drive_in_closed_form() -> None:
+    q, u, angle, speed = STATE["q0"][0], RATES["q0"][0], STATE["q2"][0], RATES["q2"][0]
+    shaft = 90.0 * (angle / 20 - q) + 1.5 * (speed / 20 - u)
+    drive = INSTANCES["elastic drive"]
+    assert load_of(drive) == pytest.approx([shaft], rel=1e-13)
+    rotor = 0.6 - 0.02 * speed - shaft / 20
+    assert load_of(drive, 2) == pytest.approx([rotor], rel=1e-12)
+
+
+def test_rotor_of_a_drive() -> None:
+    """Reflected inertia, or a body that turns by itself."""
+    rigid = Bench(INSTANCES["rigid drive"])
+    added = rigid.element.rotor_inertia(rigid.data)["joint"]
+    assert rigid.value(added[0], "float") == pytest.approx(50.0**2 * 0.1, rel=1e-15)
+    assert rigid.element.rotor() is None
+    for name, elastic in (("gyroscopic drive", False), ("elastic drive", True)):
+        bench = Bench(INSTANCES[name])
+        rotor = bench.element.rotor()
+        assert (rotor.inertia, rotor.ratio, rotor.elastic) == (0.1, bench.element.ratio, elastic)
+        assert not bench.element.rotor_inertia(bench.data)
+
+
+def test_what_is_zero_does_not_act() -> None:
+    assert not Bench(cd.SpringDamper("A", "B")).actions
+    assert not Bench(cd.TorsionSpring("one")).actions
+    assert not Bench(cd.Damping("two", 0.0)).actions
+
+
+# guards
+
+
+@pytest.mark.parametrize("name", ["spring", "spring of no length", "damper", "spring and damper"])
+def test_where_the_points_of_a_spring_meet_nothing_pulls(name: str) -> None:
+    """No force, and no NaN in it, in the energy, or in their derivatives."""
+    bench = Bench(INSTANCES[name])
+    meeting = {"x1": STATE["x0"]}
+    for action in bench.actions:
+        pull = action.loads[0].force
+        assert np.array_equal(bench.value(pull, "float", **meeting), np.zeros(3))
+        assert np.isfinite(bench.value(bench.power(action), "float", **meeting))
+        roots = [*pull.nodes, *([action.potential.node] if action.potential else [])]
+        at = [*bench.motion.position(0).nodes, *bench.motion.position(1).nodes]
+        for root in roots:
+            slopes = gradient(bench.motion.graph, root, at)
+            column = Matrix(bench.motion.graph, len(slopes), 1, slopes)
+            assert np.isfinite(bench.value(column, "float", **meeting)).all()
+
+
+def test_a_spring_of_no_length_is_smooth_where_its_points_meet() -> None:
+    bench = Bench(INSTANCES["spring of no length"])
+    pull, at = bench.actions[0].loads[0].force, bench.motion.position(1).nodes
+    for k, root in enumerate(pull.nodes):
+        slopes = gradient(bench.motion.graph, root, at)
+        found = bench.value(Matrix(bench.motion.graph, 3, 1, slopes), "float", x1=STATE["x0"])
+        np.testing.assert_allclose(found, 30.0 * np.eye(3)[k], rtol=1e-15)
+
+
+@pytest.mark.parametrize("away", [1e-9, 1e-150])
+def test_next_to_the_meeting_point_the_force_has_its_full_size(away: float) -> None:
+    bench = Bench(INSTANCES["spring"])
+    pull = bench.actions[0].loads[0].force
+    zero = [0.0, 0.0, 0.0]
+    found = bench.value(pull, "float", x0=zero, x1=[0.0, away, 0.0])
+    np.testing.assert_allclose(found, [0.0, 30.0 * (away - 0.4), 0.0], rtol=1e-12)
+
+
+# potentials only of what is constant
+
+
+@pytest.mark.parametrize(
+    ("element", "name"),
+    [
+        (cd.SpringDamper("A", "B", 2.0, length=1.0), "length"),
+        (cd.TorsionSpring("one", 2.0), "rest"),
+    ],
+)
+def test_a_spring_that_is_driven_has_no_potential(element: ForceElement, name: str) -> None:
+    """A parameter keeps it; a coordinate or time in it works on the system."""
+    bench = Bench(element)
+    for source, stored in (("p", True), ("q0", False), ("t", False)):
+        bench.data[name] = block(bench.motion.graph, source, 1)
+        assert [action.potential is not None for action in bench.act()] == [stored]
+
+
+# messages
+
+x = sympy.Symbol("x")
+BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
+    "two": (lambda: cd.Force("A", (1, 2)), "force: force has 2 entries; give 3"),
+    "text": (lambda: cd.Force("A", "up"), "force: force is 'up'; give 3 numbers"),
+    "nan": (lambda: cd.Torque("A", (0, nan, 0)), r"torque: torque\[1\] is nan; give a finite"),
+    "none": (lambda: cd.Damping("one", None), "damping: damping is None; give a finite number"),
+    "inf": (
+        lambda: cd.SpringDamper("A", "B", stiffness=inf),
+        "spring_damper: stiffness is inf; give a finite number, a parameter or an expression",
+    ),
+    "complex": (lambda: cd.TorsionSpring("one", 1j), r"torsion_spring: stiffness is 1j; give"),
+    "true": (lambda: cd.JointForce("one", True), "joint_force: force is True; give"),
+    "entry": (lambda: cd.JointForce("two", (x, "a")), r"joint_force: force\[1\] is 'a'; give"),
+    "ratio": (lambda: cd.Drive("one", 0.1, ratio="50"), "drive: ratio is '50'; give a finite"),
+    "shaft": (lambda: cd.Drive("one", 0.1, stiffness=nan), "drive: stiffness is nan; give"),
+}
+
+
+@pytest.mark.parametrize("make", BAD)
+def test_bad_input_is_named(make: str) -> None:
+    call, message = BAD[make]
+    with pytest.raises(cd.ModelError, match=message):
+        call()
+
+
+def test_joints_with_the_wrong_number_of_coordinates() -> None:
+    for element in (
+        replace(INSTANCES["torsion spring"], joint="two"),
+        replace(INSTANCES["rigid drive"], joint="two"),
+    ):
+        with pytest.raises(cd.ModelError, match=r"on joint 'two': the joint has 2 coordinates"):
+            Bench(element)
+    with pytest.raises(cd.ModelError, match=r"'one': 2 values for a joint with 1 speeds; give 1"):
+        Bench(replace(INSTANCES["joint forces"], joint="one"))
