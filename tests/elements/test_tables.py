@@ -103,3 +103,14 @@ def test_sympy_is_loaded_by_expressions_only() -> None:
         "sys.exit('sympy' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
+
+
+def test_a_table_as_joint_torque_in_c() -> None:
+    """A body of inertia 1: the acceleration is the measured torque, outside the points too."""
+    scene, curve = cd.Model("muscle"), cd.table(X, Y)
+    limb = scene.body("limb", mass=1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("knee", cd.Revolute("y"), scene.ground, limb)
+    scene.force("muscle", cd.JointForce("knee", curve(scene.q("knee"))))
+    model = cd.compile(scene)
+    found = model.forward_dynamics(AT[:, None], np.zeros((len(AT), 1)))
+    np.testing.assert_allclose(found[:, 0], curve(AT), rtol=1e-14, atol=1e-15)

@@ -1,0 +1,1 @@
+"""Frames, vectors, rotations, twists, wrenches and inertias, on expressions."""
