@@ -1,12 +1,17 @@
 """Long functions in parts: the same bits, work reused, values only from earlier parts."""
 
 import re
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from cardan.codegen import generate
+from cardan.codegen import sections as section_order
 from cardan.codegen.parts import crossing, split
+from cardan.codegen.plan import make_plan
+from cardan.codegen.sections import arrange
+from cardan.codegen.values import Values
 from codegen.functions import random_function, values
 from codegen.running import call, compilers, expected
 
@@ -63,3 +68,35 @@ def test_a_part_reads_only_what_was_stored_before() -> None:
             stored.add(target[1])
         for read in re.findall(r"= (work\[\d+\]);", line):
             assert read in stored
+
+
+def test_sections_keep_what_reads_what_and_gather_owners() -> None:
+    function = random_function(3, 150)
+    graph, order = function.graph, function.live()
+    values = Values(function, order, ())
+    plan = make_plan(graph, order, function.roots, (), values.names, values.owners)
+    sections = arrange(plan)
+    placed = [i for _, statements in sections for i in statements]
+    assert sorted(placed) == sorted(plan.reads)
+    seen: set[int] = set(plan.outside)
+    for i in placed:
+        assert seen.issuperset(plan.reads[i])
+        seen.add(i)
+    # statements of one owner stand together: fewer sections than changes of owner before
+    homes = [plan.owners[i].section for i in plan.reads]
+    assert len(sections) < sum(a != b for a, b in pairwise(homes))
+    assert all(plan.owners[i].section == title for title, s in sections for i in s)
+
+
+def test_statements_do_not_overtake_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    function = random_function(3, 150)
+    values = Values(function, function.live(), ())
+    plan = make_plan(
+        function.graph, function.live(), function.roots, (), values.names, values.owners
+    )
+    monkeypatch.setattr(section_order, "WINDOW", 10)
+    number = {i: n for n, i in enumerate(plan.reads)}
+    placed = [number[i] for _, statements in arrange(plan) for i in statements]
+    for at, n in enumerate(placed):
+        # sine and cosine are numbered as neighbors: a few more than the window
+        assert n - min(placed[at:]) <= 10 + 8

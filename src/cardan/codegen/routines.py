@@ -123,7 +123,11 @@ class _Builder:
                 self.length += node[2] * (node[2] + node[3]) + 2 * node[2]
 
     def part(self, sections: Sections) -> list[Statement]:
-        """The statements of some sections, each after what it loads from outside."""
+        """The statements of some sections; each section after what it loads from outside.
+
+        Values of other parts are loaded where they are read first and stored where they are made,
+        so that few are alive at a time.
+        """
         reads, crossing = self.plan.reads, self.crossing
         here: set[int] = set()
         found: list[Statement] = []
@@ -135,11 +139,14 @@ class _Builder:
                 for k in reads[i]:
                     if k not in here:
                         here.add(k)
-                        outer.append(k)
+                        if k in crossing:
+                            lines.append(self._load(k))
+                        else:
+                            outer.append(k)
                 here.add(i)
                 self._state(i, lines, results)
                 if i in crossing:
-                    results.append(Assign(Place(self.stage.array, crossing[i]), i))
+                    lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=self._place)]
             found.append(Section(self._title(title, statements), (*loads, *lines, *results)))
         return found

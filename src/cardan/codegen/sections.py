@@ -1,7 +1,7 @@
 """The order of statements: whoever owns values has them computed together.
 
-Statements are taken greedily: all that one owner can compute now, then the owner of the earliest
-statement that waits. A sweep over a tree therefore reads body by body, as in the textbook.
+Statements are taken greedily: all that one owner can compute now, within a window, then the owner
+of the earliest statement that waits. A sweep over a tree reads body by body, as in the textbook.
 """
 
 from __future__ import annotations
@@ -11,6 +11,10 @@ from heapq import heapify, heappop, heappush
 from .plan import Plan
 
 Sections = list[tuple[str, list[int]]]
+
+# how many statements one may overtake: values made long before they are read cost memory traffic.
+# Measured on the mass matrix of 100 bodies: without a bound twice the run and compile time
+WINDOW = 1000
 
 
 def arrange(plan: Plan) -> Sections:
@@ -35,23 +39,25 @@ def arrange(plan: Plan) -> Sections:
         heapify(queue)
 
     sections: Sections = []
-    done = bytearray(len(statements))
+    done = bytearray(len(statements) + 1)
+    first = 0
     while anywhere:
         n = heappop(anywhere)
         if done[n]:
             continue
         title, taken = home[n], list[int]()
         queue = ready[title]
-        while queue:
+        while queue and queue[0] <= first + WINDOW:
             n = heappop(queue)
             done[n] = 1
             taken.append(statements[n])
+            while done[first]:
+                first += 1
             for k in readers[n]:
                 waiting[k] -= 1
                 if not waiting[k]:
                     heappush(ready[home[k]], k)
-                    if home[k] != title:
-                        heappush(anywhere, k)
+                    heappush(anywhere, k)
         sections.append((title, taken))
     return sections
 
