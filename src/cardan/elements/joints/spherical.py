@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.rotations import Rotation, parametrization
+from ...spatial.rotations import parametrization
+from ...spatial.rotations.rotation import Rotation
 from .joint import Component, Joint
 
 
