@@ -4,7 +4,7 @@ from .custom import Custom
 from .cylindrical import Cylindrical
 from .fixed import Fixed
 from .free import Free
-from .joint import Joint
+from .joint import Component, Joint
 from .planar import Planar
 from .prismatic import Prismatic
 from .revolute import Revolute

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.rotations import parametrization
-from ...spatial.rotations.rotation import Rotation
+from ...spatial.rotations import Rotation, parametrization
 from .joint import Component, Joint
 
 
