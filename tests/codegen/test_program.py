@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cardan.codegen import CFile
+from cardan.codegen import CFile, generate
 from cardan.codegen.languages import c
 from cardan.codegen.program import (
     Assign,
@@ -18,6 +18,8 @@ from cardan.codegen.program import (
     Section,
     Table,
 )
+from cardan.errors import CodegenError
+from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from codegen.running import call, compilers
 
@@ -94,3 +96,32 @@ def test_number_tables_are_complete() -> None:
     values = (0.1, 1e-300, 3.0)
     text = c.write(Program("f", (), ("cardan.h",), (Table("data", values),), (), (), {}, 0, 0))
     assert "static const double data[3] = {\n    0.1, 1e-300, 3.0\n};" in text
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_many_plain_parameters_are_copied_by_a_loop(compiler: str) -> None:
+    g = Graph()
+    n = 300
+    scaled = [g.mul(g.var("q", 0), g.var("p", n - 1 - k)) for k in range(n)]
+    block = Block("p", tuple(f"p{k}" for k in range(n)), ("",) * n)
+    q = Block("q", ("a",), ("",))
+    function = Function("scaled", g, (q, block), (Output("y", (n,), tuple(scaled)),))
+    cfile = generate(function)
+    assert "for (int i = 0; i < 300; ++i) {" in cfile.text
+    assert "w[prepare_scaled_target[i]] = p[prepare_scaled_source[i]];" in cfile.text
+    values = [0.5 * k for k in range(n)]
+    answer = call(cfile, {"q": [2.0], "p": values}, compiler)
+    assert answer.out.tolist() == [2.0 * x for x in reversed(values)]
+
+
+@pytest.mark.parametrize("name", ["pose__tip_", "pose____x", "pose__" + "long_" * 30 + "name"])
+def test_names_of_frames_are_part_of_names(name: str) -> None:
+    function = Function(name, Graph(), (), (Output("y", (1,), (1,)),))
+    assert call(generate(function), {}).out.tolist() == [1.0]
+
+
+def test_a_name_that_c_cannot_have_is_refused() -> None:
+    for name in ("two words", "int", "9th", ""):
+        function = Function(name, Graph(), (), (Output("y", (1,), (1,)),))
+        with pytest.raises(CodegenError, match="cannot be the name"):
+            generate(function)

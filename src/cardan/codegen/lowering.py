@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 
+from ..errors import CodegenError
 from ..ir.function import Function, Staged
 from ..ir.graph import Graph
 from . import parts
 from .head import head, operations
-from .naming import comment
+from .naming import RESERVED, comment
 from .program import Place, Program, Table
 from .routines import Result, Stage, build
 from .values import Values
@@ -26,9 +28,11 @@ def lower(
         longest: Statements after which a routine is split.
 
     Raises:
-        CodegenError: a placeholder was left in the graph.
+        CodegenError: a placeholder was left in the graph, or the name is none for C.
     """
     function = staged.function
+    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", function.name) or function.name in RESERVED:
+        raise CodegenError(f"'{function.name}' cannot be the name of a C function")
     order = staged.order or tuple(function.live())
     values = Values(function, order, staged.prepare)
 
@@ -46,7 +50,7 @@ def lower(
         name=function.name,
         head=head(function, model, notes, read, prepare, body),
         includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
-        tables=tables(function.graph, (*prepare.order, *body.order), counts),
+        tables=tables(function.graph, (*prepare.order, *body.order), counts) + prepare.tables,
         routines=prepare.routines + body.routines,
         blocks=tuple(block.name for block in function.inputs if block.name in read),
         operations=counts[0],

@@ -12,11 +12,26 @@ from . import parts
 from .naming import comment
 from .owners import SHARED
 from .plan import Plan, make_plan
-from .program import Assign, Call, Declare, Place, Routine, Scope, Section, Solve, Statement
+from .program import (
+    Assign,
+    Call,
+    Declare,
+    Index,
+    Loop,
+    Place,
+    Routine,
+    Scope,
+    Section,
+    Solve,
+    Statement,
+    Table,
+)
 from .sections import Sections, arrange
 from .values import Values
 
 TITLE = 84
+# so many parameters that are prepared as they are become a loop
+COPIES = 128
 
 
 class Result(NamedTuple):
@@ -54,6 +69,7 @@ class Built(NamedTuple):
         order: Nodes it computes or reads from inputs.
         operators: How often each operator is among them.
         blocks: Input blocks it reads.
+        tables: Constant arrays it needs.
         length: Length of its array.
     """
 
@@ -61,6 +77,7 @@ class Built(NamedTuple):
     order: tuple[int, ...]
     operators: dict[str, int]
     blocks: frozenset[str]
+    tables: tuple[Table, ...]
     length: int
 
 
@@ -96,7 +113,7 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     computed = tuple([i for i in plan.order if i not in given])
     operators = Counter([nodes[i][0] for i in computed])
     blocks = frozenset(nodes[i][1] for i in plan.outside if i not in given)
-    return Built(tuple(routines), computed, dict(operators), blocks, length)
+    return Built(tuple(routines), computed, dict(operators), blocks, builder.tables, length)
 
 
 class _Builder:
@@ -115,6 +132,7 @@ class _Builder:
             self.results.setdefault(result.node, []).append(result)
         # room for A, B and the scratch of the kernel of every linear system
         self.systems: dict[int, int] = {}
+        self.tables: tuple[Table, ...] = ()
         self.length = stage.start
         for i in plan.reads:
             node = self.graph.nodes[i]
@@ -153,17 +171,31 @@ class _Builder:
 
     def plain(self) -> list[Statement]:
         """Results that need no computation: numbers and values from outside."""
-        lines: list[Statement] = []
-        for result in self.stage.results:
-            if result.node in self.plan.outside:
-                value: int | Place = self.values.place(result.node, self.after)
-            elif result.node not in self.plan.reads:
-                value = result.node
-            else:
-                continue
-            lines.append(Assign(result.place, value, result.comment))
-        title = "results that are numbers or inputs" if self.after else "parameters as they are"
-        return [Section(title, tuple(lines))] if lines else []
+        plain = [r for r in self.stage.results if r.node not in self.plan.reads]
+        if not plain:
+            return []
+        if self.after:
+            lines = [Assign(r.place, self._plain_value(r.node), r.comment) for r in plain]
+            return [Section("results that are numbers or inputs", tuple(lines))]
+        if len(plain) > COPIES:
+            return [Section("parameters as they are", (self._copies(plain),))]
+        lines = [Assign(r.place, self._place(r.node), r.comment) for r in plain]
+        return [Section("parameters as they are", tuple(lines))]
+
+    def _plain_value(self, node: int) -> int | Place:
+        return self._place(node) if node in self.plan.outside else node
+
+    def _copies(self, plain: Sequence[Result]) -> Loop:
+        """Many parameters that are prepared as they are: one loop over two tables."""
+        target, source = f"{self.stage.name}_target", f"{self.stage.name}_source"
+        to = tuple(self.values.w[r.node] for r in plain)
+        entries = tuple(int(self.graph.nodes[r.node][2]) for r in plain)
+        self.tables = (
+            Table(target, to, integer=True, comment="where w holds parameters as they are"),
+            Table(source, entries, integer=True, comment="which entries of p these are"),
+        )
+        copy = Assign(Place("w", Index("i", table=target)), Place("p", Index("i", table=source)))
+        return Loop("i", len(plain), Scope(self.graph, (), {}), (copy,))
 
     def _place(self, k: int) -> Place:
         """Where a value of another part or from outside is read."""
