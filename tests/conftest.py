@@ -1,4 +1,4 @@
-"""Prints the seconds every test file took, all its processes together."""
+"""Prints the seconds every test file took, all its processes together; ``--accept`` golden text."""
 
 from __future__ import annotations
 
@@ -7,6 +7,12 @@ from collections import defaultdict
 import pytest
 
 SECONDS: dict[str, float] = defaultdict(float)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--accept", action="store_true", help="write generated/ anew instead of comparing with it"
+    )
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:

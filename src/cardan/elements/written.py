@@ -81,3 +81,12 @@ def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
             f"{owner}: {name} is the zero vector and has no direction; give for example 'z'"
         )
     return entries
+
+
+def parallel(a: tuple[Any, ...], b: tuple[Any, ...]) -> bool:
+    """True where two directions given in numbers are parallel to rounding."""
+    if any(is_expression(x) for x in (*a, *b)):
+        return False
+    x, y = ([float(v) / math.hypot(*map(float, n)) for v in n] for n in (a, b))
+    cross = (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0])
+    return math.hypot(*cross) < 1e-12

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from ...errors import ModelError
 from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
 from ..quantity import Quantity
-from ..written import axis
+from ..written import axis, parallel
 from .joint import Component, Joint
 
 
@@ -23,7 +24,7 @@ class Universal(Joint):
         axis1, axis2: Directions: "x", "y", "z", "-x", ... or three numbers or expressions.
 
     Raises:
-        ModelError: an axis is zero, NaN or not a direction.
+        ModelError: an axis is zero, NaN or not a direction, or both are parallel.
 
     Source: Featherstone, Rigid Body Dynamics Algorithms, section 4.4.
     """
@@ -36,6 +37,11 @@ class Universal(Joint):
     def __post_init__(self) -> None:
         for name in ("axis1", "axis2"):
             object.__setattr__(self, name, axis("universal joint", name, getattr(self, name)))
+        if parallel(self.axis1, self.axis2):
+            raise ModelError(
+                f"universal joint: axis1 {self.axis1} and axis2 {self.axis2} are parallel; take a "
+                "Revolute for one axis, or two directions that differ"
+            )
 
     @property
     def coordinates(self) -> tuple[Component, ...]:

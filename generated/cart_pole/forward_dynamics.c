@@ -1,0 +1,108 @@
+/*
+ * forward_dynamics of cart_pole
+ * udot with M udot + h = f + tau
+ * formalism: composite
+ * passes: unroll, reassociate
+ *
+ * Sizes: out 2, work 0, w 5
+ * Operations per call: 29 = 17 mul, 7 sub, 2 add, 1 cos, 1 div, 1 sin
+ * Operations of prepare: 5 = 2 add, 2 mul, 1 div
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  track [m]
+ *   q[1]  hinge [rad]
+ *
+ * Input u (2): generalized speeds
+ *   u[0]  track.u [m/s]
+ *   u[1]  hinge.u [rad/s]
+ *
+ * Input r (1): inputs of the model
+ *   r[0]  push
+ *
+ * Input p (6): parameters, read by prepare_ only
+ *
+ * Input tau (2): applied generalized forces
+ *   tau[0]  track.u.tau [N]
+ *   tau[1]  hinge.u.tau [N*m]
+ *
+ * Output udot (2)
+ *   out[0]  track.udot [m/s^2]
+ *   out[1]  hinge.udot [rad/s^2]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* pole: first moment, inertia */
+    const wreal pole_mass = p[2]; /* kg */
+    const wreal pole_com_z = p[3]; /* m */
+    const wreal pole_inertia_yy = p[5]; /* kg m^2 */
+    const wreal pole_first_moment_z = pole_mass * pole_com_z;
+    const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_com_z * pole_first_moment_z;
+    w[2] = pole_first_moment_z; /* pole_first_moment_z */
+
+    /* M: D inverse */
+    const wreal cart_mass = p[1]; /* kg */
+    w[3] = cart_mass + pole_mass; /* M_1_1 */
+    w[4] = 1.0 / pole_inertia_yy_2; /* M_D_inverse_2 */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* gravity.z [m/s^2] */
+    w[1] = p[2]; /* pole.mass [kg] */
+}
+
+/* udot with M udot + h = f + tau */
+CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const real *const r = in->r;
+    const wreal *const w = in->w;
+    const real *const tau = in->tau;
+    (void)work;
+
+    /* hinge: cos, sin */
+    const real hinge_q = q[1]; /* rad */
+    const real hinge_cos = cardan_cos(hinge_q);
+    const real hinge_sin = cardan_sin(hinge_q);
+
+    /* M: L, D inverse */
+    const wreal pole_first_moment_z = w[2];
+    const wreal M_1_1 = w[3];
+    const wreal M_D_inverse_2 = w[4];
+    const real M_2_1 = pole_first_moment_z * hinge_cos;
+    const real M_L_2_1 = M_2_1 * M_D_inverse_2;
+    const real M_D_inverse_1 = 1.0 / (M_1_1 - M_2_1 * M_L_2_1);
+
+    /* pole: a, n, f */
+    const wreal gravity_z = w[0]; /* m/s^2 */
+    const wreal pole_mass = w[1]; /* kg */
+    const real pole_a_x = gravity_z * hinge_sin;
+    const real pole_n_y = pole_first_moment_z * pole_a_x;
+    const real pole_f_x = pole_mass * pole_a_x;
+
+    /* cart: f */
+    const real hinge_u = u[1]; /* rad/s */
+    const real cart_f_x = hinge_cos * pole_f_x - hinge_sin * (gravity_z * hinge_cos * pole_mass
+        + hinge_u * hinge_u * pole_first_moment_z);
+
+    /* track: tau, drive */
+    const real track_q = q[0]; /* m */
+    const real push = r[0];
+    const real track_u_tau = tau[0]; /* N */
+    const real track_tau = 40.0 * track_q - push + cart_f_x;
+    const real track_drive = track_u_tau - track_tau;
+
+    /* hinge: drive */
+    const real hinge_u_tau = tau[1]; /* N*m */
+    const real hinge_drive = hinge_u_tau - pole_n_y;
+
+    /* track: udot */
+    const real track_udot = M_D_inverse_1 * (track_drive - hinge_drive * M_L_2_1);
+    out[0] = track_udot; /* udot: track.udot [m/s^2] */
+
+    /* hinge: udot */
+    out[1] = hinge_drive * M_D_inverse_2 - M_L_2_1 * track_udot; /* udot: hinge.udot [rad/s^2] */
+    return CARDAN_OK;
+}

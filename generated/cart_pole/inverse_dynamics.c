@@ -1,0 +1,98 @@
+/*
+ * inverse_dynamics of cart_pole
+ * tau with M udot + h = f + tau
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 2, work 0, w 6
+ * Operations per call: 28 = 16 mul, 7 add, 3 sub, 1 cos, 1 sin
+ * Operations of prepare: 7 = 3 add, 3 mul, 1 sub
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  track [m]
+ *   q[1]  hinge [rad]
+ *
+ * Input u (2): generalized speeds
+ *   u[0]  track.u [m/s]
+ *   u[1]  hinge.u [rad/s]
+ *
+ * Input r (1): inputs of the model
+ *   r[0]  push
+ *
+ * Input p (6): parameters, read by prepare_ only
+ *
+ * Input udot (2): derivatives of the speeds
+ *   udot[0]  track.udot [m/s^2]
+ *   udot[1]  hinge.udot [rad/s^2]
+ *
+ * Output tau (2)
+ *   out[0]  track.u.tau [N]
+ *   out[1]  hinge.u.tau [N*m]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* pole: first moment, mass, inertia, second moment */
+    const wreal pole_mass = p[2]; /* kg */
+    const wreal pole_com_z = p[3]; /* m */
+    const wreal pole_inertia_xx = p[4]; /* kg m^2 */
+    const wreal pole_inertia_yy = p[5]; /* kg m^2 */
+    const wreal pole_first_moment_z = pole_mass * pole_com_z;
+    const wreal pole_mass_2 = pole_com_z * pole_first_moment_z;
+    const wreal pole_inertia_xx_2 = pole_inertia_xx + pole_mass_2;
+    const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_mass_2;
+    const wreal pole_second_moment_zz = 0.5 * (pole_inertia_xx_2 + pole_inertia_yy_2);
+    w[3] = pole_first_moment_z; /* pole_first_moment_z */
+    w[4] = pole_second_moment_zz; /* pole_second_moment_zz */
+    w[5] = pole_second_moment_zz - pole_inertia_xx_2; /* pole_second_moment_xx */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* gravity.z [m/s^2] */
+    w[1] = p[1]; /* cart.mass [kg] */
+    w[2] = p[2]; /* pole.mass [kg] */
+}
+
+/* tau with M udot + h = f + tau */
+CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const real *const r = in->r;
+    const wreal *const w = in->w;
+    const real *const udot = in->udot;
+    (void)work;
+
+    /* hinge: cos, sin */
+    const real hinge_q = q[1]; /* rad */
+    const real hinge_cos = cardan_cos(hinge_q);
+    const real hinge_sin = cardan_sin(hinge_q);
+
+    /* pole: a, n, f */
+    const real hinge_u = u[1]; /* rad/s */
+    const real track_udot = udot[0]; /* m/s^2 */
+    const real hinge_udot = udot[1]; /* rad/s^2 */
+    const wreal gravity_z = w[0]; /* m/s^2 */
+    const wreal pole_mass = w[2]; /* kg */
+    const wreal pole_first_moment_z = w[3];
+    const wreal pole_second_moment_zz = w[4];
+    const wreal pole_second_moment_xx = w[5];
+    const real pole_a_x = track_udot * hinge_cos + gravity_z * hinge_sin;
+    const real pole_a_z = track_udot * hinge_sin - gravity_z * hinge_cos;
+    const real pole_f_x = pole_mass * pole_a_x + pole_first_moment_z * hinge_udot;
+    const real pole_f_z = pole_mass * pole_a_z - hinge_u * hinge_u * pole_first_moment_z;
+    /* tau: hinge.u.tau [N*m] */
+    out[1] = hinge_udot * pole_second_moment_zz + hinge_udot * pole_second_moment_xx
+        + pole_first_moment_z * pole_a_x;
+
+    /* cart: f */
+    const wreal cart_mass = w[1]; /* kg */
+    const real cart_f_x = hinge_cos * pole_f_x + cart_mass * track_udot + hinge_sin * pole_f_z;
+
+    /* track: tau */
+    const real track_q = q[0]; /* m */
+    const real push = r[0];
+    out[0] = 40.0 * track_q - push + cart_f_x; /* tau: track.u.tau [N] */
+    return CARDAN_OK;
+}

@@ -1,0 +1,58 @@
+/*
+ * mass_matrix of cart_pole
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 4, work 0, w 3
+ * Operations per call: 2 = 1 cos, 1 mul
+ * Operations of prepare: 4 = 2 add, 2 mul
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  track [m]
+ *   q[1]  hinge [rad]
+ *
+ * Input p (6): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* pole: first moment, inertia */
+    const wreal pole_mass = p[2]; /* kg */
+    const wreal pole_com_z = p[3]; /* m */
+    const wreal pole_inertia_yy = p[5]; /* kg m^2 */
+    const wreal pole_first_moment_z = pole_mass * pole_com_z;
+    w[0] = pole_first_moment_z; /* pole_first_moment_z */
+    w[1] = pole_inertia_yy + pole_com_z * pole_first_moment_z; /* pole_inertia_yy_2 */
+
+    /* M */
+    const wreal cart_mass = p[1]; /* kg */
+    w[2] = cart_mass + pole_mass; /* M_1_1 */
+}
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* hinge: cos */
+    const real hinge_q = q[1]; /* rad */
+    const real hinge_cos = cardan_cos(hinge_q);
+
+    /* M */
+    const wreal pole_first_moment_z = w[0];
+    const real M_2_1 = pole_first_moment_z * hinge_cos;
+    out[1] = M_2_1; /* M: track.u,hinge.u */
+    out[2] = M_2_1; /* M: hinge.u,track.u */
+
+    /* results that are numbers or inputs */
+    out[0] = w[2]; /* M: track.u,track.u */
+    out[3] = w[1]; /* M: hinge.u,hinge.u */
+    return CARDAN_OK;
+}

@@ -1,0 +1,106 @@
+/*
+ * inverse_dynamics of double_pendulum
+ * tau with M udot + h = f + tau
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 2, work 0, w 6
+ * Operations per call: 42 = 23 mul, 8 add, 7 sub, 2 cos, 2 sin
+ * Operations of prepare: 10 = 7 mul, 2 add, 1 sub
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  shoulder [rad]
+ *   q[1]  elbow [rad]
+ *
+ * Input u (2): generalized speeds
+ *   u[0]  shoulder.u [rad/s]
+ *   u[1]  elbow.u [rad/s]
+ *
+ * Input p (3): parameters, read by prepare_ only
+ *
+ * Input udot (2): derivatives of the speeds
+ *   udot[0]  shoulder.udot [rad/s^2]
+ *   udot[1]  elbow.udot [rad/s^2]
+ *
+ * Output tau (2)
+ *   out[0]  shoulder.u.tau [N*m]
+ *   out[1]  elbow.u.tau [N*m]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* shared by several: mass */
+    const wreal m = p[0]; /* kg */
+    const wreal l = p[1]; /* m */
+    const wreal upper_mass_2 = 0.5 * l;
+    const wreal upper_mass = m * upper_mass_2;
+    w[3] = upper_mass; /* upper_mass */
+
+    /* upper: inertia */
+    const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
+
+    /* lower: second moment */
+    const wreal lower_second_moment_zz = 0.5 * (upper_inertia_xx + upper_inertia_xx);
+    w[4] = lower_second_moment_zz; /* lower_second_moment_zz */
+    w[5] = lower_second_moment_zz - upper_inertia_xx; /* lower_second_moment_xx */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* m [kg] */
+    w[1] = p[1]; /* l [m] */
+    w[2] = p[2]; /* gravity.z [m/s^2] */
+}
+
+/* tau with M udot + h = f + tau */
+CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const wreal *const w = in->w;
+    const real *const udot = in->udot;
+    (void)work;
+
+    /* shoulder: cos, sin */
+    const real shoulder_q = q[0]; /* rad */
+    const real shoulder_cos = cardan_cos(shoulder_q);
+    const real shoulder_sin = cardan_sin(shoulder_q);
+
+    /* elbow: cos, sin */
+    const real elbow_q = q[1]; /* rad */
+    const real elbow_cos = cardan_cos(elbow_q);
+    const real elbow_sin = cardan_sin(elbow_q);
+
+    /* upper: a */
+    const wreal gravity_z = w[2]; /* m/s^2 */
+    const real upper_a_x = gravity_z * shoulder_sin;
+
+    /* lower: omega, alpha, a, n, f */
+    const real shoulder_u = u[0]; /* rad/s */
+    const real elbow_u = u[1]; /* rad/s */
+    const real shoulder_udot = udot[0]; /* rad/s^2 */
+    const real elbow_udot = udot[1]; /* rad/s^2 */
+    const wreal m = w[0]; /* kg */
+    const wreal l = w[1]; /* m */
+    const wreal upper_mass = w[3];
+    const wreal lower_second_moment_zz = w[4];
+    const wreal lower_second_moment_xx = w[5];
+    const real lower_omega_y = shoulder_u + elbow_u;
+    const real lower_alpha_y = shoulder_udot + elbow_udot;
+    const real lower_a = upper_a_x - l * shoulder_udot;
+    const real lower_a_2 = shoulder_u * shoulder_u * l - gravity_z * shoulder_cos;
+    const real lower_a_x = elbow_cos * lower_a - elbow_sin * lower_a_2;
+    const real lower_a_z = elbow_sin * lower_a + elbow_cos * lower_a_2;
+    const real lower_n_y = lower_alpha_y * lower_second_moment_zz
+        + lower_alpha_y * lower_second_moment_xx - upper_mass * lower_a_x;
+    const real lower_f_x = m * lower_a_x - upper_mass * lower_alpha_y;
+    const real lower_f_z = m * lower_a_z + lower_omega_y * lower_omega_y * upper_mass;
+    out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
+
+    /* upper: f, n */
+    const real upper_f = shoulder_udot * lower_second_moment_zz
+        + shoulder_udot * lower_second_moment_xx - upper_mass * upper_a_x + lower_n_y;
+    /* tau: shoulder.u.tau [N*m] */
+    out[0] = upper_f - l * (elbow_cos * lower_f_x + elbow_sin * lower_f_z);
+    return CARDAN_OK;
+}

@@ -1,0 +1,70 @@
+/*
+ * mass_matrix of double_pendulum
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 4, work 0, w 5
+ * Operations per call: 8 = 4 mul, 3 add, 1 cos
+ * Operations of prepare: 10 = 8 mul, 2 add
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  shoulder [rad]
+ *   q[1]  elbow [rad]
+ *
+ * Input p (3): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* shared by several: mass */
+    const wreal m = p[0]; /* kg */
+    const wreal l = p[1]; /* m */
+    const wreal upper_mass_2 = 0.5 * l;
+    const wreal upper_mass = m * upper_mass_2;
+    w[1] = upper_mass; /* upper_mass */
+
+    /* upper: inertia */
+    const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
+    w[2] = upper_inertia_xx; /* upper_inertia_xx */
+    w[3] = 0.5 * m * l; /* upper_inertia */
+    w[4] = upper_inertia_xx + upper_inertia_xx; /* upper_inertia_2 */
+
+    /* parameters as they are */
+    w[0] = p[1]; /* l [m] */
+}
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* elbow: cos */
+    const real elbow_q = q[1]; /* rad */
+    const real elbow_cos = cardan_cos(elbow_q);
+
+    /* shared by several: inertia */
+    const wreal upper_mass = w[1];
+    const real upper_inertia_3 = upper_mass * elbow_cos;
+
+    /* M */
+    const wreal l = w[0]; /* m */
+    const wreal upper_inertia_xx = w[2];
+    const wreal upper_inertia = w[3];
+    const wreal upper_inertia_2 = w[4];
+    const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
+    /* M: shoulder.u,shoulder.u */
+    out[0] = l * (upper_inertia_3 + upper_inertia) * 2.0 + upper_inertia_2;
+    out[1] = M_2_1; /* M: shoulder.u,elbow.u */
+    out[2] = M_2_1; /* M: elbow.u,shoulder.u */
+
+    /* results that are numbers or inputs */
+    out[3] = w[2]; /* M: elbow.u,elbow.u */
+    return CARDAN_OK;
+}

@@ -1,0 +1,39 @@
+/*
+ * model.h: places of the entries of model 'double_pendulum'.
+ *
+ * Such as q[q_<coordinate>] or p[p_<parameter>]; units behind the names.
+ */
+#ifndef CARDAN_MODEL_H
+#define CARDAN_MODEL_H
+
+#include "cardan.h"
+
+/* sizes */
+enum {
+    cardan_nq = 2,
+    cardan_nu = 2,
+    cardan_nr = 0,
+    cardan_np = 3,
+    cardan_nbodies = 2
+};
+
+/* generalized coordinates */
+enum {
+    q_shoulder = 0, /* shoulder [rad] */
+    q_elbow = 1 /* elbow [rad] */
+};
+
+/* generalized speeds */
+enum {
+    u_shoulder_u = 0, /* shoulder.u [rad/s] */
+    u_elbow_u = 1 /* elbow.u [rad/s] */
+};
+
+/* parameters */
+enum {
+    p_m = 0, /* m [kg] */
+    p_l = 1, /* l [m] */
+    p_gravity_z = 2 /* gravity.z [m/s^2] */
+};
+
+#endif

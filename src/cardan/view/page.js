@@ -1,0 +1,258 @@
+"use strict";
+// A motion played on a canvas: solids are projected, sorted from far to near, shaded and filled.
+const data = JSON.parse(document.getElementById("data").textContent);
+const stage = document.getElementById("stage"), pen = stage.getContext("2d");
+const slider = document.getElementById("time"), clock = document.getElementById("clock");
+const playButton = document.getElementById("play"), tag = document.getElementById("name");
+const first = data.t[0], last = data.t[data.t.length - 1];
+const palette = ["#2f6fde", "#e07b39", "#3a9d6e", "#b5508f", "#c9a227", "#5b6ee1", "#d0534f", "#3f9bb0"];
+
+// vectors
+
+const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const mul = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => mul(a, 1 / (Math.hypot(...a) || 1));
+const turn = (p, v) => [
+  p[0] * v[0] + p[1] * v[1] + p[2] * v[2],
+  p[3] * v[0] + p[4] * v[1] + p[5] * v[2],
+  p[6] * v[0] + p[7] * v[1] + p[8] * v[2]];
+const place = (p, v) => add(turn(p, v), [p[9], p[10], p[11]]);
+const here = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
+
+// the box that all bodies stay in; where one flies off, that of the first picture
+
+function bounds(every) {
+  const low = [0, 0, 0], high = [0, 0, 0];
+  const include = (v) => {
+    for (let k = 0; k < 3; k++) { low[k] = Math.min(low[k], v[k]); high[k] = Math.max(high[k], v[k]); }
+  };
+  for (const body of data.bodies) {
+    const step = every ? Math.max(1, Math.floor(body.pose.length / 200)) : body.pose.length;
+    for (let i = 0; i < body.pose.length; i += step)
+      for (const s of body.solids) { include(place(body.pose[i], s.a)); if (s.b) include(place(body.pose[i], s.b)); }
+  }
+  for (const s of data.ground) { include(s.a); if (s.b) include(s.b); }
+  return { low, high, size: Math.max(...sub(high, low), 1e-6) };
+}
+const start = bounds(false), whole = bounds(true);
+const { low, high, size } = whole.size < 3 * start.size ? whole : start;
+
+// the camera: a target, two angles and a distance
+
+const eye = { target: mul(add(low, high), 0.5), azimuth: -0.9, elevation: 0.35, distance: 2.0 * size };
+let view;
+function look() {
+  const ce = Math.cos(eye.elevation), se = Math.sin(eye.elevation);
+  const forward = [-ce * Math.cos(eye.azimuth), -ce * Math.sin(eye.azimuth), -se];
+  const right = unit(cross(forward, [0, 0, 1]));
+  view = { forward, right, up: cross(right, forward), from: sub(eye.target, mul(forward, eye.distance)),
+    scale: 0.9 * Math.min(stage.width, stage.height), cx: stage.width / 2, cy: stage.height / 2 };
+}
+function project(v) {
+  const d = sub(v, view.from), depth = Math.max(dot(d, view.forward), 1e-3 * size);
+  const k = view.scale / depth;
+  return [view.cx + k * dot(d, view.right), view.cy - k * dot(d, view.up), depth, k];
+}
+
+// colors
+
+const light = unit([0.4, -0.5, 0.9]);
+function rgb(hex) { return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)); }
+function tone(color, k) {
+  const c = color.map((x) => Math.round(Math.min(255, Math.max(0, x * k))));
+  return `rgb(${c[0]},${c[1]},${c[2]})`;
+}
+function paint(solid, index) {
+  return solid.color ? solid.color.slice(0, 3).map((x) => 255 * x) : rgb(palette[index % palette.length]);
+}
+const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
+// solids become things with a depth and a way to draw them
+
+function ball(list, center, r, color) {
+  const [x, y, depth, k] = project(center), R = Math.max(r * k, 1);
+  list.push({ depth, draw() {
+    const g = pen.createRadialGradient(x - R * 0.35, y - R * 0.4, R * 0.1, x, y, R);
+    g.addColorStop(0, tone(color, 1.45)); g.addColorStop(1, tone(color, 0.72));
+    pen.fillStyle = g; pen.beginPath(); pen.arc(x, y, R, 0, 7); pen.fill();
+  } });
+}
+function rod(list, a, b, r, color) {
+  // a long rod is sorted piece by piece
+  const pieces = Math.min(12, Math.max(1, Math.round(Math.hypot(...sub(b, a)) / (6 * r))));
+  for (let i = 0; i < pieces; i++) {
+    const p = project(add(a, mul(sub(b, a), i / pieces)));
+    const q = project(add(a, mul(sub(b, a), (i + 1) / pieces)));
+    list.push({ depth: (p[2] + q[2]) / 2, draw() { capsule(p, q, Math.max(r * p[3], 1), Math.max(r * q[3], 1), color); } });
+  }
+}
+function capsule(p, q, rp, rq, color) {
+  const dx = q[0] - p[0], dy = q[1] - p[1], angle = Math.atan2(dy, dx);
+  let nx = -Math.sin(angle), ny = Math.cos(angle);
+  if (ny > 0 || (ny === 0 && nx > 0)) { nx = -nx; ny = -ny; }
+  const R = Math.max(rp, rq), g = pen.createLinearGradient(p[0] + nx * R, p[1] + ny * R, p[0] - nx * R, p[1] - ny * R);
+  g.addColorStop(0, tone(color, 0.95)); g.addColorStop(0.3, tone(color, 1.35)); g.addColorStop(1, tone(color, 0.62));
+  pen.fillStyle = g; pen.beginPath();
+  pen.arc(p[0], p[1], rp, angle + Math.PI / 2, angle - Math.PI / 2);
+  pen.arc(q[0], q[1], rq, angle - Math.PI / 2, angle + Math.PI / 2);
+  pen.closePath(); pen.fill();
+}
+function face(list, corners, color) {
+  const normal = unit(cross(sub(corners[1], corners[0]), sub(corners[2], corners[0])));
+  const middle = mul(corners.reduce(add), 1 / corners.length);
+  if (dot(normal, sub(middle, view.from)) > 0) return;
+  const points = corners.map(project), shade = 0.75 + 0.45 * dot(normal, light);
+  list.push({ depth: project(middle)[2], draw() {
+    pen.fillStyle = pen.strokeStyle = tone(color, shade); pen.lineWidth = 1; pen.beginPath();
+    points.forEach((c, i) => (i ? pen.lineTo(c[0], c[1]) : pen.moveTo(c[0], c[1])));
+    pen.closePath(); pen.fill(); pen.stroke();
+  } });
+}
+function box(list, pose, solid, color) {
+  const at = (x, y, z) => {
+    const half = [x * solid.size[0] / 2, y * solid.size[1] / 2, z * solid.size[2] / 2];
+    return place(pose, add(solid.a, turn(solid.R, half)));
+  };
+  for (const s of [-1, 1]) {
+    const faces = [
+      [at(s, -1, -1), at(s, 1, -1), at(s, 1, 1), at(s, -1, 1)],
+      [at(-1, s, -1), at(-1, s, 1), at(1, s, 1), at(1, s, -1)],
+      [at(-1, -1, s), at(1, -1, s), at(1, 1, s), at(-1, 1, s)]];
+    for (const corners of faces) face(list, s > 0 ? corners : corners.reverse(), color);
+  }
+}
+function cylinder(list, a, b, r, color) {
+  const n = 20, axis = unit(sub(b, a));
+  const side = unit(cross(axis, Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])), other = cross(axis, side);
+  const rim = (end, i) => add(end, add(mul(side, r * Math.cos(2 * Math.PI * i / n)), mul(other, r * Math.sin(2 * Math.PI * i / n))));
+  const top = [], bottom = [];
+  for (let i = 0; i < n; i++) {
+    face(list, [rim(a, i), rim(a, i + 1), rim(b, i + 1), rim(b, i)], color);
+    top.push(rim(b, i)); bottom.unshift(rim(a, i));
+  }
+  face(list, top, color); face(list, bottom, color);
+}
+function solidOf(list, pose, solid, color) {
+  if (solid.kind === "box") return box(list, pose, solid, color);
+  const a = place(pose, solid.a);
+  if (solid.kind === "sphere") return ball(list, a, solid.r, color);
+  const b = place(pose, solid.b);
+  if (solid.kind === "cylinder") return cylinder(list, a, b, solid.r, color);
+  rod(list, a, b, solid.r, color);
+  ball(list, a, 1.25 * solid.r, color);
+}
+
+// the floor and the axes
+
+function floor() {
+  const rough = size / 4, power = 10 ** Math.floor(Math.log10(rough));
+  const cell = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= rough);
+  const z = low[2] - 0.04 * size, n = 6;
+  const cx = Math.round(eye.target[0] / cell) * cell, cy = Math.round(eye.target[1] / cell) * cell;
+  pen.strokeStyle = css("--faint"); pen.lineWidth = devicePixelRatio;
+  for (let i = -n; i <= n; i++)
+    for (const [from, to] of [[[cx + i * cell, cy - n * cell, z], [cx + i * cell, cy + n * cell, z]],
+                              [[cx - n * cell, cy + i * cell, z], [cx + n * cell, cy + i * cell, z]]])
+      segment(from, to);
+}
+function segment(from, to) {
+  // cut what lies behind the eye
+  const near = 0.02 * size, d = (v) => dot(sub(v, view.from), view.forward) - near;
+  let a = from, b = to;
+  const da = d(a), db = d(b);
+  if (da < 0 && db < 0) return;
+  if (da < 0) a = add(a, mul(sub(b, a), da / (da - db)));
+  if (db < 0) b = add(b, mul(sub(a, b), db / (db - da)));
+  const p = project(a), q = project(b);
+  pen.beginPath(); pen.moveTo(p[0], p[1]); pen.lineTo(q[0], q[1]); pen.stroke();
+}
+function triad() {
+  const ratio = devicePixelRatio, x = stage.width - 60 * ratio, y = 60 * ratio, length = 34 * ratio;
+  [["x", "#d0534f", [1, 0, 0]], ["y", "#3a9d6e", [0, 1, 0]], ["z", "#2f6fde", [0, 0, 1]]].forEach(([letter, color, v]) => {
+    const px = x + length * dot(v, view.right), py = y - length * dot(v, view.up);
+    pen.strokeStyle = pen.fillStyle = color; pen.lineWidth = 2 * ratio;
+    pen.beginPath(); pen.moveTo(x, y); pen.lineTo(px, py); pen.stroke();
+    pen.font = `${12 * ratio}px system-ui, sans-serif`; pen.fillText(letter, px + 4 * ratio, py);
+  });
+}
+
+// time
+
+let t = first, playing = true, before = null, pointer = null;
+function row() {
+  let a = 0, b = data.t.length - 1;
+  const forward = last >= first;
+  while (b - a > 1) { const m = (a + b) >> 1; if (forward ? data.t[m] <= t : data.t[m] >= t) a = m; else b = m; }
+  return Math.abs(data.t[b] - t) < Math.abs(data.t[a] - t) ? b : a;
+}
+function frame(now) {
+  if (playing && before !== null) {
+    t += (now - before) / 1000 * Number(document.getElementById("rate").value) * Math.sign(last - first || 1);
+    if ((t - last) * (last - first) > 0) t = first;
+    slider.value = (t - first) / ((last - first) || 1);
+  }
+  before = now;
+  draw();
+  requestAnimationFrame(frame);
+}
+function draw() {
+  const ratio = devicePixelRatio || 1;
+  if (stage.width !== innerWidth * ratio || stage.height !== innerHeight * ratio) {
+    stage.width = innerWidth * ratio; stage.height = innerHeight * ratio;
+  }
+  look();
+  pen.clearRect(0, 0, stage.width, stage.height);
+  floor();
+  const list = [], i = row();
+  for (const s of data.ground) solidOf(list, here, s, s.color ? paint(s, 0) : [128, 134, 145]);
+  data.bodies.forEach((body, k) => body.solids.forEach((s) => solidOf(list, body.pose[i], s, paint(s, k))));
+  list.sort((p, q) => q.depth - p.depth).forEach((thing) => thing.draw());
+  triad();
+  clock.textContent = `${t.toFixed(2)} / ${last.toFixed(2)} s`;
+  name(i);
+}
+function name(i) {
+  // the body whose solid is nearest under the pointer
+  let best = null, distance = 26 * devicePixelRatio;
+  if (pointer) for (const body of data.bodies) for (const s of body.solids) {
+    const end = s.b || s.a, c = project(place(body.pose[i], mul(add(s.a, end), 0.5)));
+    const d = Math.hypot(c[0] - pointer[0], c[1] - pointer[1]);
+    if (d < distance) { distance = d; best = { body, c }; }
+  }
+  tag.style.display = best ? "block" : "none";
+  if (best) {
+    tag.textContent = best.body.name;
+    tag.style.left = best.c[0] / devicePixelRatio + 14 + "px";
+    tag.style.top = best.c[1] / devicePixelRatio - 26 + "px";
+  }
+}
+
+// hands
+
+function toggle() { playing = !playing; playButton.textContent = playing ? "\u25ae\u25ae" : "\u25b6"; }
+playButton.onclick = toggle;
+slider.oninput = () => { t = first + Number(slider.value) * (last - first); if (playing) toggle(); };
+addEventListener("keydown", (e) => { if (e.code === "Space" && e.target !== playButton) { e.preventDefault(); toggle(); } });
+let grip = null;
+stage.onpointerdown = (e) => { grip = [e.clientX, e.clientY]; stage.setPointerCapture(e.pointerId); };
+stage.onpointerup = () => { grip = null; };
+stage.onpointerleave = () => { pointer = null; };
+stage.onpointermove = (e) => {
+  pointer = [e.clientX * devicePixelRatio, e.clientY * devicePixelRatio];
+  if (!grip) return;
+  const dx = e.clientX - grip[0], dy = e.clientY - grip[1];
+  grip = [e.clientX, e.clientY];
+  if (e.shiftKey) {
+    const k = eye.distance / view.scale * devicePixelRatio;
+    eye.target = add(eye.target, add(mul(view.right, -dx * k), mul(view.up, dy * k)));
+  } else {
+    eye.azimuth -= dx * 0.008;
+    eye.elevation = Math.min(1.55, Math.max(-1.55, eye.elevation + dy * 0.008));
+  }
+};
+stage.addEventListener("wheel", (e) => { e.preventDefault(); eye.distance *= Math.exp(e.deltaY * 0.001); }, { passive: false });
+requestAnimationFrame(frame);

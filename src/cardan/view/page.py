@@ -1,0 +1,79 @@
+"""One self-contained page that plays a motion: no network, no library, nothing to install."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ..runtime.trajectory import Trajectory
+from .scene import drawing
+
+PICTURES = 1500  # a longer motion gets fewer pictures per second
+TEMPLATE = Path(__file__).with_name("page.html")
+SCRIPT = Path(__file__).with_name("page.js")
+
+
+def write_page(
+    motion: Trajectory, path: Path, *, fps: float = 60.0, title: str | None = None
+) -> Path:
+    """Write the page; see :meth:`cardan.runtime.trajectory.Trajectory.animate`.
+
+    The file appears complete or not at all.
+    """
+    shown = _resampled(motion, fps)
+    data = {"t": np.round(shown.t, 6).tolist(), **drawing(shown)}
+    # names are the user's: nothing in them may end the script or open a tag
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    for character in "<>&\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    headline = html.escape(str(title if title is not None else motion.manifest["name"]))
+    page = TEMPLATE.read_text(encoding="utf-8")
+    for mark, content in (
+        ("__TITLE__", headline),
+        ("__SCRIPT__", SCRIPT.read_text(encoding="utf-8")),
+        ("__DATA__", text),
+    ):
+        page = page.replace(mark, content)
+    return _publish(path, page)
+
+
+def _resampled(motion: Trajectory, fps: float) -> Trajectory:
+    """The motion at equal times, where it knows what lies between its rows."""
+    span = float(motion.t[-1] - motion.t[0])
+    count = int(min(PICTURES, max(2, round(abs(span) * fps) + 1)))
+    if motion.dense is None:
+        step = max(1, len(motion.t) // PICTURES)
+        return motion if step == 1 or motion.model is None else _every(motion, step)
+    return motion.resample(np.linspace(motion.t[0], motion.t[-1], count))
+
+
+def _every(motion: Trajectory, step: int) -> Trajectory:
+    rows = slice(None, None, step)
+    return replace(
+        motion,
+        t=motion.t[rows],
+        x=motion.x[rows],
+        r=motion.r[rows],
+        given=motion.given[rows],
+        stored={},
+    )
+
+
+def _publish(path: Path, page: str) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".html")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(page)
+        os.chmod(name, 0o644)
+        os.replace(name, path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return path

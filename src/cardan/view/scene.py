@@ -1,0 +1,120 @@
+"""What the page draws: for every body its solids in body axes, and its pose over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.trajectory import Trajectory
+
+Array = NDArray[np.float64]
+THICK = 0.06  # radius of a drawn link, relative to the mean length of the links
+SOLIDS = ("box", "cylinder", "sphere", "capsule")
+
+
+def drawing(motion: Trajectory) -> dict[str, Any]:
+    """Everything the page needs to know about the bodies, ready for JSON.
+
+    Returns:
+        ``bodies``: name, pose (nt, 12: R row by row, then p) and solids; ``ground``: solids.
+    """
+    manifest = motion.manifest
+    links = _links(motion)
+    lengths = [float(np.linalg.norm(b - a)) for rows in links.values() for a, b in rows]
+    lengths = [length for length in lengths if length > 0]
+    radius = THICK * float(np.mean(lengths)) if lengths else 0.02
+    bodies = []
+    for k, body in enumerate(manifest["bodies"]):
+        name = str(body["name"])
+        solids = _shapes(motion, name)
+        if not solids:
+            solids = [_link(a, b, radius) for a, b in links[name]]
+            solids += _center(motion, k, radius)
+        bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
+    ground = _shapes(motion, "ground") or [_link(a, b, radius) for a, b in links["ground"]]
+    return {"name": manifest["name"], "bodies": bodies, "ground": ground}
+
+
+def _poses(motion: Trajectory, body: str) -> list[list[float]]:
+    """Pose of the rigid body (nt, 12): rotation row by row, then position."""
+    frame = next(r["name"] for r in motion.manifest["frames"] if r["body"] == body)
+    pose = motion.pose(frame) @ np.linalg.inv(motion.placed(frame))
+    flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
+    rows: list[list[float]] = np.round(flat, 5).tolist()
+    return rows
+
+
+def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
+    """Straight links in body axes: from the inboard joint to every outboard one, or to the tip."""
+    manifest = motion.manifest
+    links: dict[str, list[tuple[Array, Array]]] = {str(b["name"]): [] for b in manifest["bodies"]}
+    links["ground"] = []
+    names = [row["name"] for row in manifest["frames"]]
+    position = np.reshape(motion.scene["position"], (-1, 3))
+    for k, body in enumerate(manifest["bodies"]):
+        links[str(body["parent"])].append((np.zeros(3), position[k]))
+    for k, body in enumerate(manifest["bodies"]):
+        rows = links[str(body["name"])]
+        if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
+            # nothing hangs on it: its farthest frame, or twice the way to its center of mass
+            own = [
+                n
+                for n in names
+                if motion.manifest["frames"][names.index(n)]["body"] == body["name"]
+            ]
+            tips = [motion.placed(n)[:3, 3] for n in own] + [2 * _com(motion, k)]
+            rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
+    return links
+
+
+def _com(motion: Trajectory, k: int) -> Array:
+    mass = float(np.ravel(motion.scene["mass"])[k])
+    moment = np.reshape(motion.scene["first_moment"], (-1, 3))[k]
+    return np.asarray(moment / mass if mass else np.zeros(3))
+
+
+def _link(a: Array, b: Array, radius: float) -> dict[str, Any]:
+    return {"kind": "link", "a": _short(a), "b": _short(b), "r": radius, "color": None}
+
+
+def _center(motion: Trajectory, k: int, radius: float) -> list[dict[str, Any]]:
+    """A ball where the mass is."""
+    com = _com(motion, k)
+    return [{"kind": "sphere", "a": _short(com), "r": 1.25 * radius, "color": None}]
+
+
+def _short(x: Array) -> list[float]:
+    values: list[float] = np.round(x, 6).tolist()
+    return values
+
+
+def _shapes(motion: Trajectory, body: str) -> list[dict[str, Any]]:
+    """The user's shapes on a body, in its axes; meshes are left to the links."""
+    bodies = {row["name"]: row["body"] for row in motion.manifest["frames"]}
+    solids = []
+    for row in motion.manifest["shapes"]:
+        if row["kind"] in SOLIDS and bodies.get(row["frame"]) == body:
+            solids.append(_solid(row, motion.placed(row["frame"])))
+    return solids
+
+
+def _solid(row: Mapping[str, Any], place: Array) -> dict[str, Any]:
+    local = np.eye(4)
+    local[:3, 3] = row["position"]
+    if row["rotation"] is not None:
+        local[:3, :3] = row["rotation"]
+    at = place @ local
+    color = None if row["color"] is None else [float(c) for c in row["color"]]
+    if row["kind"] == "sphere":
+        return {"kind": "sphere", "a": _short(at[:3, 3]), "r": row["radius"], "color": color}
+    if row["kind"] == "box":
+        size = [row["x"], row["y"], row["z"]]
+        turned = {"R": _short(at[:3, :3].ravel()), "a": _short(at[:3, 3])}
+        return {"kind": "box", "size": size, "color": color, **turned}
+    axis = at[:3, "xyz".index(row.get("axis", "z"))] * (row["length"] / 2)
+    ends = {"a": _short(at[:3, 3] - axis), "b": _short(at[:3, 3] + axis)}
+    kind = "cylinder" if row["kind"] == "cylinder" else "link"
+    return {"kind": kind, **ends, "r": row["radius"], "color": color}

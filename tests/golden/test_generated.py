@@ -1,0 +1,86 @@
+"""``generated/`` is what cardan writes today for the scenes of the examples, byte by byte.
+
+``pytest tests/golden --accept`` writes it anew; the difference is then read in review.
+"""
+
+from __future__ import annotations
+
+import os
+import runpy
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import cardan as cd
+from cardan.runtime import toolchain
+
+ROOT = Path(__file__).parents[2]
+FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+
+
+KEPT = sorted(path for path in (ROOT / "generated").iterdir() if path.is_dir())
+
+
+def written(directory: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in directory.iterdir() if path.is_file()}
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_generated_is_up_to_date(
+    example: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    pytestconfig: pytest.Config,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    scene = runpy.run_path(str(example))["scene"]
+    made = cd.derive(scene).export(tmp_path / "c", functions=FUNCTIONS)
+    kept = ROOT / "generated" / scene.name
+    if pytestconfig.getoption("--accept"):
+        cd.derive(scene).export(kept, functions=FUNCTIONS)
+    new, old = written(made), written(kept)
+    assert set(new) == set(old)
+    changed = [name for name in new if new[name] != old[name]]
+    assert not changed, f"{changed} of {kept.name} changed: run pytest tests/golden --accept"
+
+
+def test_hash_seed_does_not_change_a_byte(tmp_path: Path) -> None:
+    program = (
+        "import sys, cardan as cd\n"
+        f"scene = cd.load({str(ROOT / 'examples' / 'arm.urdf')!r})\n"
+        f"cd.derive(scene).export(sys.argv[1], functions={FUNCTIONS!r})\n"
+    )
+    texts = []
+    for seed in ("1", "2"):
+        target = tmp_path / seed
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        subprocess.run(
+            [sys.executable, "-c", program, str(target)], env=environment, check=True, timeout=120
+        )
+        texts.append(written(target))
+    assert texts[0] == texts[1]
+
+
+STRICT = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("kept", KEPT, ids=lambda path: path.name)
+def test_generated_compiles_without_warning(kept: Path, compiler: str, tmp_path: Path) -> None:
+    """Alone, without Python headers, under the flags of the house, by gcc and clang (ziglang)."""
+    found = toolchain.candidates() if compiler == "gcc" else toolchain.ziglang()
+    assert found, f"no {compiler} here: install the extra test"
+    command = [*found[0][0], *STRICT, "-shared", "-fPIC", "-o", str(tmp_path / "all.so")]
+    sources = sorted(str(path) for path in kept.glob("*.c"))
+    cache = {"ZIG_GLOBAL_CACHE_DIR": str(tmp_path), "ZIG_LOCAL_CACHE_DIR": str(tmp_path)}
+    done = subprocess.run(
+        [*command, *sources, "-lm"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, **cache},
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stderr

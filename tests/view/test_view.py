@@ -1,0 +1,83 @@
+"""The page and the picture of a motion: complete, self-contained, safe against any name."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.view.scene import drawing
+
+NASTY = "</script><img src=x onerror=alert(1)>"
+
+
+@pytest.fixture(scope="module")
+def motion() -> cd.Trajectory:
+    scene = cd.Model(NASTY)
+    block = cd.shape.box(0.2, 0.3, 1.0, position=(0, 0, -0.5))
+    upper = scene.body("upper<b>", mass=1, com=(0, 0, -0.5), inertia=(1, 1, 0.1), shape=block)
+    lower = scene.body("lower", mass=1, com=(0, 0, -0.4), inertia=(1, 1, 0.1))
+    scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("elbow", cd.Revolute("x"), upper.at(0, 0, -1), lower)
+    return cd.compile(scene).simulate(2.0, q={"shoulder": 1.0, "elbow": 0.4})
+
+
+def test_page_is_self_contained_and_safe(motion: cd.Trajectory, tmp_path: Path) -> None:
+    page = motion.animate(tmp_path / "deep" / "page.html").read_text(encoding="utf-8")
+    assert NASTY not in page
+    assert page.count("<script") == page.count("</script>") == 2
+    assert not re.search(r"https?://|<[^>]*(src|href)=", page)
+    assert "__DATA__" not in page
+    assert [path.name for path in (tmp_path / "deep").iterdir()] == ["page.html"]
+
+
+def test_page_holds_the_motion(motion: cd.Trajectory, tmp_path: Path) -> None:
+    page = motion.animate(tmp_path / "page.html", fps=30).read_text(encoding="utf-8")
+    found = re.search(r'id="data">(.*?)</script>', page, re.S)
+    assert found
+    data = json.loads(found.group(1))
+    assert data["name"] == NASTY
+    assert len(data["t"]) == 61
+    lower = data["bodies"][1]
+    assert lower["name"] == "lower"
+    at = motion.resample(data["t"]).pose("lower")
+    expected = np.concatenate([at[:, :3, :3].reshape(-1, 9), at[:, :3, 3]], axis=1)
+    # five digits are kept
+    np.testing.assert_allclose(lower["pose"], expected, atol=6e-6)
+
+
+def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
+    upper, lower = drawing(motion)["bodies"]
+    assert [solid["kind"] for solid in upper["solids"]] == ["box"]
+    assert upper["solids"][0]["a"] == [0, 0, -0.5]
+    # no shape: a link through the center of mass to twice its distance, and a ball there
+    assert [solid["kind"] for solid in lower["solids"]] == ["link", "sphere"]
+    assert lower["solids"][0]["b"] == [0, 0, -0.8]
+    assert lower["solids"][1]["a"] == [0, 0, -0.4]
+
+
+def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:
+    scene = cd.Model("pendulum")
+    rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    times = np.linspace(0, 1, 11)
+    motion = cd.compile(scene).simulate(times, q={"pivot": 0.5})
+    page = motion.animate(tmp_path / "page.html").read_text(encoding="utf-8")
+    found = re.search(r'id="data">(.*?)</script>', page, re.S)
+    assert found
+    assert json.loads(found.group(1))["t"] == pytest.approx(times)
+
+
+def test_plot_writes_a_picture(motion: cd.Trajectory, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    figure = motion.plot(tmp_path / "all.png")
+    # angles, their rates and the energies
+    assert [axis.get_ylabel() for axis in figure.axes] == ["[rad]", "[rad/s]", "energy [J]"]
+    assert (tmp_path / "all.png").stat().st_size > 10_000
+    chosen = motion.plot(names=["elbow", "shoulder.u"])
+    drawn = chosen.axes[0].lines[0].get_ydata()
+    np.testing.assert_array_equal(drawn, motion["elbow"])
