@@ -61,6 +61,9 @@ def test_same_model_keeps_its_functions_another_replaces_them(tmp_path: Path) ->
     before = (tmp_path / "manifest.json").read_bytes()
     start(tmp_path)
     assert (tmp_path / "manifest.json").read_bytes() == before
+    layout.write_model(tmp_path, manifest.base(cd.derive(arm()), ("bias",)))
+    assert check_whole(tmp_path)["available"] == ["bias"]
+    assert layout.has_function(tmp_path, "bias")
     other = arm()
     other.parameter("extra", 1.0)
     layout.write_model(tmp_path, manifest.base(cd.derive(other), NAMES))

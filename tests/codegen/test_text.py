@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import cardan as cd
 from cardan.codegen import generate
 from cardan.codegen.lowering import lower
 from cardan.errors import CodegenError
@@ -15,7 +16,10 @@ from cardan.ir.function import Block, Function, Output, Staged
 from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from codegen.functions import random_function
-from codegen.running import SPEED, STRICT, compilers, shared
+from codegen.running import KERNELS, SPEED, STRICT, compilers, shared
+from mechanisms import ZOO, Mechanism
+
+SCREENED = ("rhs", "inverse_dynamics", "energy", "integrate", "difference", "outputs", "power")
 
 
 def pendulums(n: int = 3) -> Function:
@@ -53,6 +57,7 @@ def test_head_says_what_where_and_how_much() -> None:
         " * chain_force of three links",
         " * centripetal forces of a chain",
         " * formalism: by hand",
+        " * passes: reassociate",
         " * Input q (3): generalized coordinates",
         " *   q[1]  joint2 [rad]",
         " *   u[2]  joint3.u [rad/s]",
@@ -177,3 +182,21 @@ def test_a_placeholder_is_an_error() -> None:
     function = Function("f", g, (Block("q", ("a",), ("",)),), (Output("y", (1,), (node,)),))
     with pytest.raises(CodegenError, match="velocity of hand"):
         lower(Staged(function, ()))
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+@pytest.mark.parametrize("mechanism", ZOO.values(), ids=str)
+def test_the_zoo_gives_no_warnings(mechanism: Mechanism, compiler: str, tmp_path: Path) -> None:
+    equations = cd.derive(mechanism.build())
+    texts = [generate(equations.function(n)).text for n in SCREENED if n in equations.names()]
+    # several functions can stand in one file
+    (tmp_path / "all.c").write_text("\n".join(texts), "utf-8")
+    command = [*compilers()[compiler], *STRICT, "-O0", "-fno-sanitize=all", f"-I{KERNELS}"]
+    answer = subprocess.run(
+        [*command, "-c", "all.c", "-o", "all.o"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert answer.returncode == 0, answer.stderr[:2000]

@@ -88,15 +88,13 @@ def _input(block: Block) -> tuple[str, ...]:
 def _output(output: Output, at: int) -> tuple[str, ...]:
     shape = " x ".join(str(n) for n in output.shape) or "scalar"
     line = f"Output {comment(output.name)} ({shape})"
-    if len(output.shape) > 1 or not output.entries:
-        where = (
-            f"out[{at}]"
-            if len(output.nodes) == 1
-            else f"out[{at} ... {at + len(output.nodes) - 1}]"
-        )
-        rows = ", row by row" if len(output.shape) > 1 else ""
-        return (f"{line}: {where}{rows}",)
-    return (line, *_entries("out", at, output.entries, output.units))
+    if not output.nodes:
+        return (f"{line}: empty",)
+    if output.entries and len(output.shape) < 2:
+        return (line, *_entries("out", at, output.entries, output.units))
+    last = f" ... {at + len(output.nodes) - 1}" if len(output.nodes) > 1 else ""
+    rows = ", row by row" if len(output.shape) > 1 else ""
+    return (f"{line}: out[{at}{last}]{rows}",)
 
 
 def _entries(array: str, at: int, entries: Sequence[str], units: Sequence[str]) -> tuple[str, ...]:

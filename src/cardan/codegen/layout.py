@@ -41,6 +41,8 @@ def write_model(directory: Path, base: Base) -> None:
     with _locked(directory):
         there = _read(directory)
         if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
+            if there["available"] != base.data["available"]:
+                _write_manifest(directory, {**there, "available": base.data["available"]})
             return
         if there is None and any(path.name != LOCK for path in directory.iterdir()):
             raise CodegenError(

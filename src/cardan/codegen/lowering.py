@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from ..errors import CodegenError
 from ..ir.function import Function, Staged
-from ..ir.graph import Graph
 from . import parts
 from .head import head, operations
 from .naming import RESERVED, comment
 from .program import Place, Program, Table
-from .routines import Result, Stage, build
+from .routines import Built, Result, Stage, build
 from .values import Values
 
 
@@ -50,7 +49,7 @@ def lower(
         name=function.name,
         head=head(function, model, notes, read, prepare, body),
         includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
-        tables=tables(function.graph, (*prepare.order, *body.order), counts) + prepare.tables,
+        tables=tables(prepare, body) + prepare.tables,
         routines=prepare.routines + body.routines,
         blocks=tuple(block.name for block in function.inputs if block.name in read),
         operations=counts[0],
@@ -83,17 +82,17 @@ def _position(shape: tuple[int, ...], k: int) -> str:
     return text
 
 
-def tables(
-    graph: Graph, order: Sequence[int], counts: Sequence[Mapping[str, int]]
-) -> tuple[Table, ...]:
+def tables(prepare: Built, body: Built) -> tuple[Table, ...]:
     """The measured data that the nodes read, as constant arrays."""
-    if not any("table" in count for count in counts):
-        return ()
-    read = {graph.nodes[i][1] for i in order if graph.nodes[i][0] == "table"}
-    found = []
-    for k in sorted(int(graph.nodes[i][1]) for i in read):
-        table = graph.tables[k]
-        flat = tuple(c for piece in table.coefficients for c in piece)
-        found.append(Table(f"table_{k}_breaks", table.breaks))
-        found.append(Table(f"table_{k}_coefficients", flat))
-    return tuple(found)
+    found: dict[str, Table] = {}
+    for built in (prepare, body):
+        if "table" not in built.operators:
+            continue
+        scope = built.routines[-1].scope
+        nodes = scope.graph.nodes
+        for number in {int(nodes[nodes[i][1]][1]) for i in built.order if nodes[i][0] == "table"}:
+            table, name = scope.graph.tables[number], scope.table(number)
+            flat = tuple(c for piece in table.coefficients for c in piece)
+            found[f"{name}_breaks"] = Table(f"{name}_breaks", table.breaks)
+            found[f"{name}_coefficients"] = Table(f"{name}_coefficients", flat)
+    return tuple(found[name] for name in sorted(found))

@@ -116,12 +116,18 @@ class Scope:
         order: The nodes they use, operands first.
         names: How a node is read that is not written out.
         outside: Nodes that are not computed here but read by name.
+        file: Name of the function whose file it is; tables are called after it.
     """
 
     graph: Graph = field(repr=False)
     order: Sequence[int] = field(repr=False)
     names: dict[int, str]
     outside: Collection[int] = field(default=(), repr=False)
+    file: str = ""
+
+    def table(self, number: int) -> str:
+        """Name of an interpolation table of the graph, before ``_breaks``, ``_coefficients``."""
+        return f"table_{number}_{self.file}"
 
 
 @dataclass(frozen=True)

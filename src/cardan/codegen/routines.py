@@ -100,7 +100,7 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     bodies[-1].extend(builder.plain())
 
     # one routine, or parts and the routine that calls them
-    scope = Scope(graph, plan.order, builder.names, plan.outside)
+    scope = Scope(graph, plan.order, builder.names, plan.outside, values.function.name)
     about = values.function.about if stage.kind == "function" else ""
     routines = []
     if len(bodies) > 1:

@@ -38,6 +38,7 @@ def generate(
     notes: Sequence[str] = (),
     longest: int = LONGEST,
     of: str | None = None,
+    chosen: Sequence[str] | None = None,
 ) -> CFile:
     """Optimize a function and write it in C.
 
@@ -47,11 +48,15 @@ def generate(
         notes: Lines for the reader, such as the formalism.
         longest: Statements after which the C function is split.
         of: Frame or joint it belongs to.
+        chosen: Passes by name; by default those that pay for the function.
 
     Raises:
-        CodegenError: the expressions hold an unresolved placeholder.
+        CodegenError: the name is none for C.
+        ValueError: the expressions break a rule of the grammar.
     """
-    program = lower(passes.optimize(function), model, notes, longest)
+    names = passes.standard(function) if chosen is None else tuple(chosen)
+    notes = (*notes, f"passes: {', '.join(names) or 'none'}")
+    program = lower(passes.optimize(function, names), model, notes, longest)
     language = LANGUAGES["c"]
     text = language.write(program)
     file = function.name + language.SUFFIX

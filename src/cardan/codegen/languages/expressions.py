@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from ...ir.graph import Graph, Node
+from ...ir.graph import Node
 from ...ir.ops import OPERATORS
 from ..program import Scope
 
@@ -43,7 +43,7 @@ def definitions(scope: Scope) -> tuple[dict[int, str], dict[int, Piece]]:
         elif op == "neg":
             made = negated(pieces[node[1]])
         else:
-            made = CALLS[op](scope.graph, node, [pieces[k][0] for k in node[1:]]), ATOM
+            made = CALLS[op](scope, node, [pieces[k][0] for k in node[1:]]), ATOM
         texts[i] = made[0]
         pieces[i] = made if name is None else (name, ATOM)
     return texts, pieces
@@ -113,23 +113,24 @@ INFIX: dict[str, Callable[[Piece, Piece], Piece]] = {
     "div": quotient_of,
 }
 
-Call = Callable[[Graph, Node, Sequence[str]], str]
+Call = Callable[[Scope, Node, Sequence[str]], str]
 
 
 def _function(name: str) -> Call:
     start = OPERATORS[name].c.split("(")[0]
-    return lambda graph, node, read: f"{start}({', '.join(read)})"
+    return lambda scope, node, read: f"{start}({', '.join(read)})"
 
 
-def _stumpff(graph: Graph, node: Node, read: Sequence[str]) -> str:
-    return f"cardan_stumpff({int(graph.nodes[node[1]][1])}, {read[1]})"
+def _stumpff(scope: Scope, node: Node, read: Sequence[str]) -> str:
+    return f"cardan_stumpff({int(scope.graph.nodes[node[1]][1])}, {read[1]})"
 
 
-def _table(graph: Graph, node: Node, read: Sequence[str]) -> str:
+def _table(scope: Scope, node: Node, read: Sequence[str]) -> str:
+    graph = scope.graph
     number, derivative = int(graph.nodes[node[1]][1]), int(graph.nodes[node[2]][1])
     table = graph.tables[number]
     size = f"{len(table.coefficients)}, {len(table.coefficients[0])}"
-    arrays = f"table_{number}_breaks, table_{number}_coefficients"
+    arrays = f"{scope.table(number)}_breaks, {scope.table(number)}_coefficients"
     return f"cardan_piecewise({size}, {arrays}, {derivative}, {read[2]})"
 
 
