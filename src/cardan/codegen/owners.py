@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..ir.graph import Graph
+from ..ir.graph import Graph, Origin
 from .naming import mangle
 
 SHARED = "shared"
@@ -37,25 +37,27 @@ class Owners:
     def __init__(self, graph: Graph, owners: Sequence[str]) -> None:
         self._graph = graph
         self._rank = {name: k for k, name in enumerate(owners)}
-        self._made: dict[tuple[str, str, bool], Owner] = {}
+        self._alone: dict[Origin, Owner] = {}
+        self._several: dict[Origin, Owner] = {}
 
     def of(self, i: int) -> Owner:
         """Owner of a node. Nodes of several owners stand in the section "shared"."""
-        graph, several = self._graph, False
+        graph, made = self._graph, self._alone
         origin = graph.labels.get(i)
         if origin is None:
             origin = graph.origins[i]
             if i in graph.shared:
                 origin, several = self._first(i)
-        found = self._made.get((*origin, several))
+                made = self._several if several else made
+        found = made.get(origin)
         if found is None:
             name, quantity = origin
             base = mangle(name, quantity) if name or quantity else ""
-            found = Owner(SHARED if several else name, name, quantity, base)
-            self._made[(*origin, several)] = found
+            section = name if made is self._alone else SHARED
+            found = made[origin] = Owner(section, name, quantity, base)
         return found
 
-    def _first(self, i: int) -> tuple[tuple[str, str], bool]:
+    def _first(self, i: int) -> tuple[Origin, bool]:
         """First origin of a node in graph numbering, and whether owners differ."""
         last = len(self._rank)
         origins = {*self._graph.shared[i], self._graph.origins[i]}
