@@ -26,10 +26,14 @@ Everything written goes to out/demo or out/demo-panda below the present folder (
 
 @dataclass(frozen=True)
 class Scene:
-    """A robot the demo can show: how to say it in Python, and where its motion starts."""
+    """A robot the demo can show: its file, where its motion starts, its damping if not the file's.
+
+    Limits do not act yet: more damping keeps the fingers of the Panda arm from being flung off.
+    """
 
     load: str
     q: dict[str, float]
+    damping: float | None = None
 
 
 SCENES = {
@@ -37,6 +41,7 @@ SCENES = {
     "panda": Scene(
         "panda_description/urdf/panda.urdf",
         {"panda_joint2": 0.4, "panda_joint4": -1.8, "panda_joint6": 1.2},
+        damping=0.2,
     ),
 }
 
@@ -60,14 +65,14 @@ def run(options: argparse.Namespace) -> int:
     with tempfile.TemporaryDirectory(prefix="cardan-demo-") as private:
         os.environ["CARDAN_CACHE"] = private
         from .terminal import progress
-        from .tour import take
+        from .tour import Start, take
 
         picture = importlib.util.find_spec("matplotlib") is not None
         with progress() as show:
-            tour = take(path, out, scene.q, show, picture)
+            tour = take(path, out, Start(scene.q, scene.damping), show, picture)
     from .screen import display
 
-    display(tour, path, scene.q)
+    display(tour, path, scene.q, scene.damping)
     return 0
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .tour import Tour
 
 
-def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
+def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | None) -> None:
     """Print a tour: graph, derivation, C, speed beside error, motion, files, the Python for it."""
     out = console()
     out.print(tour.graph, soft_wrap=True)
@@ -46,7 +46,7 @@ def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
     for file in tour.files:
         out.print(f"wrote {shown(file)}", soft_wrap=True)
     out.print()
-    for line in program(path, q):
+    for line in program(path, q, damping):
         out.print(f"    {line}", style="green", soft_wrap=True)
 
 
@@ -56,12 +56,17 @@ def shown(path: Path) -> str:
     return str(path) if relative.startswith("..") else relative
 
 
-def program(path: Path, q: Mapping[str, float]) -> tuple[str, ...]:
+def program(path: Path, q: Mapping[str, float], damping: float | None) -> tuple[str, ...]:
     """The five lines of Python that did it."""
+    load, run = f'cd.load("{shown(path)}")', f"q={dict(q)}, rtol=1e-10, atol=1e-12"
+    if damping is None:
+        made = (f"scene = {load}", "model = cd.compile(scene)")
+    else:
+        values = f'{{name: {damping} for name in model.parameters if name.endswith("damping")}}'
+        made = (f"model = cd.compile({load})", f"model = model.with_parameters({values})")
     return (
         "import cardan as cd",
-        f'scene = cd.load("{shown(path)}")',
-        "model = cd.compile(scene)",
-        f"motion = model.simulate(10.0, q={dict(q)}, rtol=1e-10, atol=1e-12)",
+        *made,
+        f"motion = model.simulate(10.0, {run})",
         'motion.animate("motion.html")',
     )

@@ -29,6 +29,14 @@ TIME = 10.0
 
 
 @dataclass(frozen=True)
+class Start:
+    """How the simulation begins: initial coordinates, and a damping for every joint or None."""
+
+    q: Mapping[str, float]
+    damping: float | None = None
+
+
+@dataclass(frozen=True)
 class Tour:
     """What the screen shows.
 
@@ -65,15 +73,13 @@ class Tour:
     files: tuple[Path, ...]
 
 
-def take(
-    path: Path, out: Path, q: Mapping[str, float], show: Callable[..., None], picture: bool
-) -> Tour:
+def take(path: Path, out: Path, begin: Start, show: Callable[..., None], picture: bool) -> Tour:
     """Go the whole way with a URDF.
 
     Args:
         path: The file.
         out: Folder for what is written.
-        q: Initial coordinates of the simulation.
+        begin: How the simulation starts.
         show: Receives the name of each step.
         picture: Draw the plot, which needs matplotlib.
     """
@@ -97,9 +103,13 @@ def take(
     peer = agreement(path)
 
     show("simulating")
-    model.simulate(1e-3, q=dict(q))
+    if begin.damping is not None:
+        damping = [name for name in model.parameters if name.endswith("damping")]
+        model = model.with_parameters(dict.fromkeys(damping, begin.damping))
+    # the first run compiles the integrator
+    model.simulate(1e-3, q=dict(begin.q))
     start = perf_counter()
-    motion = model.simulate(TIME, q=dict(q), rtol=1e-10, atol=1e-12)
+    motion = model.simulate(TIME, q=dict(begin.q), rtol=1e-10, atol=1e-12)
     simulated = perf_counter() - start
     show("drawing")
     files = write(motion, out, picture)
@@ -169,7 +179,8 @@ def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[st
         names = sum(bool(owned.match(line)) + bool(speaks.search(line)) for line in window)
         return names, -sum(map(len, window))
 
-    return tuple(max(windows, key=quality)) if windows else ()
+    best = max(windows, key=quality) if windows else []
+    return tuple(best)
 
 
 def write(motion: Trajectory, out: Path, picture: bool) -> tuple[Path, ...]:
