@@ -79,13 +79,14 @@ class Answer:
 def call(
     cfile: CFile,
     values: Mapping[str, Sequence[float]],
-    compiler: str = "gcc",
+    compiler: str = "",
     flags: Sequence[str] = EXACT,
 ) -> Answer:
     """Prepare and call a generated function.
 
     The arrays have guard values behind them, and blocks that the entry does not name are NULL.
     """
+    compiler = compiler or next(iter(compilers()))
     library, entry = shared(cfile.text, compiler, tuple(flags)), cfile.entry
     w, out, work = (guarded(entry[f"{k}_size"]) for k in ("prepared", "output", "work"))
     p = np.array(values.get("p", [0.0]), dtype=float)

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -116,8 +117,8 @@ def constant() -> Function:
     return Function("nothing", g, (), (Output("y", (2,), (0, 1)), Output("none", (0,), ())))
 
 
+@pytest.mark.skipif(shutil.which("g++") is None, reason="no C++ compiler here")
 def test_headers_compile_as_cpp() -> None:
-    assert "gcc" in compilers()
     text = '#include "solve.h"\nint main() { return CARDAN_ABI - 1; }\n'
     command = [
         "g++",
