@@ -7,6 +7,8 @@ import importlib.metadata
 import importlib.util
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,9 +63,7 @@ def run(options: argparse.Namespace) -> int:
     out = options.out or Path("out") / f"demo{suffix}"
     path = locate(options.scene)
     out.mkdir(parents=True, exist_ok=True)
-    # a compile cache of its own: the demo shows what compiling costs, not what it once did
-    with tempfile.TemporaryDirectory(prefix="cardan-demo-") as private:
-        os.environ["CARDAN_CACHE"] = private
+    with empty_cache():
         from .terminal import progress
         from .tour import Start, take
 
@@ -74,6 +74,20 @@ def run(options: argparse.Namespace) -> int:
 
     display(tour, path, scene.q, scene.damping)
     return 0
+
+
+@contextmanager
+def empty_cache() -> Iterator[None]:
+    """A compile cache of its own: the demo shows what compiling costs, not what it once did."""
+    before = os.environ.get("CARDAN_CACHE")
+    with tempfile.TemporaryDirectory(prefix="cardan-demo-") as private:
+        os.environ["CARDAN_CACHE"] = private
+        try:
+            yield
+        finally:
+            del os.environ["CARDAN_CACHE"]
+            if before is not None:
+                os.environ["CARDAN_CACHE"] = before
 
 
 def locate(name: str) -> Path:
