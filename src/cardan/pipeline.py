@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import tempfile
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -129,6 +130,7 @@ def fingerprint(equations: Equations) -> str:
     digest = hashlib.sha256()
     for part in (
         __version__,
+        _compiler_state(),
         equations.method,
         equations.chosen,
         system.graph.nodes,
@@ -140,6 +142,14 @@ def fingerprint(equations: Equations) -> str:
     ):
         digest.update(repr(part).encode())
     return digest.hexdigest()
+
+
+@lru_cache(maxsize=1)
+def _compiler_state() -> list[tuple[str, int, int]]:
+    """Size and time of change of every file of this package: an edited compiler starts anew."""
+    root = Path(__file__).parent
+    files = sorted(path for path in root.rglob("*") if path.suffix in (".py", ".h"))
+    return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
 def _workspace(equations: Equations) -> Path:

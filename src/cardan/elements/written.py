@@ -76,11 +76,15 @@ def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
             )
         return _AXES[value]
     entries = vector(owner, name, value, 3)
-    if all(not is_expression(x) and x == 0 for x in entries):
+    if any(is_expression(x) for x in entries):
+        return entries
+    largest = max(abs(x) for x in entries)
+    if largest == 0:
         raise ModelError(
             f"{owner}: {name} is the zero vector and has no direction; give for example 'z'"
         )
-    return entries
+    # squares of far larger or smaller numbers are infinite or vanish
+    return entries if 1e-100 < largest < 1e100 else tuple(x / largest for x in entries)
 
 
 def parallel(a: tuple[Any, ...], b: tuple[Any, ...]) -> bool:

@@ -9,7 +9,6 @@ from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from .kinematics import Kinematics
 
-
 # components of a tensor, row by row
 CELLS = tuple(i + j for i in "xyz" for j in "xyz")
 

@@ -14,6 +14,7 @@ from ..model.frame import Frame as UserFrame
 from ..model.frame import Place
 from ..model.model import Model
 from . import motion
+from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
 from .reference import Reference
@@ -145,6 +146,7 @@ class Assembly:
                 name: self.convert.quantity(entry, f"{joint.name}.{name}")
                 for name, entry in element.quantities().items()
             }
+            check_coincidence(self.convert, joint.name, element, data)
         slots = joint.motion is None and joint.couple is None
         frame = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, outer_side)
         child = self._joint_frame(joint.child, f"{joint.name}.child", number, HERE)

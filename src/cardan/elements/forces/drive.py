@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import Quantity
 from ..written import number
-from .force import Action, ForceElement, JointLoad, Motion, one_coordinate
+from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
 
 
 @dataclass(frozen=True)
@@ -32,8 +33,9 @@ class Drive(ForceElement):
 
     Rigid and not gyroscopic, the rotor adds ratio^2 inertia to the joint and no more. With
     ``gyroscopic`` it is a body that turns in the joint's parent and feels the parent's motion.
-    With ``stiffness`` gear and shaft are elastic: the rotor has a coordinate ``<drive>.rotor`` and
-    the joint torque is stiffness (rotor / ratio - q) + damping (its rate).
+    With ``stiffness`` gear and shaft are elastic: the rotor is a body with a coordinate
+    ``<drive>.rotor`` (gyroscopic coupling included) and the joint torque is
+    stiffness (rotor / ratio - q) + damping (its rate).
 
     Args:
         joint: Name of a joint with one coordinate.
@@ -46,9 +48,10 @@ class Drive(ForceElement):
         damping: Of the shaft at the joint side [N m s/rad].
 
     Raises:
-        ModelError: a value that is no finite number or expression.
+        ModelError: a value that is no finite number or expression, negative inertia, ratio 0, or
+            damping without stiffness.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.3.
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 12.
     """
 
     kind: ClassVar[str] = "drive"
@@ -69,6 +72,26 @@ class Drive(ForceElement):
             object.__setattr__(self, name, number("drive", name, getattr(self, name)))
         if self.stiffness is not None:
             object.__setattr__(self, "stiffness", number("drive", "stiffness", self.stiffness))
+        self._check()
+
+    def _check(self) -> None:
+        """Refuse what no drive can be.
+
+        Raises:
+            ModelError: negative inertia, no ratio, or damping of a shaft that is rigid.
+        """
+        who = f"drive on joint '{self.joint}'"
+        if isinstance(self.inertia, float) and self.inertia < 0:
+            raise ModelError(f"{who}: inertia is {self.inertia}; give 0 or more [kg m^2]")
+        if self.ratio == 0:
+            raise ModelError(
+                f"{who}: ratio is 0; give the turns of the rotor per turn of the joint"
+            )
+        if self.stiffness is None and self.damping != 0:
+            raise ModelError(
+                f"{who}: damping belongs to an elastic shaft; give its stiffness too, or use "
+                "friction for the rotor"
+            )
 
     def rotor(self) -> Rotor | None:
         """The extra body, None where the inertia of the rotor is added to the joint's."""
@@ -127,8 +150,11 @@ class Drive(ForceElement):
         def pair(shaft: Scalar) -> tuple[JointLoad, JointLoad]:
             return _load(motion, joint, shaft), _load(motion, rotor, -(shaft / ratio))
 
+        # a shaft that time or the motion changes works on the system and stores nothing
+        fixed = constant(data["stiffness"]) and constant(data["ratio"])
+        energy = spring * twist * 0.5 if fixed else None
         return (
-            Action(joint_loads=pair(spring), potential=spring * twist * 0.5),
+            Action(joint_loads=pair(spring), potential=energy),
             Action(joint_loads=pair(damper)),
             Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
         )

@@ -27,7 +27,7 @@ class Custom(Joint):
     are 0.
 
     Args:
-        coordinates: One to six SymPy symbols.
+        symbols: One to six SymPy symbols, the coordinates.
         position: Origin of the child in parent axes [m], three expressions.
         rotation: R_PC, 3x3 expressions that make a rotation matrix for every value.
 
@@ -44,10 +44,14 @@ class Custom(Joint):
     rotation: Any = IDENTITY
 
     def __post_init__(self) -> None:
-        names = tuple(getattr(s, "name", s) for s in self.symbols)
+        symbols = self.symbols if isinstance(self.symbols, Sequence) else ()
+        names = tuple(getattr(s, "name", s) for s in symbols)
+        if not all(isinstance(name, str) for name in names):
+            names = ()
         if not 1 <= len(names) <= 6 or len(set(names)) < len(names):
             raise ModelError(
-                f"custom joint: coordinates are {names}; give one to six different symbols"
+                f"custom joint: coordinates are {self.symbols!r}; "
+                "give one to six different symbols"
             )
         rows = self.rotation.tolist() if hasattr(self.rotation, "tolist") else self.rotation
         if not isinstance(rows, Sequence) or len(rows) != 3:
@@ -101,7 +105,8 @@ class Custom(Joint):
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         """The last columns of Q of a Householder factorization of S, orthonormal.
 
-        Smooth where no pivot of the factorization changes its sign.
+        Smooth where no pivot of the factorization changes its sign; not defined where a mode of
+        motion vanishes or depends on the others.
         """
         s, graph = self.motion(q, **data), q.graph
         basis = Matrix.identity(graph, 6)

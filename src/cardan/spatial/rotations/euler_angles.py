@@ -107,13 +107,19 @@ class EulerAngles(Rotation):
 
     def from_matrix(self, R: Matrix) -> Matrix:
         i, j, k = self.axes
+        m = 3 - i - j
         p = float(self.parity)
         if self.proper:
-            m = 3 - i - j
+            first = atan2(R[j, i], R[m, i] * -p)
             middle = atan2(sqrt(R[i, j] ** 2 + R[i, m] ** 2), R[i, i])
-            return self._written(atan2(R[j, i], R[m, i] * -p), middle, atan2(R[i, j], R[i, m] * p))
-        middle = atan2(R[i, k] * p, sqrt(R[i, i] ** 2 + R[i, j] ** 2))
-        return self._written(atan2(R[j, k] * -p, R[k, k]), middle, atan2(R[i, j] * -p, R[i, i]))
+        else:
+            first = atan2(R[j, k] * -p, R[k, k])
+            middle = atan2(R[i, k] * p, sqrt(R[i, i] ** 2 + R[i, j] ** 2))
+        # the last angle from R turned back by the first: where only their sum is determined,
+        # the three still make R
+        row = elementary(i, cos(first), sin(first)).T @ R
+        last = atan2(row[j, m] * -p, row[j, j]) if self.proper else atan2(row[j, i] * p, row[j, j])
+        return self._written(first, middle, last)
 
     def margin(self, q: Matrix) -> Scalar:
         return (sin(q[1]) if self.proper else cos(q[1])).apply("abs")
