@@ -28,6 +28,7 @@ RUNNING_MAY_IMPORT = RUNNING | {"errors", "ir"}
 
 # public methods whose work lives further down: (module, function) -> module imported inside it
 DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
+    ("cardan.equations.record", "Equations._expanded"): frozenset({"cardan.passes.trig"}),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),

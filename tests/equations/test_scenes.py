@@ -107,3 +107,24 @@ def test_a_massless_tip_is_named(method: str) -> None:
     with pytest.raises(cd.DerivationError, match="joint 'wrist'"):
         equations.function("forward_dynamics")
     assert equations.function("inverse_dynamics").operations()
+
+
+def test_small_matrices_come_out_as_a_textbook_has_them() -> None:
+    """A pole of mass m at distance d on a cart: sin² + cos² and what cancels are gone."""
+    import sympy
+
+    scene = cd.Model("cart_pole", gravity=(0, 0, -G))
+    m, d, c, moment = (scene.parameter(n, 1.0) for n in ("m", "d", "c", "moment"))
+    cart = scene.body("cart", mass=c)
+    pole = scene.body("pole", mass=m, com=(0, 0, d), inertia=(moment, moment, 0))
+    scene.joint("track", cd.Prismatic("x"), scene.ground, cart)
+    scene.joint("hinge", cd.Revolute("y"), cart, pole)
+    angle, rate, g = sympy.symbols("hinge hinge.u gravity.z")
+    for method in ("kane", "composite"):
+        equations = cd.derive(scene, method=method)
+        coupling = m * d * sympy.cos(angle)
+        assert equations.mass_matrix == sympy.Matrix(
+            [[c + m, coupling], [coupling, m * d**2 + moment]]
+        )
+        turning = -m * d * rate**2 * sympy.sin(angle)
+        assert equations.bias == sympy.Matrix([turning, g * m * d * sympy.sin(angle)])

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     import sympy
 
 ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
-SYMPY_LIMIT = 4000
+SYMPY_LIMIT = 4000  # operations of a function that is written out
+EXPAND_LIMIT = 200  # operations of an entry that is multiplied out
 
 
 @dataclass(frozen=True)
@@ -161,15 +162,16 @@ class Equations:
 
     def _expanded(self, name: str) -> sympy.Matrix:
         from ..ir.sympy_bridge import to_sympy
+        from ..passes.trig import trig
 
-        function = self.function(name)
+        function = trig(self.function(name))
         size = len(function.live())
         if size > SYMPY_LIMIT:
             raise DerivationError(
                 f"{name} has {size} operations: too many to write out. Use "
                 f"equations.symbolic('{name}'), which keeps shared intermediates"
             )
-        return to_sympy(function, self.symbols)
+        return to_sympy(function, self.symbols).applyfunc(_shorter)
 
     @property
     def mass_matrix(self) -> sympy.Matrix:
@@ -225,6 +227,17 @@ class Equations:
             row = (counts.get("mul", 0), add, counts.get("div", 0), trig, sum(counts.values()))
             lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
         return "\n".join(lines)
+
+
+def _shorter(expression: Any) -> Any:
+    """An entry multiplied out where that makes it shorter; long ones are left alone."""
+    from sympy import expand
+
+    count = expression.count_ops()
+    if count > EXPAND_LIMIT:
+        return expression
+    expanded = expand(expression)
+    return expanded if expanded.count_ops() < count else expression
 
 
 def _row(names: tuple[str, ...]) -> str:
