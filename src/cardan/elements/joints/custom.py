@@ -50,8 +50,7 @@ class Custom(Joint):
             names = ()
         if not 1 <= len(names) <= 6 or len(set(names)) < len(names):
             raise ModelError(
-                f"custom joint: coordinates are {self.symbols!r}; "
-                "give one to six different symbols"
+                f"custom joint: coordinates are {self.symbols!r}; give one to six different symbols"
             )
         rows = self.rotation.tolist() if hasattr(self.rotation, "tolist") else self.rotation
         if not isinstance(rows, Sequence) or len(rows) != 3:
