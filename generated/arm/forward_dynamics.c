@@ -122,9 +122,9 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[1] = p[5]; /* column.inertia.zz [kg m^2] */
     w[3] = p[12]; /* elbow.position.x [m] */
     w[4] = p[17]; /* forearm.inertia.xz [kg m^2] */
-    w[6] = p[26]; /* waist.damping.damping [N*m*s/rad] */
-    w[7] = p[27]; /* shoulder.damping.damping [N*m*s/rad] */
-    w[8] = p[28]; /* elbow.damping.damping [N*m*s/rad] */
+    w[6] = p[26]; /* waist.damping [N*m*s/rad] */
+    w[7] = p[27]; /* shoulder.damping [N*m*s/rad] */
+    w[8] = p[28]; /* elbow.damping [N*m*s/rad] */
 }
 
 /* udot with M udot + h = f + tau */
@@ -283,20 +283,20 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* elbow: tau, drive */
     const real elbow_u_tau = tau[2]; /* N*m */
-    const wreal elbow_damping_damping = w[8]; /* N*m*s/rad */
-    const real elbow_tau = elbow_u * elbow_damping_damping + forearm_n_y;
+    const wreal elbow_damping = w[8]; /* N*m*s/rad */
+    const real elbow_tau = elbow_u * elbow_damping + forearm_n_y;
     const real elbow_drive = elbow_u_tau - elbow_tau;
 
     /* shoulder: tau, drive */
     const real shoulder_u_tau = tau[1]; /* N*m */
-    const wreal shoulder_damping_damping = w[7]; /* N*m*s/rad */
-    const real shoulder_tau = shoulder_u * shoulder_damping_damping + upper_arm_n_y;
+    const wreal shoulder_damping = w[7]; /* N*m*s/rad */
+    const real shoulder_tau = shoulder_u * shoulder_damping + upper_arm_n_y;
     const real shoulder_drive = shoulder_u_tau - shoulder_tau;
 
     /* waist: tau, drive */
     const real waist_u_tau = tau[0]; /* N*m */
-    const wreal waist_damping_damping = w[6]; /* N*m*s/rad */
-    const real waist_tau = waist_u * waist_damping_damping + column_n_z;
+    const wreal waist_damping = w[6]; /* N*m*s/rad */
+    const real waist_tau = waist_u * waist_damping + column_n_z;
     const real waist_drive = waist_u_tau - waist_tau;
 
     /* M: factor */

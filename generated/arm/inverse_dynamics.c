@@ -119,9 +119,9 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[0] = p[0]; /* gravity.z [m/s^2] */
     w[2] = p[12]; /* elbow.position.x [m] */
     w[3] = p[17]; /* forearm.inertia.xz [kg m^2] */
-    w[5] = p[26]; /* waist.damping.damping [N*m*s/rad] */
-    w[6] = p[27]; /* shoulder.damping.damping [N*m*s/rad] */
-    w[7] = p[28]; /* elbow.damping.damping [N*m*s/rad] */
+    w[5] = p[26]; /* waist.damping [N*m*s/rad] */
+    w[6] = p[27]; /* shoulder.damping [N*m*s/rad] */
+    w[7] = p[28]; /* elbow.damping [N*m*s/rad] */
 }
 
 /* tau with M udot + h = f + tau */
@@ -252,15 +252,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real column_n_z = column_f - shoulder_sin * upper_arm_n_x;
 
     /* elbow: tau */
-    const wreal elbow_damping_damping = w[7]; /* N*m*s/rad */
-    out[2] = elbow_u * elbow_damping_damping + forearm_n_y; /* tau: elbow.u.tau [N*m] */
+    const wreal elbow_damping = w[7]; /* N*m*s/rad */
+    out[2] = elbow_u * elbow_damping + forearm_n_y; /* tau: elbow.u.tau [N*m] */
 
     /* shoulder: tau */
-    const wreal shoulder_damping_damping = w[6]; /* N*m*s/rad */
-    out[1] = shoulder_u * shoulder_damping_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
+    const wreal shoulder_damping = w[6]; /* N*m*s/rad */
+    out[1] = shoulder_u * shoulder_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
 
     /* waist: tau */
-    const wreal waist_damping_damping = w[5]; /* N*m*s/rad */
-    out[0] = waist_u * waist_damping_damping + column_n_z; /* tau: waist.u.tau [N*m] */
+    const wreal waist_damping = w[5]; /* N*m*s/rad */
+    out[0] = waist_u * waist_damping + column_n_z; /* tau: waist.u.tau [N*m] */
     return CARDAN_OK;
 }

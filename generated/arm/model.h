@@ -59,9 +59,9 @@ enum {
     p_hand_inertia_xx = 23, /* hand.inertia.xx [kg m^2] */
     p_hand_inertia_yy = 24, /* hand.inertia.yy [kg m^2] */
     p_hand_inertia_zz = 25, /* hand.inertia.zz [kg m^2] */
-    p_waist_damping_damping = 26, /* waist.damping.damping [N*m*s/rad] */
-    p_shoulder_damping_damping = 27, /* shoulder.damping.damping [N*m*s/rad] */
-    p_elbow_damping_damping = 28 /* elbow.damping.damping [N*m*s/rad] */
+    p_waist_damping = 26, /* waist.damping [N*m*s/rad] */
+    p_shoulder_damping = 27, /* shoulder.damping [N*m*s/rad] */
+    p_elbow_damping = 28 /* elbow.damping [N*m*s/rad] */
 };
 
 #endif

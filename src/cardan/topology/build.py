@@ -115,7 +115,7 @@ def _force(assembly: Assembly, name: str) -> Force:
     units = [assembly.joints[j].element.coordinates[0].unit for j in joints.values()]
     with convert.graph.made_by(name, "data"):
         data = {
-            key: convert.quantity(entry, f"{name}.{key}", sliding="m" in units)
+            key: convert.quantity(entry, _dotted(name, key), sliding="m" in units)
             for key, entry in element.quantities().items()
         }
         frames = {
@@ -123,6 +123,11 @@ def _force(assembly: Assembly, name: str) -> Force:
             for role, place in element.frames().items()
         }
     return Force(name, element, data, frames, joints)
+
+
+def _dotted(owner: str, quantity: str) -> str:
+    """Name of a number of an element; ``elbow.damping`` is not said twice."""
+    return owner if owner.endswith(f".{quantity}") else f"{owner}.{quantity}"
 
 
 def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, int]:
