@@ -108,11 +108,9 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[13] = forearm_inertia_zz_2 - forearm_inertia_xx_2; /* upper_arm_inertia */
     w[15] = 0.5 * forearm_mass_2 * elbow_position_x; /* upper_arm_inertia_3 */
     w[16] = elbow_position_x * forearm_first_moment_y; /* upper_arm_inertia_4 */
-    w[17] = upper_arm_inertia_yy_2 + forearm_inertia_yy_2; /* upper_arm_inertia_5 */
-    w[18] = upper_arm_inertia_zz_2 + forearm_inertia_zz_2; /* upper_arm_inertia_6 */
-
-    /* column: inertia */
-    w[19] = upper_arm_inertia_xx + forearm_inertia_xx_2; /* column_inertia */
+    w[17] = upper_arm_inertia_xx + forearm_inertia_xx_2; /* upper_arm_inertia_5 */
+    w[18] = upper_arm_inertia_yy_2 + forearm_inertia_yy_2; /* upper_arm_inertia_6 */
+    w[19] = upper_arm_inertia_zz_2 + forearm_inertia_zz_2; /* upper_arm_inertia_7 */
 
     /* M: D inverse */
     w[25] = 1.0 / forearm_inertia_yy_2; /* M_D_inverse_3 */
@@ -147,7 +145,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper_arm: inertia, alpha, omega, U, a, f */
+    /* upper_arm: inertia, composite inertia, alpha, omega, U, a, f */
     const real waist_u = u[0]; /* rad/s */
     const real shoulder_u = u[1]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
@@ -157,13 +155,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal forearm_first_moment_x = w[10];
     const wreal upper_arm_inertia = w[13];
     const wreal upper_arm_inertia_2 = w[14];
+    const wreal upper_arm_inertia_5 = w[17];
     const wreal upper_arm_second_moment_xx = w[23];
     const wreal upper_arm_second_moment_zz = w[24];
-    const real upper_arm_inertia_7 = elbow_sin * upper_arm_inertia
+    const real upper_arm_inertia_8 = elbow_sin * upper_arm_inertia
         + elbow_cos * upper_arm_inertia_2;
-    const real upper_arm_inertia_8 = elbow_sin * upper_arm_inertia_7;
-    const real upper_arm_inertia_9 = forearm_first_moment_x * elbow_sin * elbow_position_x
-        - forearm_inertia_xz + elbow_cos * upper_arm_inertia_7;
+    const real upper_arm_inertia_9 = elbow_sin * upper_arm_inertia_8;
+    const real upper_arm_composite_inertia_xz = forearm_first_moment_x * elbow_sin *
+        elbow_position_x - forearm_inertia_xz + elbow_cos * upper_arm_inertia_8;
+    const real upper_arm_composite_inertia_xx = upper_arm_inertia_9 + upper_arm_inertia_5;
     const real upper_arm_alpha = waist_u * shoulder_sin;
     const real upper_arm_omega_z = waist_u * shoulder_cos;
     const real upper_arm_U = shoulder_u * upper_arm_omega_z;
@@ -172,6 +172,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_a = gravity_z * shoulder_cos;
     const real upper_arm_U_3 = upper_arm_alpha * upper_arm_omega_z;
     const real upper_arm_U_4 = upper_arm_U_2 + upper_arm_U_2;
+    const real upper_arm_U_yz = upper_arm_U + upper_arm_U;
     const real upper_arm_f = upper_arm_U_3 * upper_arm_second_moment_xx
         + upper_arm_first_moment_x * upper_arm_a - upper_arm_U_3 * upper_arm_second_moment_zz;
 
@@ -179,42 +180,42 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal forearm_inertia_xy = w[11];
     const real upper_arm_inertia_10 = forearm_inertia_xy * elbow_cos;
     const real upper_arm_inertia_11 = forearm_first_moment_x * elbow_cos;
-    const real column_inertia_2 = forearm_inertia_xy * elbow_sin * shoulder_cos;
+    const real column_inertia = forearm_inertia_xy * elbow_sin * shoulder_cos;
 
-    /* upper_arm: inertia, momentum */
+    /* upper_arm: inertia, composite inertia, momentum */
     const wreal upper_arm_inertia_3 = w[15];
+    const wreal upper_arm_inertia_4 = w[16];
     const wreal upper_arm_inertia_6 = w[18];
+    const wreal upper_arm_inertia_7 = w[19];
     const real upper_arm_inertia_12 = elbow_position_x * (upper_arm_inertia_11
         + upper_arm_inertia_3) * 2.0;
-    const real upper_arm_inertia_13 = upper_arm_inertia_6 - upper_arm_inertia_8
+    const real upper_arm_composite_inertia_xy = upper_arm_inertia_10 - upper_arm_inertia_4;
+    const real upper_arm_composite_inertia_yy = upper_arm_inertia_12 + upper_arm_inertia_6;
+    const real upper_arm_composite_inertia_zz = upper_arm_inertia_7 - upper_arm_inertia_9
         + upper_arm_inertia_12;
-    const real upper_arm_momentum = column_inertia_2 + shoulder_sin * upper_arm_inertia_10;
+    const real upper_arm_momentum = column_inertia + shoulder_sin * upper_arm_inertia_10;
+
+    /* column: inertia, composite inertia */
+    const wreal column_inertia_zz = w[1]; /* kg m^2 */
+    const real column_inertia_2 = shoulder_sin * (upper_arm_composite_inertia_zz
+        - upper_arm_composite_inertia_xx);
+    const real column_inertia_3 = shoulder_sin * (column_inertia_2
+        + shoulder_cos * (upper_arm_composite_inertia_xz + upper_arm_composite_inertia_xz));
+    const real column_composite_inertia_zz = column_inertia_zz + upper_arm_composite_inertia_zz
+        - column_inertia_3;
 
     /* M: L, factor, D inverse */
     const wreal forearm_inertia_yy_2 = w[12];
-    const wreal upper_arm_inertia_4 = w[16];
-    const wreal upper_arm_inertia_5 = w[17];
     const wreal M_D_inverse_3 = w[25];
-    const real M_2_2 = upper_arm_inertia_12 + upper_arm_inertia_5;
     const real M_3_2 = forearm_inertia_yy_2 + elbow_position_x * upper_arm_inertia_11;
     const real M_L_3_2 = M_3_2 * M_D_inverse_3;
-    const real M_factor = upper_arm_momentum * M_L_3_2 - (column_inertia_2
-        + shoulder_sin * (upper_arm_inertia_10 - upper_arm_inertia_4));
+    const real M_factor = upper_arm_momentum * M_L_3_2 - (column_inertia
+        + shoulder_sin * upper_arm_composite_inertia_xy);
     const real M_factor_2 = upper_arm_momentum * M_D_inverse_3;
-    const real M_D_inverse_2 = 1.0 / (M_2_2 - M_3_2 * M_L_3_2);
+    const real M_D_inverse_2 = 1.0 / (upper_arm_composite_inertia_yy - M_3_2 * M_L_3_2);
     const real M_L_2_1 = M_factor * M_D_inverse_2;
-
-    /* column: inertia */
-    const wreal column_inertia = w[19];
-    const real column_inertia_3 = shoulder_sin * (upper_arm_inertia_13 - (upper_arm_inertia_8
-        + column_inertia));
-
-    /* M: D inverse */
-    const wreal column_inertia_zz = w[1]; /* kg m^2 */
-    const real M_1_1 = column_inertia_zz + upper_arm_inertia_13
-        - shoulder_sin * (column_inertia_3 + shoulder_cos * (upper_arm_inertia_9
-        + upper_arm_inertia_9));
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - upper_arm_momentum * M_factor_2 - M_factor * M_L_2_1);
+    const real M_D_inverse_1 = 1.0 / (column_composite_inertia_zz
+        - upper_arm_momentum * M_factor_2 - M_factor * M_L_2_1);
 
     /* forearm: alpha, omega, a, U, inertia force, n, f */
     const real elbow_u = u[2]; /* rad/s */
@@ -243,36 +244,36 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_U_5 = forearm_alpha * forearm_omega_z;
     const real forearm_U_6 = forearm_omega_z * forearm_omega_y;
     const real forearm_U_7 = forearm_U_2 + forearm_U_3;
-    const real forearm_U_8 = forearm_alpha_2 - forearm_U_4;
-    const real forearm_U_9 = forearm_alpha_2 + forearm_U_4;
-    const real forearm_U_10 = forearm_U + forearm_U_3;
-    const real forearm_U_11 = forearm_U_6 - forearm_alpha_x;
-    const real forearm_U_12 = forearm_alpha_x + forearm_U_6;
+    const real forearm_U_xy = forearm_alpha_2 - forearm_U_4;
+    const real forearm_U_8 = forearm_alpha_2 + forearm_U_4;
+    const real forearm_U_9 = forearm_U + forearm_U_3;
+    const real forearm_U_yz = forearm_U_6 - forearm_alpha_x;
+    const real forearm_U_zy = forearm_alpha_x + forearm_U_6;
     const real forearm_inertia_force_2 = forearm_inertia_xy * forearm_U_5
-        + forearm_U_12 * forearm_second_moment_yy + forearm_first_moment_y * forearm_a_z;
-    const real forearm_n_x = forearm_inertia_force_2 - (forearm_inertia_xz * forearm_U_9
-        + forearm_U_11 * forearm_second_moment_zz);
+        + forearm_U_zy * forearm_second_moment_yy + forearm_first_moment_y * forearm_a_z;
+    const real forearm_n_x = forearm_inertia_force_2 - (forearm_inertia_xz * forearm_U_8
+        + forearm_U_yz * forearm_second_moment_zz);
     const real forearm_inertia_force_3 = forearm_U_5 * forearm_second_moment_xx
-        - forearm_U_5 * forearm_second_moment_zz + forearm_inertia_xy * forearm_U_12;
+        - forearm_U_5 * forearm_second_moment_zz + forearm_inertia_xy * forearm_U_zy;
     const real forearm_inertia_force_4 = forearm_inertia_xz * forearm_U_7
         - forearm_inertia_xz * (forearm_U + forearm_U_2) - forearm_first_moment_x * forearm_a_z;
     const real forearm_n_y = forearm_inertia_force_3 + forearm_inertia_force_4;
-    const real forearm_inertia_force_5 = forearm_inertia_xy * forearm_U_7
-        + forearm_U_9 * forearm_second_moment_xx;
-    const real forearm_inertia_force_6 = forearm_inertia_xy * forearm_U_10
+    const real forearm_inertia_force_5 = forearm_U_xy * forearm_second_moment_yy
+        + forearm_inertia_xz * forearm_U_yz;
+    const real forearm_inertia_force_6 = forearm_inertia_xy * forearm_U_9
         - forearm_first_moment_x * forearm_a - forearm_first_moment_y * forearm_a_x;
-    const real forearm_n_z = forearm_inertia_force_6 - (forearm_U_8 * forearm_second_moment_yy
-        + forearm_inertia_xz * forearm_U_11 + forearm_inertia_force_5);
-    const real forearm_f_x = forearm_first_moment_y * forearm_U_8
+    const real forearm_n_z = forearm_inertia_force_6 - (forearm_inertia_xy * forearm_U_7
+        + forearm_U_8 * forearm_second_moment_xx + forearm_inertia_force_5);
+    const real forearm_f_x = forearm_first_moment_y * forearm_U_xy
         - forearm_first_moment_x * forearm_U_7 + forearm_mass_2 * forearm_a_x;
-    const real forearm_f_z = forearm_first_moment_y * forearm_U_12
+    const real forearm_f_z = forearm_first_moment_y * forearm_U_zy
         - forearm_first_moment_x * forearm_U_5 + forearm_mass_2 * forearm_a_z;
     const real forearm_f = elbow_position_x * (forearm_mass_2 * forearm_a
-        + forearm_first_moment_y * forearm_U_10 + forearm_first_moment_x * forearm_U_9);
+        + forearm_first_moment_y * forearm_U_9 + forearm_first_moment_x * forearm_U_8);
 
     /* upper_arm: n */
-    const real upper_arm_n_x = elbow_cos * forearm_n_x - (upper_arm_U
-        + upper_arm_U) * upper_arm_second_moment_zz + elbow_sin * forearm_n_z;
+    const real upper_arm_n_x = elbow_cos * forearm_n_x
+        - upper_arm_U_yz * upper_arm_second_moment_zz + elbow_sin * forearm_n_z;
     const real upper_arm_n_y = forearm_n_y + upper_arm_f
         - elbow_position_x * (elbow_cos * forearm_f_z - elbow_sin * forearm_f_x);
     const real upper_arm_n_z = elbow_cos * forearm_n_z - (forearm_f

@@ -144,7 +144,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper_arm: alpha, omega, U, a, inertia force, f */
+    /* upper_arm: alpha, omega, U, a, f */
     const real waist_u = u[0]; /* rad/s */
     const real shoulder_u = u[1]; /* rad/s */
     const real waist_udot = udot[0]; /* rad/s^2 */
@@ -163,14 +163,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_a_x = gravity_z * shoulder_sin;
     const real upper_arm_a = gravity_z * shoulder_cos;
     const real upper_arm_U_3 = upper_arm_alpha * upper_arm_omega_z;
-    const real upper_arm_U_4 = upper_arm_alpha_z - upper_arm_U_2;
-    const real upper_arm_U_5 = shoulder_udot + upper_arm_U_3;
-    const real upper_arm_inertia_force_2 = (upper_arm_U
-        - upper_arm_alpha_2) * upper_arm_second_moment_yy;
-    const real upper_arm_f = (shoulder_udot - upper_arm_U_3) * upper_arm_second_moment_zz
-        + upper_arm_first_moment_x * upper_arm_a;
+    const real upper_arm_U_xz = shoulder_udot - upper_arm_U_3;
+    const real upper_arm_U_yx = upper_arm_alpha_z - upper_arm_U_2;
+    const real upper_arm_U_yz = upper_arm_U + upper_arm_alpha_2;
+    const real upper_arm_U_4 = shoulder_udot + upper_arm_U_3;
+    const real upper_arm_U_zy = upper_arm_U - upper_arm_alpha_2;
+    const real upper_arm_f = upper_arm_U_xz * upper_arm_second_moment_zz
+        + upper_arm_first_moment_x * upper_arm_a + upper_arm_U_4 * upper_arm_second_moment_xx;
     const real upper_arm_f_2 = (upper_arm_U_2 + upper_arm_alpha_z) * upper_arm_second_moment_yy
-        + upper_arm_U_4 * upper_arm_second_moment_xx;
+        + upper_arm_U_yx * upper_arm_second_moment_xx;
 
     /* forearm: alpha, omega, a, U, inertia force, n, f */
     const real elbow_u = u[2]; /* rad/s */
@@ -192,10 +193,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_alpha_y = shoulder_udot + elbow_udot;
     const real forearm_alpha_z = elbow_cos * upper_arm_alpha_z - elbow_sin * upper_arm_alpha_2
         - elbow_u * forearm_alpha;
-    const real forearm_a_y = elbow_position_x * upper_arm_U_4;
+    const real forearm_a_y = elbow_position_x * upper_arm_U_yx;
     const real forearm_a = upper_arm_a_x - elbow_position_x * (shoulder_u * shoulder_u
         + upper_arm_omega_z * upper_arm_omega_z);
-    const real forearm_a_2 = upper_arm_a + elbow_position_x * upper_arm_U_5;
+    const real forearm_a_2 = upper_arm_a + elbow_position_x * upper_arm_U_4;
     const real forearm_a_x = elbow_cos * forearm_a + elbow_sin * forearm_a_2;
     const real forearm_a_z = elbow_sin * forearm_a - elbow_cos * forearm_a_2;
     const real forearm_U = forearm_alpha * forearm_alpha;
@@ -206,41 +207,41 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_U_6 = forearm_omega_z * forearm_omega_y;
     const real forearm_U_7 = forearm_U_2 + forearm_U_3;
     const real forearm_U_8 = forearm_alpha_z + forearm_U_4;
-    const real forearm_U_9 = forearm_alpha_z - forearm_U_4;
-    const real forearm_U_10 = forearm_U + forearm_U_3;
-    const real forearm_U_11 = forearm_alpha_2 + forearm_U_6;
-    const real forearm_U_12 = forearm_alpha_y + forearm_U_5;
-    const real forearm_U_13 = forearm_U_6 - forearm_alpha_2;
-    const real forearm_inertia_force_2 = forearm_inertia_xy * forearm_U_12
-        + forearm_U_13 * forearm_second_moment_yy + forearm_first_moment_y * forearm_a_z;
-    const real forearm_n_x = forearm_inertia_xz * forearm_U_9
-        - forearm_U_11 * forearm_second_moment_zz + forearm_inertia_force_2;
-    const real forearm_inertia_force_3 = forearm_inertia_xz * forearm_U_7 + (forearm_alpha_y
-        - forearm_U_5) * forearm_second_moment_zz;
-    const real forearm_inertia_force_4 = forearm_U_12 * forearm_second_moment_xx
-        - forearm_inertia_xz * (forearm_U + forearm_U_2) + forearm_inertia_force_3;
-    const real forearm_n_y = forearm_inertia_xy * forearm_U_13
+    const real forearm_U_xz = forearm_alpha_y - forearm_U_5;
+    const real forearm_U_yx = forearm_alpha_z - forearm_U_4;
+    const real forearm_U_9 = forearm_U + forearm_U_3;
+    const real forearm_U_yz = forearm_alpha_2 + forearm_U_6;
+    const real forearm_U_10 = forearm_alpha_y + forearm_U_5;
+    const real forearm_U_zy = forearm_U_6 - forearm_alpha_2;
+    const real forearm_inertia_force_2 = forearm_inertia_xy * forearm_U_10
+        + forearm_U_zy * forearm_second_moment_yy + forearm_first_moment_y * forearm_a_z;
+    const real forearm_n_x = forearm_inertia_xz * forearm_U_yx
+        - forearm_U_yz * forearm_second_moment_zz + forearm_inertia_force_2;
+    const real forearm_inertia_force_3 = forearm_U_10 * forearm_second_moment_xx
+        - forearm_inertia_xz * (forearm_U + forearm_U_2);
+    const real forearm_inertia_force_4 = forearm_inertia_xz * forearm_U_7
+        + forearm_U_xz * forearm_second_moment_zz + forearm_inertia_force_3;
+    const real forearm_n_y = forearm_inertia_xy * forearm_U_zy
         - forearm_first_moment_x * forearm_a_z + forearm_inertia_force_4;
-    const real forearm_inertia_force_5 = forearm_inertia_xy * forearm_U_10
+    const real forearm_inertia_force_5 = forearm_inertia_xy * forearm_U_9
         - forearm_inertia_xy * forearm_U_7 + forearm_first_moment_x * forearm_a_y;
-    const real forearm_inertia_force_6 = forearm_U_9 * forearm_second_moment_xx
-        - forearm_inertia_xz * forearm_U_11 + forearm_inertia_force_5;
+    const real forearm_inertia_force_6 = forearm_U_yx * forearm_second_moment_xx
+        - forearm_inertia_xz * forearm_U_yz + forearm_inertia_force_5;
     const real forearm_n_z = forearm_U_8 * forearm_second_moment_yy
         - forearm_first_moment_y * forearm_a_x + forearm_inertia_force_6;
     const real forearm_f_x = forearm_mass_2 * forearm_a_x - forearm_first_moment_x * forearm_U_7
         - forearm_first_moment_y * forearm_U_8;
-    const real forearm_f_y = forearm_mass_2 * forearm_a_y - forearm_first_moment_y * forearm_U_10
-        + forearm_first_moment_x * forearm_U_9;
-    const real forearm_f_z = forearm_mass_2 * forearm_a_z - forearm_first_moment_x * forearm_U_12
-        + forearm_first_moment_y * forearm_U_13;
-    const real forearm_f = elbow_position_x * (elbow_cos * forearm_f_z - elbow_sin * forearm_f_x);
+    const real forearm_f_y = forearm_mass_2 * forearm_a_y - forearm_first_moment_y * forearm_U_9
+        + forearm_first_moment_x * forearm_U_yx;
+    const real forearm_f_z = forearm_mass_2 * forearm_a_z - forearm_first_moment_x * forearm_U_10
+        + forearm_first_moment_y * forearm_U_zy;
 
     /* upper_arm: f, n */
-    const real upper_arm_f_3 = upper_arm_inertia_force_2 - (upper_arm_U
-        + upper_arm_alpha_2) * upper_arm_second_moment_zz + elbow_cos * forearm_n_x;
+    const real upper_arm_f_3 = upper_arm_U_zy * upper_arm_second_moment_yy
+        - upper_arm_U_yz * upper_arm_second_moment_zz + elbow_cos * forearm_n_x;
     const real upper_arm_n_x = elbow_sin * forearm_n_z + upper_arm_f_3;
-    const real upper_arm_n_y = upper_arm_U_5 * upper_arm_second_moment_xx + upper_arm_f
-        + forearm_n_y - forearm_f;
+    const real upper_arm_n_y = forearm_n_y + upper_arm_f
+        - elbow_position_x * (elbow_cos * forearm_f_z - elbow_sin * forearm_f_x);
     const real upper_arm_n_z = elbow_position_x * forearm_f_y + upper_arm_f_2
         + elbow_cos * forearm_n_z - elbow_sin * forearm_n_x;
 

@@ -78,16 +78,14 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[5] = forearm_inertia_yy_2; /* forearm_inertia_yy_2 */
 
     /* upper_arm: inertia */
+    const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
     const wreal elbow_position_x = p[12]; /* m */
     w[6] = forearm_inertia_zz_2 - forearm_inertia_xx_2; /* upper_arm_inertia */
     w[8] = 0.5 * forearm_mass_5 * elbow_position_x; /* upper_arm_inertia_3 */
     w[9] = elbow_position_x * forearm_first_moment_y; /* upper_arm_inertia_4 */
-    w[10] = upper_arm_inertia_yy_2 + forearm_inertia_yy_2; /* upper_arm_inertia_5 */
-    w[11] = upper_arm_inertia_zz_2 + forearm_inertia_zz_2; /* upper_arm_inertia_6 */
-
-    /* column: inertia */
-    const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
-    w[12] = upper_arm_inertia_xx + forearm_inertia_xx_2; /* column_inertia */
+    w[10] = upper_arm_inertia_xx + forearm_inertia_xx_2; /* upper_arm_inertia_5 */
+    w[11] = upper_arm_inertia_yy_2 + forearm_inertia_yy_2; /* upper_arm_inertia_6 */
+    w[12] = upper_arm_inertia_zz_2 + forearm_inertia_zz_2; /* upper_arm_inertia_7 */
 
     /* parameters as they are */
     w[0] = p[5]; /* column.inertia.zz [kg m^2] */
@@ -113,58 +111,58 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper_arm: inertia */
+    /* upper_arm: inertia, composite inertia */
     const wreal elbow_position_x = w[1]; /* m */
     const wreal forearm_inertia_xz = w[2]; /* kg m^2 */
     const wreal forearm_first_moment_x = w[3];
     const wreal upper_arm_inertia = w[6];
     const wreal upper_arm_inertia_2 = w[7];
-    const real upper_arm_inertia_7 = elbow_sin * upper_arm_inertia
+    const wreal upper_arm_inertia_5 = w[10];
+    const real upper_arm_inertia_8 = elbow_sin * upper_arm_inertia
         + elbow_cos * upper_arm_inertia_2;
-    const real upper_arm_inertia_8 = elbow_sin * upper_arm_inertia_7;
-    const real upper_arm_inertia_9 = forearm_first_moment_x * elbow_sin * elbow_position_x
-        - forearm_inertia_xz + elbow_cos * upper_arm_inertia_7;
+    const real upper_arm_inertia_9 = elbow_sin * upper_arm_inertia_8;
+    const real upper_arm_composite_inertia_xz = forearm_first_moment_x * elbow_sin *
+        elbow_position_x - forearm_inertia_xz + elbow_cos * upper_arm_inertia_8;
+    const real upper_arm_composite_inertia_xx = upper_arm_inertia_9 + upper_arm_inertia_5;
 
     /* shared by several: inertia */
     const wreal forearm_inertia_xy = w[4];
     const real upper_arm_inertia_10 = forearm_inertia_xy * elbow_cos;
     const real upper_arm_inertia_11 = forearm_first_moment_x * elbow_cos;
-    const real column_inertia_2 = forearm_inertia_xy * elbow_sin * shoulder_cos;
+    const real column_inertia = forearm_inertia_xy * elbow_sin * shoulder_cos;
 
-    /* upper_arm: inertia */
+    /* upper_arm: inertia, composite inertia */
     const wreal upper_arm_inertia_3 = w[8];
+    const wreal upper_arm_inertia_4 = w[9];
     const wreal upper_arm_inertia_6 = w[11];
+    const wreal upper_arm_inertia_7 = w[12];
     const real upper_arm_inertia_12 = elbow_position_x * (upper_arm_inertia_11
         + upper_arm_inertia_3) * 2.0;
-    const real upper_arm_inertia_13 = upper_arm_inertia_6 - upper_arm_inertia_8
+    const real upper_arm_composite_inertia_xy = upper_arm_inertia_10 - upper_arm_inertia_4;
+    const real upper_arm_composite_inertia_zz = upper_arm_inertia_7 - upper_arm_inertia_9
         + upper_arm_inertia_12;
+    out[4] = upper_arm_inertia_12 + upper_arm_inertia_6; /* M: shoulder.u,shoulder.u */
+
+    /* column: inertia, composite inertia */
+    const wreal column_inertia_zz = w[0]; /* kg m^2 */
+    const real column_inertia_2 = shoulder_sin * (upper_arm_composite_inertia_zz
+        - upper_arm_composite_inertia_xx);
+    const real column_inertia_3 = shoulder_sin * (column_inertia_2
+        + shoulder_cos * (upper_arm_composite_inertia_xz + upper_arm_composite_inertia_xz));
+    /* M: waist.u,waist.u */
+    out[0] = column_inertia_zz + upper_arm_composite_inertia_zz - column_inertia_3;
 
     /* M */
     const wreal forearm_inertia_yy_2 = w[5];
-    const wreal upper_arm_inertia_4 = w[9];
-    const wreal upper_arm_inertia_5 = w[10];
-    const real M_2_1 = -(column_inertia_2 + shoulder_sin * (upper_arm_inertia_10
-        - upper_arm_inertia_4));
+    const real M_2_1 = -(column_inertia + shoulder_sin * upper_arm_composite_inertia_xy);
     const real M_3_2 = forearm_inertia_yy_2 + elbow_position_x * upper_arm_inertia_11;
-    const real M_3_1 = -(column_inertia_2 + shoulder_sin * upper_arm_inertia_10);
-    out[4] = upper_arm_inertia_12 + upper_arm_inertia_5; /* M: shoulder.u,shoulder.u */
+    const real M_3_1 = -(column_inertia + shoulder_sin * upper_arm_inertia_10);
     out[1] = M_2_1; /* M: waist.u,shoulder.u */
     out[3] = M_2_1; /* M: shoulder.u,waist.u */
     out[5] = M_3_2; /* M: shoulder.u,elbow.u */
     out[7] = M_3_2; /* M: elbow.u,shoulder.u */
     out[2] = M_3_1; /* M: waist.u,elbow.u */
     out[6] = M_3_1; /* M: elbow.u,waist.u */
-
-    /* column: inertia */
-    const wreal column_inertia = w[12];
-    const real column_inertia_3 = shoulder_sin * (upper_arm_inertia_13 - (upper_arm_inertia_8
-        + column_inertia));
-
-    /* M */
-    const wreal column_inertia_zz = w[0]; /* kg m^2 */
-    /* M: waist.u,waist.u */
-    out[0] = column_inertia_zz + upper_arm_inertia_13 - shoulder_sin * (column_inertia_3
-        + shoulder_cos * (upper_arm_inertia_9 + upper_arm_inertia_9));
 
     /* results that are numbers or inputs */
     out[8] = w[5]; /* M: elbow.u,elbow.u */

@@ -41,9 +41,11 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_com_z * pole_first_moment_z;
     w[2] = pole_first_moment_z; /* pole_first_moment_z */
 
-    /* M: D inverse */
+    /* track: momentum fx */
     const wreal cart_mass = p[1]; /* kg */
-    w[3] = cart_mass + pole_mass; /* M_1_1 */
+    w[3] = cart_mass + pole_mass; /* track_momentum_fx */
+
+    /* M: D inverse */
     w[4] = 1.0 / pole_inertia_yy_2; /* M_D_inverse_2 */
 
     /* parameters as they are */
@@ -67,13 +69,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_cos = cardan_cos(hinge_q);
     const real hinge_sin = cardan_sin(hinge_q);
 
-    /* M: L, D inverse */
+    /* cart: composite moment */
     const wreal pole_first_moment_z = w[2];
-    const wreal M_1_1 = w[3];
-    const wreal M_D_inverse_2 = w[4];
-    const real M_2_1 = pole_first_moment_z * hinge_cos;
-    const real M_L_2_1 = M_2_1 * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - M_2_1 * M_L_2_1);
+    const real cart_composite_moment_z = pole_first_moment_z * hinge_cos;
 
     /* pole: a, n, f */
     const wreal gravity_z = w[0]; /* m/s^2 */
@@ -97,6 +95,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* hinge: drive */
     const real hinge_u_tau = tau[1]; /* N*m */
     const real hinge_drive = hinge_u_tau - pole_n_y;
+
+    /* M: L, D inverse */
+    const wreal track_momentum_fx = w[3];
+    const wreal M_D_inverse_2 = w[4];
+    const real M_L_2_1 = cart_composite_moment_z * M_D_inverse_2;
+    const real M_D_inverse_1 = 1.0 / (track_momentum_fx - cart_composite_moment_z * M_L_2_1);
 
     /* track: udot */
     const real track_udot = M_D_inverse_1 * (track_drive - hinge_drive * M_L_2_1);

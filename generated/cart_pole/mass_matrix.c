@@ -28,9 +28,9 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[0] = pole_first_moment_z; /* pole_first_moment_z */
     w[1] = pole_inertia_yy + pole_com_z * pole_first_moment_z; /* pole_inertia_yy_2 */
 
-    /* M */
+    /* track: momentum fx */
     const wreal cart_mass = p[1]; /* kg */
-    w[2] = cart_mass + pole_mass; /* M_1_1 */
+    w[2] = cart_mass + pole_mass; /* track_momentum_fx */
 }
 
 /* M: kinetic energy is 1/2 uᵀ M u */
@@ -45,11 +45,11 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_q = q[1]; /* rad */
     const real hinge_cos = cardan_cos(hinge_q);
 
-    /* M */
+    /* cart: composite moment */
     const wreal pole_first_moment_z = w[0];
-    const real M_2_1 = pole_first_moment_z * hinge_cos;
-    out[1] = M_2_1; /* M: track.u,hinge.u */
-    out[2] = M_2_1; /* M: hinge.u,track.u */
+    const real cart_composite_moment_z = pole_first_moment_z * hinge_cos;
+    out[1] = cart_composite_moment_z; /* M: track.u,hinge.u */
+    out[2] = cart_composite_moment_z; /* M: hinge.u,track.u */
 
     /* results that are numbers or inputs */
     out[0] = w[2]; /* M: track.u,track.u */

@@ -76,20 +76,21 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal upper_mass = w[3];
     const real upper_inertia_3 = upper_mass * elbow_cos;
 
-    /* M: L, D inverse */
+    /* upper: composite inertia, a */
     const wreal l = w[1]; /* m */
-    const wreal upper_inertia_xx = w[4];
+    const wreal gravity_z = w[2]; /* m/s^2 */
     const wreal upper_inertia = w[5];
     const wreal upper_inertia_2 = w[6];
+    const real upper_composite_inertia_yy = l * (upper_inertia_3 + upper_inertia) * 2.0
+        + upper_inertia_2;
+    const real upper_a_x = gravity_z * shoulder_sin;
+
+    /* M: L, D inverse */
+    const wreal upper_inertia_xx = w[4];
     const wreal M_D_inverse_2 = w[7];
-    const real M_1_1 = l * (upper_inertia_3 + upper_inertia) * 2.0 + upper_inertia_2;
     const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
     const real M_L_2_1 = M_2_1 * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - M_2_1 * M_L_2_1);
-
-    /* upper: a */
-    const wreal gravity_z = w[2]; /* m/s^2 */
-    const real upper_a_x = gravity_z * shoulder_sin;
+    const real M_D_inverse_1 = 1.0 / (upper_composite_inertia_yy - M_2_1 * M_L_2_1);
 
     /* lower: omega, a, inertia force, f */
     const real shoulder_u = u[0]; /* rad/s */

@@ -53,14 +53,16 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal upper_mass = w[1];
     const real upper_inertia_3 = upper_mass * elbow_cos;
 
-    /* M */
+    /* upper: composite inertia */
     const wreal l = w[0]; /* m */
-    const wreal upper_inertia_xx = w[2];
     const wreal upper_inertia = w[3];
     const wreal upper_inertia_2 = w[4];
-    const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
     /* M: shoulder.u,shoulder.u */
     out[0] = l * (upper_inertia_3 + upper_inertia) * 2.0 + upper_inertia_2;
+
+    /* M */
+    const wreal upper_inertia_xx = w[2];
+    const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
     out[1] = M_2_1; /* M: shoulder.u,elbow.u */
     out[2] = M_2_1; /* M: elbow.u,shoulder.u */
 

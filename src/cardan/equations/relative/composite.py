@@ -8,16 +8,20 @@ from __future__ import annotations
 
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ..inertia import Inertia, moved, of_body, turn_symmetric
+from ..inertia import CELLS, Inertia, moved, of_body, turn_symmetric
 from ..kinematics import Kinematics
 from ..loads import Loads
+
+COMPONENTS = ("mx", "my", "mz", "fx", "fy", "fz")
 
 
 def composites(k: Kinematics) -> list[Inertia]:
     """Inertia of every body with all bodies outboard of it, about its origin in its axes."""
     result = [of_body(k, i) for i in range(len(k.system.bodies))]
     for i in range(len(result) - 1, -1, -1):
-        parent = k.system.bodies[i].parent
+        parent, name = k.system.bodies[i].parent, k.owner(i)
+        result[i].moment.label(name, "composite_moment")
+        result[i].tensor.label(name, "composite_inertia", CELLS)
         if parent >= 0 and not result[i].is_zero:
             with k.graph.made_by(k.owner(parent), "inertia"):
                 result[parent] = result[parent] + carried(k, i, result[i])
@@ -42,6 +46,7 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
         for row, column in k.joints[i].columns:
             with g.made_by(k.system.joints[i].name, "M"):
                 momentum = inertias[i].momentum(column)
+                momentum.label(k.system.joints[i].name, "momentum", COMPONENTS)
                 _add(k, entries, row, i, momentum)
         _add_rotor(k, entries, i, loads)
     lower = [[entries[max(i, j)][min(i, j)] for j in range(nu)] for i in range(nu)]

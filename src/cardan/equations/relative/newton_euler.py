@@ -70,7 +70,7 @@ def accelerations(
             result.a.append((to_child @ carried + a).label(name, "a"))
         with k.graph.made_by(name, "U"):
             omega = k.omega[i] if moving else Matrix.zeros(k.graph, 3)
-            result.spread.append(_spread(omega, alpha))
+            result.spread.append(_spread(omega, alpha).label(name, "U", CELLS))
     return result
 
 
