@@ -27,7 +27,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment"),
     (COUNT, "in_segment"),
-    (REAL, "rtol atol max_step h last"),
+    (REAL, "rtol atol max_step h"),
     (COUNT, "fresh is_dense rejected"),
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),

@@ -105,7 +105,6 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order)
         next = fmax(next, fabs(run->h));
     run->h = copysign(fmin(next, run->max_step), h);
     run->rejected = 0;
-    run->last = error;
 }
 
 /* Next trial after a step of size h was not good enough or failed with a status.

@@ -25,7 +25,6 @@ enum { ORDER = 8 };
 
 int cardan_dop853_init(cardan_run *run)
 {
-    run->last = 1;
     return cardan_first_step(run, ORDER);
 }
 

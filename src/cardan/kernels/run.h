@@ -76,8 +76,7 @@ struct cardan_run {
 
     /* step size control */
     real rtol, atol, max_step;
-    real h;    /* next step, signed */
-    real last; /* error of the last accepted step, for the controller */
+    real h; /* next step, signed */
     ptrdiff_t fresh, is_dense, rejected;
 
     /* rows that come out: t, y, r */
