@@ -160,7 +160,7 @@ def speed_and_error(equations: Equations, model: CompiledModel) -> tuple[float, 
 
 
 def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[str, ...]:
-    """Six consecutive assignments of the C: those with most names of joints and bodies."""
+    """Six neighboring products of the C: those with most names of joints and bodies."""
     lines = [line.strip() for line in text.splitlines()]
     # C names spell what is no letter or digit as _
     moving, owners = (
@@ -168,10 +168,12 @@ def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[st
         for names in (joints, (*joints, *bodies))
     )
     speaks, owned = re.compile(rf"\b({moving})_"), re.compile(rf"const real ({owners})_")
+    # products that fit on one line; other lines may stand between a few
+    found = [i for i, line in enumerate(lines) if re.match(r"const real \w+ = .* \* .*;", line)]
     windows = [
-        lines[i : i + 6]
-        for i in range(len(lines) - 5)
-        if all(re.match(r"const real \w+ = .*;", line) for line in lines[i : i + 6])
+        [lines[i] for i in found[k : k + 6]]
+        for k in range(len(found) - 5)
+        if found[k + 5] - found[k] <= 16
     ]
 
     def quality(window: list[str]) -> tuple[int, int]:
