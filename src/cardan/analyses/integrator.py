@@ -13,7 +13,7 @@ class Integrator:
         name: As users say it; that of SciPy where it exists.
         kernel: Its file in ``kernels`` and the middle of its C names.
         order: Order of the global error in the step.
-        dense_order: Order of the global error of the dense output.
+        dense_order: The error inside one step is of order h^(dense_order + 1).
         stages: Derivatives it keeps.
         dense_rows: Rows of its dense output.
         adaptive: Whether it chooses its steps from rtol and atol.

@@ -1,0 +1,124 @@
+"""Small systems whose right-hand side is written by hand in C, in place of a compiled model."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from cardan.analyses.simulate import simulate
+from cardan.runtime import cache, kernels
+from cardan.runtime.trajectory import Trajectory
+
+HEAD = """
+#include "cardan.h"
+int NAME(const cardan_in *in, real *out, real *work);
+int NAME(const cardan_in *in, real *out, real *work)
+{
+    const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
+    (void)t; (void)q; (void)u; (void)r; (void)work;
+    BODY
+    return 0;
+}
+"""
+
+
+def function(folder: Path, name: str, body: str, entries: list[str]) -> Any:
+    """A C function with the interface of a loaded one."""
+    path = folder / f"{name}.c"
+    path.write_text(HEAD.replace("NAME", name).replace("BODY", body))
+    library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
+    address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
+    outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
+    return SimpleNamespace(
+        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library
+    )
+
+
+@dataclass
+class Problem:
+    """As much of a compiled model as the integrators need.
+
+    Attributes:
+        folder: Where its C goes.
+        rhs: Body of the C function: writes ``out`` from t, q, u, r.
+        nq, nu: Sizes.
+        power: Body of the power of one source, "" without.
+        inputs: Names of r.
+        quaternions: First entries in q.
+    """
+
+    folder: Path
+    rhs: str
+    nq: int = 1
+    nu: int = 1
+    power: str = ""
+    inputs: tuple[str, ...] = ()
+    quaternions: tuple[int, ...] = ()
+    name: str = "problem"
+    _made: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def nx(self) -> int:
+        return self.nq + self.nu
+
+    @property
+    def nr(self) -> int:
+        return len(self.inputs)
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        return tuple(f"q{k}" for k in range(self.nq))
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        return tuple(f"u{k}" for k in range(self.nu))
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        return {
+            "name": self.name,
+            "coordinates": [{"name": n, "default": 0.0} for n in self.coordinates],
+            "speeds": [{"name": n} for n in self.speeds],
+            "inputs": [{"name": n, "unit": "", "default": 0.0} for n in self.inputs],
+            "outputs": [],
+            "joints": [],
+            "bodies": [],
+            "quaternions": list(self.quaternions),
+            "available": ["rhs", "power"] if self.power else ["rhs"],
+        }
+
+    def prepare(self, *_: Any) -> None:
+        """Nothing to compile side by side."""
+
+    def _kernels(self) -> ctypes.CDLL:
+        return kernels.library()
+
+    def _function(self, name: str) -> Any:
+        if name not in self._made:
+            body = {"rhs": self.rhs, "power": self.power}[name]
+            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
+            self._made[name] = function(self.folder, name, body, entries)
+        return self._made[name]
+
+    def run(self, t: Any, x0: Any, **options: Any) -> Trajectory:
+        """Simulate from a state."""
+        return simulate(self, t, x0=np.asarray(x0, dtype=float), **options)  # type: ignore[arg-type]
+
+
+# x = exp(sin t^2), exp(cos t^2): nonlinear, depends on t, closed form
+SWING = """
+    out[0] = 2 * t * q[0] * log(u[0]);
+    out[1] = -2 * t * u[0] * log(q[0]);
+"""
+OSCILLATOR = "out[0] = u[0]; out[1] = -q[0];"
+
+
+def swing(t: Any) -> Any:
+    """Solution of SWING, (..., 2)."""
+    t = np.asarray(t, dtype=float)
+    return np.stack([np.exp(np.sin(t**2)), np.exp(np.cos(t**2))], axis=-1)
