@@ -95,10 +95,15 @@ def compile(
         options: As :func:`derive` takes them, where ``scene`` is a model.
 
     Raises:
-        DerivationError: an unknown function.
+        DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
+    if isinstance(scene, Equations) and options:
+        raise DerivationError(
+            f"{', '.join(options)}: the equations are derived already; give it to derive()"
+        )
     equations = scene if isinstance(scene, Equations) else derive(scene, **options)
+    functions = (functions,) if isinstance(functions, str) else functions
     known = equations.names()
     for name in functions:
         if name not in known:

@@ -128,3 +128,68 @@ def test_small_matrices_come_out_as_a_textbook_has_them() -> None:
         )
         turning = -m * d * rate**2 * sympy.sin(angle)
         assert equations.bias == sympy.Matrix([turning, g * m * d * sympy.sin(angle)])
+
+
+@pytest.mark.parametrize("method", ["kane", "newton_euler", "composite", "articulated"])
+def test_motion_as_an_expression_of_an_input(method: str) -> None:
+    """A table that turns by twice an input carries a point mass on a pin.
+
+    The pin at P has the axis a and holds the mass at c; the table turns at W with the acceleration
+    A. Along n = a x c, in which the pin lets the mass go, it feels no force:
+    n . (A x (P + c) + W x (W x (P + c))) + n . n udot = 0 at u = 0.
+    """
+    scene = cd.Model("table", gravity=(0, 0, 0))
+    turn = scene.input("turn")
+    table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
+    scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)
+    scene.joint("pin", cd.Revolute((0, 1, 1)), table.at(1, 0, 0), arm)
+    value, rate, acceleration = 0.1, 0.5, 0.9
+    model = cd.compile(scene, functions=["forward_dynamics"], method=method)
+    found = model.forward_dynamics([0.0], [0.0], r=[value, rate, acceleration])
+    spin, turning = np.array([0, 0, 2 * rate]), np.array([0, 0, 2 * acceleration])
+    arm_of, axis = np.array([0.3, 0.2, 0.1]), np.array([0, 1, 1]) / math.sqrt(2)
+    place = np.array([1, 0, 0]) + arm_of
+    carried = np.cross(turning, place) + np.cross(spin, np.cross(spin, place))
+    lever = np.cross(axis, arm_of)
+    np.testing.assert_allclose(found, [-lever @ carried / (lever @ lever)], rtol=1e-13)
+
+
+@pytest.mark.parametrize("method", ["kane", "newton_euler"])
+def test_a_custom_joint_moved_by_an_expression_of_an_input(method: str) -> None:
+    """A slide on y = x^2 with x = 2 r: what hangs on it feels y'' = 2 (x'^2 + x x'')."""
+    import sympy
+
+    x = sympy.Symbol("x")
+    scene = cd.Model("slide", gravity=(0, 0, 0))
+    r = scene.input("r")
+    shoe, rider = scene.body("shoe"), scene.body("rider", mass=1)
+    scene.joint("rail", cd.Custom([x], position=(x, x**2, 0)), scene.ground, shoe, motion=2 * r)
+    scene.joint("post", cd.Prismatic("y"), shoe, rider)
+    model = cd.compile(scene, functions=["forward_dynamics"], method=method)
+    found = model.forward_dynamics([0.0], [0.0], r=[0.1, 0.5, 0.9])
+    np.testing.assert_allclose(found, [-2 * (1.0**2 + 0.2 * 1.8)], rtol=1e-14)
+
+
+def test_reaction_of_a_bracket_fixed_to_the_ground_carries_what_acts_on_it() -> None:
+    scene = cd.Model("wall", gravity=(0, 0, -G))
+    bracket = scene.body("bracket", mass=2, com=(0.1, 0, 0))
+    scene.joint("bolt", cd.Fixed(), scene.ground.at(0, 0, 1), bracket)
+    scene.force("pull", cd.Force(bracket.at(1, 0, 0), (3, 5, 0)))
+    model = cd.compile(scene, functions=["reaction"])
+    expected = [0, -0.2 * G, -5, -3, -5, 2 * G]
+    np.testing.assert_allclose(model.reaction("bolt", [], []), expected, rtol=1e-15, atol=1e-15)
+
+
+def test_a_scene_that_carries_no_mass_prints_and_has_no_center_of_mass() -> None:
+    scene = cd.Model("hollow")
+    scene.joint("pin", cd.Revolute("z"), scene.ground, scene.body("hand"))
+    equations = cd.derive(scene)
+    assert "inverse_dynamics" in str(equations)
+    assert "forward_dynamics" not in str(equations)
+    with pytest.raises(cd.DerivationError, match="com: nothing that moves has a mass"):
+        equations.function("com")
+
+
+def test_options_do_not_go_with_derived_equations() -> None:
+    with pytest.raises(cd.DerivationError, match="method: the equations are derived already"):
+        cd.compile(cd.derive(console()), method="kane")

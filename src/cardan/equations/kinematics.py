@@ -20,6 +20,7 @@ from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
+from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from .placeholders import placeholder
 
@@ -169,13 +170,9 @@ class Kinematics:
     def time_seeds(self) -> dict[int, int]:
         """Leaf -> its time derivative at udot = 0: t, q and inputs that prescribe a motion."""
         g = self.graph
-        seeds = {g.var("t", 0): ONE}
+        seeds = {g.var("t", 0): ONE} | input_rates(g, self.system.inputs)
         for k, node in enumerate(self.rates.nodes):
             seeds[g.var("q", k)] = node
-        for joint in self.system.joints:
-            if joint.motion is not None and g.nodes[joint.motion.value][0] == "var":
-                seeds[joint.motion.value] = joint.motion.rate
-                seeds[joint.motion.rate] = joint.motion.acceleration
         return seeds
 
     def derivative(self, x: Matrix) -> Matrix:

@@ -40,7 +40,7 @@ def applied(k: Kinematics, keep: set[int] | None = None) -> Loads:
     """All force elements, summed per body and joint.
 
     Args:
-        keep: Frames whose loads count; all by default.
+        keep: Frames whose loads count, those of the ground too; by default all that move.
     """
     wrenches: dict[int, tuple[Matrix, Matrix]] = {}
     joints: dict[int, Matrix] = {}
@@ -50,7 +50,8 @@ def applied(k: Kinematics, keep: set[int] | None = None) -> Loads:
         with k.graph.made_by(force.name, "force"):
             for action in _actions(k, force):
                 for load in action.loads:
-                    if keep is None or load.frame in keep:
+                    moves = k.system.frames[load.frame].body >= 0
+                    if moves if keep is None else load.frame in keep:
                         _add_wrench(k, wrenches, load)
                 for joint_load in action.joint_loads:
                     _add_joint(joints, joint_load)
@@ -83,9 +84,7 @@ def _rotors(k: Kinematics) -> dict[int, Matrix]:
 def _add_wrench(k: Kinematics, wrenches: dict[int, tuple[Matrix, Matrix]], load: Load) -> None:
     """Carry a load in ground axes to the origin and the axes of its body."""
     frame = k.system.frames[load.frame]
-    if frame.body < 0:
-        return
-    to_body = k.ground_rotation[frame.body].T
+    to_body = k.body_rotation(frame.body).T
     force = to_body @ load.force
     torque = to_body @ load.torque + k.vector(frame.position).cross(force)
     if frame.body in wrenches:

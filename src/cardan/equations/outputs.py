@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.graph import ONE, ZERO
@@ -77,12 +78,20 @@ def _ground_moment(k: Kinematics, i: int, inertia: Inertia) -> Matrix:
 
 
 def center_of_mass(k: Kinematics) -> Matrix:
-    """Center of mass of everything that moves (3, 1), ground axes."""
+    """Center of mass of everything that moves (3, 1), ground axes.
+
+    Raises:
+        DerivationError: nothing that moves has a mass.
+    """
     total, moment = Scalar(k.graph, ZERO), Matrix.zeros(k.graph, 3)
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "com"):
             inertia = of_body(k, i)
             total, moment = total + inertia.mass, moment + _ground_moment(k, i, inertia)
+    if total.node == ZERO:
+        raise DerivationError(
+            "com: nothing that moves has a mass, and so no center of it; give a body a mass"
+        )
     return moment / total
 
 

@@ -145,9 +145,19 @@ class Equations:
 
     @property
     def operations(self) -> dict[str, dict[str, int]]:
-        """Operators per state-dependent block: M, h, forward and inverse dynamics."""
-        wanted = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-        return {name: self.function(name).operations() for name in wanted}
+        """Operators per state-dependent block: M, h, forward and inverse dynamics.
+
+        Forward dynamics is left out where it does not exist.
+        """
+        counts = {}
+        for name in ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics"):
+            try:
+                counts[name] = self.function(name).operations()
+            except DerivationError:
+                # M is singular, or the formalism does not take the joints: the rest can be shown
+                if name != "forward_dynamics":
+                    raise
+        return counts
 
     @cached_property
     def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:

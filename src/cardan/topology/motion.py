@@ -9,7 +9,7 @@ from typing import Any
 from ..elements.joints.joint import Component
 from ..errors import ModelError, near
 from ..ir.derivative import forward
-from ..ir.graph import ONE
+from ..ir.graph import ONE, Graph
 from ..model.connections import Joint as UserJoint
 from ..model.model import Model
 from .convert import Converter
@@ -29,11 +29,27 @@ def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
         unit = entry.unit
         node = convert.graph.var("r", len(inputs))
         convert.define(entry.name, node, unit if entry.stated else None)
-        inputs.append(Input(entry.name, unit, entry.value))
+        inputs.append(Input(entry.name, unit, entry.value, entry.name in prescribing))
         if entry.name in prescribing:
-            inputs.append(Input(f"{entry.name}.rate", f"{unit}/s" if unit else ""))
-            inputs.append(Input(f"{entry.name}.acceleration", f"{unit}/s^2" if unit else ""))
+            for suffix, per in (("rate", "/s"), ("acceleration", "/s^2")):
+                own = f"{entry.name}.{suffix}"
+                if own in model.inputs:
+                    raise ModelError(
+                        f"input '{own}': input '{entry.name}' prescribes a motion, so that its "
+                        f"{suffix} has this name; rename one of them"
+                    )
+                inputs.append(Input(own, unit + per if unit else ""))
     return tuple(inputs)
+
+
+def input_rates(graph: Graph, inputs: Sequence[Input]) -> dict[int, int]:
+    """Entries of r -> their time derivatives, for the inputs that prescribe a motion."""
+    seeds = {}
+    for k, entry in enumerate(inputs):
+        if entry.prescribes:
+            seeds[graph.var("r", k)] = graph.var("r", k + 1)
+            seeds[graph.var("r", k + 1)] = graph.var("r", k + 2)
+    return seeds
 
 
 def define_coordinates(
@@ -46,7 +62,7 @@ def define_coordinates(
     """Symbols of the coordinates and speeds of a joint; placeholders where it has no slots.
 
     Raises:
-        ModelError: a parameter or an input has the name of a coordinate.
+        ModelError: something else has the name of a coordinate.
     """
     if slots is None:
         return
@@ -59,7 +75,7 @@ def define_coordinates(
             if name in convert.symbols:
                 raise ModelError(
                     f"joint '{joint}': the name of its coordinate '{name}' is taken by a "
-                    "parameter or an input; rename one of them"
+                    "parameter, an input, another coordinate or the time; rename one of them"
                 )
             convert.define(name, convert.graph.var(block, start + k))
 
@@ -124,11 +140,7 @@ def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> 
     with g.made_by(joint.name, "motion"):
         unit = joint.kind.coordinates[0].unit
         value = convert.scalar(joint.motion, f"{joint.name}.motion", unit)
-        seeds = {g.var("t", 0): ONE}
-        for k, entry in enumerate(inputs):
-            if k + 2 < len(inputs) and inputs[k + 1].name == f"{entry.name}.rate":
-                seeds[g.var("r", k)] = g.var("r", k + 1)
-                seeds[g.var("r", k + 1)] = g.var("r", k + 2)
+        seeds = {g.var("t", 0): ONE} | input_rates(g, inputs)
         (rate,) = forward(g, [value], seeds)
         (acceleration,) = forward(g, [rate], seeds)
     return Prescribed(value, rate, acceleration)

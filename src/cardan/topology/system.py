@@ -31,11 +31,15 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Input:
-    """Entry of r; an input that prescribes a motion takes three: value, rate, acceleration."""
+    """Entry of r; an input that prescribes a motion takes three: value, rate, acceleration.
+
+    ``prescribes``: of such a value; its rate and acceleration are the next two entries.
+    """
 
     name: str
     unit: str
     default: float = 0.0
+    prescribes: bool = False
 
 
 @dataclass(frozen=True)
