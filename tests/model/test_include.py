@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy
 
-from cardan.elements.forces import JointForce, SpringDamper
-from cardan.elements.joints import Custom, Revolute
+from cardan.elements.forces import Force, JointForce, SpringDamper
+from cardan.elements.joints import Custom, Prismatic, Revolute
 from cardan.errors import ModelError
 from cardan.model import Model, t
 from cardan.topology import build
@@ -97,3 +97,42 @@ def test_the_original_is_as_it_was():
     before = build(original)
     Model("m").include(original, "x")
     assert build(original).graph.nodes == before.graph.nodes
+
+
+def test_frames_named_by_text_are_those_of_the_part():
+    part = Model("part")
+    body = part.body("arm", mass=1.0)
+    part.joint("j", Prismatic("z"), "ground", "arm")
+    body.at(1, 0, 0, name="tip")
+    part.force("push", Force("tip", (0, 0, 7)))
+    part.force("spring", SpringDamper("ground", "arm", 10.0))
+    whole = Model("whole")
+    arm_of_whole = whole.body("arm", mass=3.0)
+    arm_of_whole.at(1, 0, 0, name="tip")
+    whole.joint("j", Prismatic("z"), "ground", "arm")
+    whole.include(part, "left")
+    push, spring = (build(whole).forces[k].frames for k in (0, 1))
+    frames = build(whole).frames
+    assert frames[push["frame"]].name == "left.tip"
+    assert [frames[spring[end]].name for end in "ab"] == ["left.ground", "left.arm"]
+
+
+def test_nothing_is_replaced_by_a_part():
+    part = Model("part")
+    part.joint("j", Prismatic("z"), "ground", part.body("arm", mass=1.0))
+    part.output("height", part.q("j"))
+    for taken in ("joint", "output"):
+        whole = Model("whole")
+        box = whole.body("box", mass=1.0)
+        if taken == "joint":
+            whole.joint("left.j", Prismatic("x"), "ground", box)
+        else:
+            whole.output("left.height", box.position()[2])
+        with pytest.raises(ModelError, match=f"{taken} 'left.*the name is taken"):
+            whole.include(part, "left")
+
+
+def test_a_model_is_no_part_of_itself():
+    scene = arm()
+    with pytest.raises(ModelError, match="cannot be a part of itself"):
+        scene.include(scene, "copy")

@@ -232,3 +232,30 @@ def test_shapes_become_plain_numbers():
     assert first["position"] == (0, 1.0, 0)
     assert first["color"] == (1, 0, 0, 1)
     assert second["rotation"] == [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"limits": ("low", 1)}, "limit 'lower' is not a number"),
+        ({"limits": (1, 2, 3, 4, 5)}, r"limits are \(lower, upper\)"),
+        ({"couple": (3, 2)}, r"couple is \(leader, ratio\)"),
+        ({"q0": np.array([1.0, 2.0])}, "q0 has 2 entries, but 1"),
+    ],
+)
+def test_what_a_joint_cannot_be_told(options, message):
+    scene = Model("m")
+    with pytest.raises(ModelError, match=message):
+        scene.joint("j", Revolute("z"), scene.ground, scene.body("b", mass=1.0), **options)
+
+
+def test_numpy_numbers_are_numbers():
+    scene = Model("m")
+    body = scene.body("b", mass=np.float32(2), com=np.array([0, 0, 1]))
+    joint = scene.joint("j", Revolute("z"), scene.ground, body, q0=np.float32(0.5), u0=np.int64(2))
+    assert (joint.q0, joint.u0) == ((0.5,), (2.0,))
+
+
+def test_a_unit_is_text():
+    with pytest.raises(ModelError, match="unit 5: a unit is text"):
+        Model("m").parameter("p", 1.0, unit=5)

@@ -224,6 +224,15 @@ def test_parameters_replace_numbers(tmp_path):
         build(load(path, parameters={"arm.mas": 7.0}))
 
 
+def test_parameters_replace_angles_that_were_made_exact(tmp_path):
+    path = tmp_path / "two.urdf"
+    path.write_text(two_links(hinge('<origin rpy="1.5707963 0 0"/>')))
+    system = build(load(path, parameters={"hinge.rotation.roll": 0.3}))
+    c, s = math.cos(0.3), math.sin(0.3)
+    expected = [[1, 0, 0], [0, c, -s], [0, s, c]]
+    np.testing.assert_allclose(body_poses(system)[0][:3, :3], expected, atol=1e-15)
+
+
 # files at fault
 
 

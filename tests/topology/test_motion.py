@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy
 
-from cardan.elements.forces import Drive
+from cardan.elements.forces import Drive, Force
 from cardan.elements.joints import Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
 from cardan.model import Model, t
@@ -145,3 +145,38 @@ def test_elastic_drive_has_a_coordinate_of_its_own():
     _, _, moment = body_mass(system, 1)
     axis = np.array([0, 0.6, 0.8])
     np.testing.assert_allclose(moment, 2 * np.outer(axis, axis), rtol=0, atol=1e-15)
+
+
+def test_an_input_with_the_name_of_a_rate():
+    scene = arm(motion=Model("other").input("x"))
+    scene.input("x")
+    scene.input("x.rate")
+    with pytest.raises(ModelError, match=r"input 'x.rate': input 'x' prescribes a motion"):
+        build(scene)
+
+
+def test_a_joint_follows_a_motion_or_a_joint():
+    with pytest.raises(ModelError, match="cannot both follow motion= and another joint"):
+        arm(motion=t, couple=("base", 2))
+
+
+def test_a_rotor_and_a_force_on_a_frame_in_one_scene():
+    """The rotor is added to a copy of the scene; frames and names of the scene stay valid."""
+    scene = arm()
+    scene.force("motor", Drive("elbow", 1e-3, ratio=10, gyroscopic=True))
+    scene.force("push", Force(scene.bodies["b"].at(0.5, 0, 0), (1, 0, 0)))
+    scene.force("pull", Force("a", (0, 1, 0)))
+    system = build(scene)
+    pushed = system.frames[system.forces[1].frames["frame"]]
+    assert system.bodies[pushed.body].name == "b"
+    assert system.frames[system.forces[2].frames["frame"]].name == "a"
+
+
+def test_a_drive_takes_the_joint_or_its_name():
+    systems = []
+    for given in (lambda s: s.joints["elbow"], lambda s: "elbow"):
+        scene = arm()
+        scene.force("motor", Drive(given(scene), 1e-3, ratio=10, gyroscopic=True))
+        systems.append(build(scene))
+    assert [b.name for b in systems[0].bodies] == ["a", "b", "motor.rotor"]
+    assert repr(systems[0]) == repr(systems[1])

@@ -130,3 +130,18 @@ def test_coordinate_and_parameter_of_one_name():
     scene.parameter("elbow", 1.0)
     with pytest.raises(ModelError, match="taken by a parameter"):
         build(scene)
+
+
+def test_a_parameter_with_the_name_of_a_placeholder():
+    scene = pendulum()
+    scene.parameter("lower.position.x", 3.0)
+    scene.output("x", scene.bodies["lower"].position()[0])
+    with pytest.raises(ModelError, match=r"'lower.position.x' stands for the motion of a frame"):
+        build(scene)
+
+
+def test_a_matrix_is_no_output():
+    scene = pendulum()
+    scene.output("place", scene.bodies["lower"].position())
+    with pytest.raises(ModelError, match=r"'output.place': one expression.*shape \(3, 1\)"):
+        build(scene)

@@ -54,8 +54,10 @@ def number(who: str, value: Any) -> float:
 
 
 def is_number(value: Any) -> bool:
-    """True for Python and NumPy numbers."""
-    return isinstance(value, (int, float)) or type(value).__module__ == "numpy"
+    """True for Python and NumPy numbers; arrays are none."""
+    if isinstance(value, (int, float)):
+        return True
+    return type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0
 
 
 def initial(
@@ -68,7 +70,7 @@ def initial(
     """
     if value is None:
         return None
-    entries = (value,) if isinstance(value, (int, float)) else tuple(value)
+    entries = (value,) if is_number(value) else tuple(value)  # type: ignore[arg-type]
     if len(entries) != count:
         raise ModelError(f"{who}: {what} has {len(entries)} entries, but {count} are wanted")
     return tuple(number(f"{who}: {what}", entry) for entry in entries)

@@ -11,6 +11,7 @@ from typing import Any
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
+from . import checks
 from .body import Body
 from .frame import Place
 
@@ -84,17 +85,24 @@ def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) ->
 
 
 def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:
+    """Lower, upper, speed and effort as far as given.
+
+    Raises:
+        ModelError: an unknown entry, one that is no number, or lower above upper.
+    """
     if limits is None:
         return (None, None, None, None)
     names = ("lower", "upper", "speed", "effort")
     if not isinstance(limits, Mapping):
+        if isinstance(limits, str) or not 2 <= len(limits) <= 4:
+            raise ModelError(f"{who}: limits are (lower, upper) or a mapping, not {limits!r}")
         limits = dict(zip(names, limits, strict=False))
     for key in limits:
         if key not in names:
             raise ModelError(f"{who}: limits have no entry '{key}'." + near(key, names))
     values = [limits.get(key) for key in names]
     for key, value in zip(names, values, strict=True):
-        if value is not None and math.isnan(value):
+        if value is not None and (not checks.is_number(value) or math.isnan(value)):
             raise ModelError(f"{who}: limit '{key}' is not a number")
     lower, upper, speed, effort = (None if v is None else float(v) for v in values)
     if lower is not None and upper is not None and lower > upper:
@@ -103,9 +111,15 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
 
 
 def couple_of(who: str, couple: tuple[Any, ...] | None) -> Couple | None:
+    """What a joint follows, checked.
+
+    Raises:
+        ModelError: not a leader (a joint or its name) with a ratio.
+    """
     if couple is None:
         return None
-    if not isinstance(couple, tuple) or len(couple) not in (2, 3):
+    leader = couple[0] if isinstance(couple, tuple) and len(couple) in (2, 3) else None
+    if not isinstance(leader, str | Joint):
         raise ModelError(f"{who}: couple is (leader, ratio) or (leader, ratio, offset)")
-    leader = couple[0] if isinstance(couple[0], str) else couple[0].name
+    leader = leader if isinstance(leader, str) else leader.name
     return Couple(leader, couple[1], couple[2] if len(couple) == 3 else 0)

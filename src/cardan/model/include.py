@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from ..elements.forces.force import ForceElement
 from ..elements.joints.fixed import Fixed
+from ..errors import ModelError
+from . import checks
 from .body import Body
 from .connections import Couple, Joint
 from .frame import Frame, Place
@@ -38,6 +40,8 @@ class Included:
 
 def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
     """The work of :meth:`Model.include`."""
+    if other is model:
+        raise ModelError(f"include '{prefix}': a model cannot be a part of itself; make another")
     copy = _Copy(model, other, prefix if not prefix[-1].isalnum() else prefix + ".")
     for declared, make in ((other.parameters, model.parameter), (other.inputs, model.input)):
         for entry in declared.values():
@@ -55,6 +59,7 @@ def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
         model.force(copy.name(force.name), copy.element(force.element))
     for output in other.outputs.values():
         name = copy.name(output.name)
+        checks.new("output", name, model.outputs)
         model.outputs[name] = Output(name, copy.value(output.expression), output.unit)
     copy.motions()
     model.notes += [f"{prefix}: {note}" for note in other.notes]
@@ -130,6 +135,7 @@ class _Copy:
 
     def frame(self, old: Frame) -> None:
         name = self.name(old.name)
+        self.model.new_place("frame", name)
         made = Frame(
             self.bodies[old.body.name],
             self.value(old.coordinates),
@@ -142,6 +148,7 @@ class _Copy:
     def joint(self, old: Joint) -> None:
         """The joint; its motion follows when all symbols are known."""
         name = self.name(old.name)
+        checks.new("joint", name, self.model.joints)
         base = self.bodies["ground"] if old.base is None else self.bodies[old.base.name]
         couple = old.couple
         if couple is not None:
@@ -181,19 +188,21 @@ class _Copy:
 
     def element(self, element: ForceElement) -> ForceElement:
         """A force element that acts on the new frames and joints."""
-        made: ForceElement = self.record(element, frozenset(element.joints().values()))
+        places = (p for p in element.frames().values() if isinstance(p, str))
+        names = frozenset([*element.joints().values(), *places])
+        made: ForceElement = self.record(element, names)
         return made
 
-    def record(self, element: Any, joints: frozenset[str] = frozenset()) -> Any:
-        """A joint kind or force element with its fields copied; ``joints``: names to change."""
+    def record(self, element: Any, names: frozenset[str] = frozenset()) -> Any:
+        """A joint kind or force element with its fields copied; ``names``: those to change."""
         # symbols that stand for the element's own coordinates keep their names
         self.local = frozenset(n for q in element.quantities().values() for n in q.local)
         # the fields are checked and normalized already: copied as they are
         made = shallow(element)
         for entry in dataclasses.fields(element):
             value = getattr(element, entry.name)
-            is_joint = isinstance(value, str) and value in joints
-            new = self.name(value) if is_joint else self.value(value)
+            named = isinstance(value, str) and value in names
+            new = self.name(value) if named else self.value(value)
             object.__setattr__(made, entry.name, new)
         self.local = frozenset()
         return made

@@ -186,7 +186,7 @@ class Model:
         Raises:
             ModelError: the name is taken, or a number cannot be what it says.
         """
-        self._new_place("body", name)
+        self.new_place("body", name)
         center = triple(com, f"body '{name}': com")
         entries = tensor(inertia, name)
         checks.mass(name, mass, entries)
@@ -206,12 +206,17 @@ class Model:
             while f"{body.name}.at{count}" in self.frames:
                 count += 1
             name = f"{body.name}.at{count}"
-        self._new_place("frame", name)
+        self.new_place("frame", name)
         frame = Frame(body, triple(position, f"frame '{name}'"), rotation, name, named)
         self.frames[name] = frame
         return frame
 
-    def _new_place(self, what: str, name: str) -> None:
+    def new_place(self, what: str, name: str) -> None:
+        """A usable name of a body or frame that is not taken.
+
+        Raises:
+            ModelError: it is taken or not usable.
+        """
         checks.new(what, name, self.bodies)
         if name in self.frames or name == "ground":
             raise ModelError(f"{what} '{name}': the name is taken by a frame")
@@ -286,6 +291,10 @@ class Model:
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
             raise ModelError(f"{who}: parent and child are the same body '{inboard.body.name}'")
+        if motion is not None and couple is not None:
+            raise ModelError(
+                f"{who}: it cannot both follow motion= and another joint; leave out one"
+            )
         if cut:
             raise checks.circuits(f"{who} with cut=True closes a circuit")
         if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
@@ -314,6 +323,11 @@ class Model:
         checks.new("force", name, self.forces)
         if not isinstance(element, ForceElement):
             raise ModelError(f"force '{name}': {element!r} is no force element")
+        # a joint may be given itself or by its name; elements keep the name
+        given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
+        joints = {key: value.name for key, value in given.items() if isinstance(value, Joint)}
+        if joints:
+            element = dataclasses.replace(element, **joints)  # type: ignore[type-var]
         made = Force(name, element)
         self.forces[name] = made
         return made

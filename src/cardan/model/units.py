@@ -91,8 +91,10 @@ def unit(text: str) -> Unit:
     Everything after a ``/`` up to the next ``*`` or space is divided by.
 
     Raises:
-        ModelError: a part of it is unknown.
+        ModelError: no text, or a part of it is unknown.
     """
+    if not isinstance(text, str):
+        raise ModelError(f"unit {text!r}: a unit is text such as 'kg m^2'")
     parts = re.split(r"\s*([*/·]|\s)\s*", text.strip().replace("**", "^")) if text.strip() else []
     factor, dimension, sign = 1.0, NONE, 1
     names: list[str] = []

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ..elements.forces.force import ForceElement
 from ..errors import ModelError, near
 from ..ir.graph import Graph
@@ -52,7 +50,7 @@ def build(model: Model) -> System:
     # what expressions may speak of, then the expressions
     convert.moving = True
     atoms = _atoms(scene, assembly)
-    forces = tuple([_force(assembly, name) for name in scene.forces])
+    forces = tuple([_force(model, assembly, name) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
@@ -84,7 +82,7 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     """The placeholders of expressions, by number of frame or joint.
 
     Raises:
-        ModelError: coordinates of a fixed joint.
+        ModelError: coordinates of a fixed joint, or a name that is taken.
     """
     convert = assembly.convert
     atoms: dict[str, Atom] = {}
@@ -103,14 +101,18 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
                 for p in (entry.place, entry.wrt, entry.in_)
             )
             atoms[name] = Atom(entry.quantity, place, wrt, in_, entry.component)
+        if name in convert.symbols:
+            raise ModelError(
+                f"'{name}' stands for the motion of a frame or joint, and for a parameter or an "
+                "input; rename one of them"
+            )
         convert.define(name, convert.graph.atom(name))
     return atoms
 
 
-def _force(assembly: Assembly, name: str) -> Force:
+def _force(model: Model, assembly: Assembly, name: str) -> Force:
     """A force element with its data, frames and joints found."""
-    scene, convert = assembly.model, assembly.convert
-    element = scene.forces[name].element
+    convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
     units = [assembly.joints[j].element.coordinates[0].unit for j in joints.values()]
     with convert.graph.made_by(name, "data"):
@@ -119,7 +121,7 @@ def _force(assembly: Assembly, name: str) -> Force:
             for key, entry in element.quantities().items()
         }
         frames = {
-            role: assembly.frame(scene.place(f"force '{name}'", place, role), f"{name}.{role}")
+            role: assembly.frame(model.place(f"force '{name}'", place, role), f"{name}.{role}")
             for role, place in element.frames().items()
         }
     return Force(name, element, data, frames, joints)
@@ -133,8 +135,7 @@ def _dotted(owner: str, quantity: str) -> str:
 def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, int]:
     """Numbers of the joints an element acts on, by role; the rotor of a drive included."""
     found: dict[str, int] = {}
-    for role, joint in element.joints().items():
-        name: Any = joint if isinstance(joint, str) else joint.name
+    for role, name in element.joints().items():
         if name not in assembly.joint_number:
             what = "is fixed" if name in assembly.model.joints else "does not exist"
             listed = near(name, assembly.joint_number).replace(" Known:", " Joints:")

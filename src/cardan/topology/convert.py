@@ -107,6 +107,11 @@ class Converter:
         symbols = getattr(value, "free_symbols", None)
         if symbols is None:
             raise ModelError(f"'{name}': a number or an expression is wanted, not {value!r}")
+        if hasattr(value, "shape"):
+            raise ModelError(
+                f"'{name}': one expression is wanted, not a matrix of shape {value.shape}; take "
+                "its entries one by one, such as m[0]"
+            )
         known = {
             symbol: self.symbols[symbol.name] for symbol in symbols if symbol.name in self.symbols
         }
@@ -205,7 +210,7 @@ class Converter:
             ModelError: one has a name that no number has.
         """
         for name in self.values:
-            known = [parameter.name for parameter in self.parameters]
+            known = [*(parameter.name for parameter in self.parameters), *self.structural]
             listed = near(name, known).replace(" Known:", " Parameters:")
             raise ModelError(f"parameters: no number of the scene is called '{name}'.{listed}")
 
@@ -258,6 +263,7 @@ class Converter:
         """A node, or (cosine, sine) of an exact multiple of a quarter turn."""
         if not is_number(value) or not math.isfinite(value):
             return self.scalar(value, name, "rad")
+        value = self.values.pop(name, value)
         turns = quarter_turns(float(value))
         if turns is None:
             return self.scalar(value, name, "rad")
