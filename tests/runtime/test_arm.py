@@ -121,3 +121,17 @@ def test_exported_model_runs_alone(equations, tmp_path, state, arm):
     assert np.array_equal(model.forward_dynamics(q, u), arm.forward_dynamics(q, u))
     with pytest.raises(ModelError, match=r"compiled without 'rhs'.*functions="):
         model.rhs(0.0, np.r_[q, u])
+
+
+def test_names_with_one_spelling_in_c_keep_their_frames(tmp_path):
+    """A saved model finds by name what the writer told apart by numbers."""
+    scene = cd.Model("twins")
+    b = scene.body("b", mass=1, com=(1, 0, 0))
+    scene.joint("j", cd.Revolute("z"), scene.ground, b)
+    places = {"a b": 1.0, "a_b": 2.0}
+    for name, x in places.items():
+        b.at(x, 0, 0, name=name)
+    frames = tuple(("pose", name) for name in places)
+    cd.derive(scene).export(tmp_path / "out", frames)
+    model = load(tmp_path / "out")
+    assert {name: model.pose(name, [0.0])[0, 3] for name in places} == places

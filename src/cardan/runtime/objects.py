@@ -6,7 +6,6 @@ import ctypes
 import hashlib
 import json
 import os
-import re
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -117,19 +116,13 @@ class Objects:
     def _stored(self, name: str, of: str | None) -> str:
         """C name of a function that is in the directory."""
         functions = self.manifest["functions"]
-        symbol = name if of is None else f"{name}__{re.sub(r'[^A-Za-z0-9_]', '_', of)}"
-        # two names with one spelling in C are told apart by a number
-        known = [row["name"] for row in [*self.manifest["frames"], *self.manifest["joints"]]]
-        same = [n for n in known if n and re.sub(r"[^A-Za-z0-9_]", "_", n) in symbol]
-        if symbol not in functions and of in same:
-            symbol = f"{symbol}_{same.index(of)}"
-        if symbol in functions:
-            return symbol
+        for symbol, entry in functions.items():
+            if symbol.split("__")[0] == name and entry.get("of") == of:
+                return str(symbol)
         asked = f"('{name}', '{of}')" if of else f"'{name}'"
-        stored = list(functions)
         raise ModelError(
             f"model '{self.manifest['name']}' was compiled without {asked}. Compile it again with "
-            f"functions=(..., {asked}).{near(symbol, stored)}"
+            f"functions=(..., {asked}).{near(name, functions)}"
         )
 
     def load(self, symbols: Sequence[str]) -> list[Code]:
