@@ -59,7 +59,10 @@ class Bar:
             TextColumn("{task.percentage:>3.0f} %"),
             TimeRemainingColumn(),
         )
-        self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        # where nothing can move, such as in a log file, a bar is left out
+        console = Console(stderr=True)
+        quiet = not console.is_terminal
+        self._bar = Progress(*columns, console=console, transient=True, disable=quiet)
         self._task = self._bar.add_task(self._what, total=1.0)
         self._bar.start()
 
