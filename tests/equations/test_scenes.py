@@ -193,3 +193,15 @@ def test_a_scene_that_carries_no_mass_prints_and_has_no_center_of_mass() -> None
 def test_options_do_not_go_with_derived_equations() -> None:
     with pytest.raises(cd.DerivationError, match="method: the equations are derived already"):
         cd.compile(cd.derive(console()), method="kane")
+
+
+@pytest.mark.parametrize("function", ["reciprocal", "log"])
+def test_what_is_always_zero_has_no_reciprocal(function: str) -> None:
+    """The console moves in the plane of x and z."""
+    import sympy
+
+    scene = console()
+    y = scene.bodies["bob"].position()[1]
+    scene.output("o", 1 / y if function == "reciprocal" else sympy.log(y))
+    with pytest.raises(cd.DerivationError, match=r"in this scene 'bob.position.y' is 0 at all"):
+        cd.derive(scene).function("outputs")

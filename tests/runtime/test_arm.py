@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -135,3 +137,17 @@ def test_names_with_one_spelling_in_c_keep_their_frames(tmp_path):
     cd.derive(scene).export(tmp_path / "out", frames)
     model = load(tmp_path / "out")
     assert {name: model.pose(name, [0.0])[0, 3] for name in places} == places
+
+
+def test_a_pickle_holds_what_was_not_used_yet():
+    """All that takes no frame or joint, as far as it exists: a massless tip has no udot."""
+    scene = cd.Model("fresh")
+    b = scene.body("b", mass=1, com=(1, 0, 0))
+    scene.joint("j", cd.Revolute("y"), scene.ground, b)
+    model = pickle.loads(pickle.dumps(cd.compile(scene)))
+    assert model.forward_dynamics([0.0], [0.0])[0] == pytest.approx(9.81, rel=1e-15)
+    scene.joint("tip", cd.Revolute("z"), b.at(1, 0, 0), scene.body("tip"))
+    model = pickle.loads(pickle.dumps(cd.compile(scene)))
+    assert model.mass_matrix([0.0, 0.0])[0, 0] == pytest.approx(1.0, rel=1e-15)
+    with pytest.raises(ModelError, match="compiled without 'forward_dynamics'"):
+        model.forward_dynamics([0.0, 0.0], [0.0, 0.0])

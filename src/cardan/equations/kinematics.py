@@ -334,7 +334,11 @@ class Kinematics:
     # placeholders
 
     def resolve(self, nodes: Sequence[int]) -> tuple[int, ...]:
-        """Nodes with placeholders (and replaced speeds) put in."""
+        """Nodes with placeholders (and replaced speeds) put in.
+
+        Raises:
+            DerivationError: an expression divides by what is always 0 in this scene, or the like.
+        """
         if not self.system.atoms and not self._replace:
             return tuple(nodes)
         g = self.graph
@@ -345,4 +349,13 @@ class Kinematics:
                 replace[i] = placeholder(self, self.system.atoms[g.nodes[i][1]])
         if not replace:
             return tuple(nodes)
-        return tuple(rebuild(g, nodes, replace, into=g)[1])
+        try:
+            return tuple(rebuild(g, nodes, replace, into=g)[1])
+        except (ZeroDivisionError, ValueError) as problem:
+            atoms = [
+                (g.nodes[i][1], g.value(n)) for i, n in replace.items() if g.nodes[i][0] == "atom"
+            ]
+            listed = ", ".join(f"'{name}' is {v:g}" for name, v in atoms if v is not None)
+            raise DerivationError(
+                f"{problem}: in this scene {listed} at all times. Rewrite the expression without it"
+            ) from problem

@@ -15,7 +15,7 @@ from . import kernels
 from .calling import Array, by_name
 from .dynamics import Dynamics
 from .evaluation import Values
-from .layout import READS, Layout
+from .layout import NAMED, READS, Layout
 from .loaded import LoadedFunction, assemble
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -339,8 +339,9 @@ class CompiledModel(Dynamics):
         return stepper(self, **options)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # source and manifest travel, never a binary
+        # source and manifest travel, never a binary; functions of a frame or joint as far as used
         from .saved import restore, texts
 
+        self._objects.write(name for name in self.manifest["available"] if name not in NAMED)
         values = self._parameters.vector.tolist()
         return restore, (texts(self.directory), values, self._objects.reproducible)

@@ -33,6 +33,9 @@ READS = {
     "difference": "q0 q",
 }
 
+# functions of one frame or joint
+NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
+
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
 
 

@@ -7,13 +7,13 @@ import hashlib
 import json
 import os
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..errors import BuildError, ModelError, near
+from ..errors import BuildError, DerivationError, ModelError, near
 from . import cache
 
 ABI = 1
@@ -113,6 +113,15 @@ class Objects:
                 raise BuildError(f"function '{symbol}' was not written to {self.directory}")
             return symbol
 
+    def write(self, names: Iterable[str]) -> None:
+        """Write the C of functions; those that do not exist for this system are left out."""
+        for name in names if self._provide is not None else ():
+            try:
+                self.symbol(name)
+            except DerivationError:
+                # such as udot where M is singular: nothing to write
+                continue
+
     def _stored(self, name: str, of: str | None) -> str:
         """C name of a function that is in the directory."""
         functions = self.manifest["functions"]
@@ -121,8 +130,8 @@ class Objects:
                 return str(symbol)
         asked = f"('{name}', '{of}')" if of else f"'{name}'"
         raise ModelError(
-            f"model '{self.manifest['name']}' was compiled without {asked}. Compile it again with "
-            f"functions=(..., {asked}).{near(name, functions)}"
+            f"model '{self.manifest['name']}' was compiled without {asked}. Export it again with "
+            f"functions=(..., {asked}), or use it once before pickling.{near(name, functions)}"
         )
 
     def load(self, symbols: Sequence[str]) -> list[Code]:
