@@ -259,3 +259,33 @@ def test_numpy_numbers_are_numbers():
 def test_a_unit_is_text():
     with pytest.raises(ModelError, match="unit 5: a unit is text"):
         Model("m").parameter("p", 1.0, unit=5)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"pose": 5}, "body 'b': pose: three entries are wanted, not 5"),
+        ({"pose": (1, 2, 3, 4)}, "body 'b': pose: three entries"),
+        ({"inertia": 5}, "inertia is 3x3, three principal values or dict"),
+        ({"inertia": [(1, 2), 3, 4]}, "inertia is 3x3"),
+        ({"com": 1.0}, "body 'b': com: three entries"),
+    ],
+)
+def test_shapes_of_what_a_body_has(options, message):
+    with pytest.raises(ModelError, match=message):
+        Model("m").body("b", mass=1.0, **options)
+
+
+@pytest.mark.parametrize("rotation", [5, ("XYZ", 1, 2), "XYZ", [(1, 0, 0), (0, 1, 0)]])
+def test_shapes_of_rotations(rotation):
+    from cardan.topology import build
+
+    scene = Model("m")
+    scene.joint("j", Revolute("z"), scene.ground.at(rotation=rotation), scene.body("b", mass=1.0))
+    with pytest.raises(ModelError, match="a rotation is 3x3, a SciPy Rotation or like"):
+        build(scene)
+
+
+def test_inertia_as_rows_that_are_arrays():
+    rows = [np.array(row) for row in ([1.0, 0.1, 0], [0.1, 1.0, 0], [0, 0, 1.5])]
+    assert Model("m").body("b", mass=1.0, inertia=rows).inertia == (1.0, 0.1, 0, 1.0, 0, 1.5)

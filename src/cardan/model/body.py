@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ModelError
-from .frame import Frame, Located, triple
+from .frame import Frame, Located, rows_of, triple
 from .shape import Shape
 
 if TYPE_CHECKING:
@@ -83,10 +83,10 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
                 f"Entries: {', '.join(INERTIA_ENTRIES)}"
             )
         return tuple(value.get(key, 0) for key in INERTIA_ENTRIES)
-    rows = value.tolist() if hasattr(value, "tolist") else list(value)
-    if len(rows) == 3 and not any(isinstance(row, (list, tuple)) for row in rows):
+    rows = rows_of(value)
+    if len(rows) == 3 and not any(rows_of(row) for row in rows):
         return rows[0], 0, 0, rows[1], 0, rows[2]
-    if len(rows) != 3 or any(len(row) != 3 for row in rows):
+    if len(rows) != 3 or any(len(rows_of(row)) != 3 for row in rows):
         raise ModelError(
             f"body '{name}': inertia is 3x3, three principal values or dict(xx=, yy=, zz=, xy=, "
             f"yz=, xz=), not {value!r}"
@@ -116,10 +116,10 @@ def placed(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
     """
     if pose is None:
         return None
-    rows = pose.tolist() if hasattr(pose, "tolist") else list(pose)
-    if len(rows) == 4:
+    rows = rows_of(pose)
+    if len(rows) == 4 and all(len(rows_of(row)) == 4 for row in rows):
         position = triple([row[3] for row in rows[:3]], f"body '{name}': pose")
         return position, tuple(tuple(row[:3]) for row in rows[:3])
     if len(rows) == 2:
         return triple(rows[0], f"body '{name}': pose"), rows[1]
-    return triple(rows, f"body '{name}': pose"), None
+    return triple(pose, f"body '{name}': pose"), None

@@ -85,6 +85,13 @@ def body_of(place: Place) -> Body:
     return place.body
 
 
+def rows_of(value: Any) -> list[Any]:
+    """Rows of a matrix, array or sequence; [] for anything else, which no shape check passes."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    return list(value) if isinstance(value, Sequence) and not isinstance(value, str) else []
+
+
 def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
     """Three entries of a vector as written.
 

@@ -15,6 +15,7 @@ from ..ir.interpreter import evaluate
 from ..ir.matrix import Matrix
 from ..model import dimensions
 from ..model.checks import is_number
+from ..model.frame import rows_of
 from ..model.model import Model
 from ..model.rotation import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
 from .system import Nodes, Parameter
@@ -226,10 +227,10 @@ class Converter:
             return IDENTITY
         if hasattr(value, "as_matrix"):
             value = value.as_matrix()
-        value = value.tolist() if hasattr(value, "tolist") else value
-        if len(value) == 4 and isinstance(value[0], str):
-            return self.sequence(value[0], value[1:], name)
-        rows = [list(row) for row in value]
+        given = rows_of(value)
+        if len(given) == 4 and isinstance(given[0], str):
+            return self.sequence(given[0], given[1:], name)
+        rows = [rows_of(row) for row in given]
         if len(rows) != 3 or any(len(row) != 3 for row in rows):
             raise ModelError(
                 f"'{name}': a rotation is 3x3, a SciPy Rotation or like ('XYZ', a, b, c), "
