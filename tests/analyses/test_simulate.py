@@ -153,7 +153,7 @@ def test_summary_says_what_was_run(double: cd.CompiledModel) -> None:
         "given: elbow = 0.4",
         "by default: shoulder = 0.1, shoulder.u = 0, elbow.u = 0, torque = 0",
         "J of energy unaccounted for",
-        "work      motor 0 J",
+        "work      in J: motor = 0",
     ):
         assert words in text
     assert max(len(line) for line in text.splitlines()) <= 100

@@ -81,3 +81,24 @@ def test_plot_writes_a_picture(motion: cd.Trajectory, tmp_path: Path) -> None:
     chosen = motion.plot(names=["elbow", "shoulder.u"])
     drawn = chosen.axes[0].lines[0].get_ydata()
     np.testing.assert_array_equal(drawn, motion["elbow"])
+
+
+def test_titles_are_text_only(motion: cd.Trajectory, tmp_path: Path) -> None:
+    page = motion.animate(tmp_path / "page.html", title="__DATA__ & <i>").read_text("utf-8")
+    assert "<h1>__DATA__ &amp; &lt;i&gt;</h1>" in page
+
+
+def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
+    scene = cd.Model("loose")
+    upper = scene.body("upper", mass=1, com=(0.4, 0, -0.5), inertia=(1, 1, 1))
+    lower = scene.body("lower", mass=1, com=(0, 0, -0.5), inertia=(1, 1, 1))
+    crate = scene.body("crate", mass=1, com=(0, 0, 0), inertia=(1, 1, 1))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("knee", cd.Revolute("y"), upper.at(0, 0, -1), lower)
+    scene.joint("fly", cd.Free(), scene.ground.at(5, 0, 0), crate)
+    page = drawing(cd.compile(scene).simulate(0.1))
+    assert [solid["b"] for solid in page["ground"]] == [[0, 0, 0]]
+    link, rib, ball = page["bodies"][0]["solids"]
+    assert link["b"] == [0, 0, -1]
+    assert (rib["a"], rib["b"]) == ([0, 0, -0.5], [0.4, 0, -0.5])
+    assert ball["a"] == [0.4, 0, -0.5]

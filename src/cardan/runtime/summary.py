@@ -66,6 +66,6 @@ def _energy(motion: Trajectory) -> list[str]:
     relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if scale > 0 else ""
     lines = [f"  drift     {worst:.1e} J of energy unaccounted for{relative}"]
     if motion.sources:
-        work = ", ".join(f"{name} {w[-1]:.4g} J" for name, w in list(motion.work.items())[:LISTED])
-        lines.append(f"  work      {work}")
+        work = {name: float(given[-1]) for name, given in motion.work.items()}
+        lines += _values("work", "in J", work)
     return lines

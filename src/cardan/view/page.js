@@ -43,7 +43,7 @@ const { low, high, size } = whole.size < 3 * start.size ? whole : start;
 
 // the camera: a target, two angles and a distance
 
-const eye = { target: mul(add(low, high), 0.5), azimuth: -0.9, elevation: 0.35, distance: 2.0 * size };
+const eye = { target: mul(add(low, high), 0.5), azimuth: -0.9, elevation: 0.35, distance: 1.6 * size };
 let view;
 function look() {
   const ce = Math.cos(eye.elevation), se = Math.sin(eye.elevation);
@@ -81,13 +81,14 @@ function ball(list, center, r, color) {
     pen.fillStyle = g; pen.beginPath(); pen.arc(x, y, R, 0, 7); pen.fill();
   } });
 }
-function rod(list, a, b, r, color) {
+function rod(list, a, b, ra, rb, color) {
   // a long rod is sorted piece by piece
-  const pieces = Math.min(12, Math.max(1, Math.round(Math.hypot(...sub(b, a)) / (6 * r))));
+  const pieces = Math.min(12, Math.max(1, Math.round(Math.hypot(...sub(b, a)) / (6 * ra))));
   for (let i = 0; i < pieces; i++) {
-    const p = project(add(a, mul(sub(b, a), i / pieces)));
-    const q = project(add(a, mul(sub(b, a), (i + 1) / pieces)));
-    list.push({ depth: (p[2] + q[2]) / 2, draw() { capsule(p, q, Math.max(r * p[3], 1), Math.max(r * q[3], 1), color); } });
+    const s = i / pieces, e = (i + 1) / pieces;
+    const p = project(add(a, mul(sub(b, a), s))), q = project(add(a, mul(sub(b, a), e)));
+    const rp = Math.max((ra + (rb - ra) * s) * p[3], 1), rq = Math.max((ra + (rb - ra) * e) * q[3], 1);
+    list.push({ depth: (p[2] + q[2]) / 2, draw() { capsule(p, q, rp, rq, color); } });
   }
 }
 function capsule(p, q, rp, rq, color) {
@@ -142,8 +143,9 @@ function solidOf(list, pose, solid, color) {
   if (solid.kind === "sphere") return ball(list, a, solid.r, color);
   const b = place(pose, solid.b);
   if (solid.kind === "cylinder") return cylinder(list, a, b, solid.r, color);
-  rod(list, a, b, solid.r, color);
-  ball(list, a, 1.25 * solid.r, color);
+  const end = solid.end === undefined ? solid.r : solid.end;
+  rod(list, a, b, solid.r, end, color);
+  if (solid.joint) ball(list, a, 1.3 * solid.r, color);
 }
 
 // the floor and the axes
@@ -158,6 +160,24 @@ function floor() {
     for (const [from, to] of [[[cx + i * cell, cy - n * cell, z], [cx + i * cell, cy + n * cell, z]],
                               [[cx - n * cell, cy + i * cell, z], [cx + n * cell, cy + i * cell, z]]])
       segment(from, to);
+}
+function shadow(pose, solid) {
+  // the light from above: ends dropped to the floor, a soft stroke between them
+  const z = low[2] - 0.04 * size, drop = (v) => [v[0], v[1], z];
+  let ends = [place(pose, solid.a)], wide = solid.r;
+  if (solid.b) ends.push(place(pose, solid.b));
+  if (solid.kind === "box") {
+    const k = solid.size.indexOf(Math.max(...solid.size)), half = [0, 0, 0];
+    half[k] = solid.size[k] / 2;
+    ends = [1, -1].map((s) => place(pose, add(solid.a, mul(turn(solid.R, half), s))));
+    wide = solid.size.reduce((a, b) => a + b) / 2 - solid.size[k] / 2;
+    wide /= 2;
+  }
+  const near = 0.02 * size, from = drop(ends[0]), to = drop(ends[ends.length - 1]);
+  if ([from, to].some((v) => dot(sub(v, view.from), view.forward) < near)) return;
+  const p = project(from), q = project(to);
+  pen.lineWidth = Math.max(1, wide * (p[3] + q[3]));
+  pen.beginPath(); pen.moveTo(p[0], p[1]); pen.lineTo(q[0] + 0.01, q[1]); pen.stroke();
 }
 function segment(from, to) {
   // cut what lies behind the eye
@@ -182,12 +202,19 @@ function triad() {
 
 // time
 
-let t = first, playing = true, before = null, pointer = null;
+let t = first, playing = true, before = null, pointer = null, grip = null, poses = [];
 function row() {
   let a = 0, b = data.t.length - 1;
   const forward = last >= first;
   while (b - a > 1) { const m = (a + b) >> 1; if (forward ? data.t[m] <= t : data.t[m] >= t) a = m; else b = m; }
-  return Math.abs(data.t[b] - t) < Math.abs(data.t[a] - t) ? b : a;
+  return [a, b, Math.min(1, Math.max(0, (t - data.t[a]) / ((data.t[b] - data.t[a]) || 1)))];
+}
+function between(p, q, k) {
+  // straight between two rows, then axes of unit length at right angles again
+  const m = p.map((x, i) => x + k * (q[i] - x));
+  const x = unit([m[0], m[3], m[6]]);
+  const y0 = [m[1], m[4], m[7]], y = unit(sub(y0, mul(x, dot(x, y0)))), z = cross(x, y);
+  return [x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2], m[9], m[10], m[11]];
 }
 function frame(now) {
   if (playing && before !== null) {
@@ -207,22 +234,32 @@ function draw() {
   look();
   pen.clearRect(0, 0, stage.width, stage.height);
   floor();
-  const list = [], i = row();
+  const list = [], [a, b, k] = row();
+  poses = data.bodies.map((body) => between(body.pose[a], body.pose[b], k));
+  pen.strokeStyle = css("--shade"); pen.lineCap = "round";
+  data.bodies.forEach((body, k) => body.solids.forEach((s) => shadow(poses[k], s)));
+  pen.lineCap = "butt";
   for (const s of data.ground) solidOf(list, here, s, s.color ? paint(s, 0) : [128, 134, 145]);
-  data.bodies.forEach((body, k) => body.solids.forEach((s) => solidOf(list, body.pose[i], s, paint(s, k))));
+  data.bodies.forEach((body, k) => body.solids.forEach((s) => solidOf(list, poses[k], s, paint(s, k))));
   list.sort((p, q) => q.depth - p.depth).forEach((thing) => thing.draw());
   triad();
   clock.textContent = `${t.toFixed(2)} / ${last.toFixed(2)} s`;
-  name(i);
+  name();
 }
-function name(i) {
+function away(p, q) {
+  // pixels from the pointer to the segment from p to q
+  const dx = q[0] - p[0], dy = q[1] - p[1], length = dx * dx + dy * dy || 1;
+  const k = Math.min(1, Math.max(0, ((pointer[0] - p[0]) * dx + (pointer[1] - p[1]) * dy) / length));
+  return Math.hypot(p[0] + k * dx - pointer[0], p[1] + k * dy - pointer[1]);
+}
+function name() {
   // the body whose solid is nearest under the pointer
-  let best = null, distance = 26 * devicePixelRatio;
-  if (pointer) for (const body of data.bodies) for (const s of body.solids) {
-    const end = s.b || s.a, c = project(place(body.pose[i], mul(add(s.a, end), 0.5)));
-    const d = Math.hypot(c[0] - pointer[0], c[1] - pointer[1]);
-    if (d < distance) { distance = d; best = { body, c }; }
-  }
+  let best = null, nearest = 4 * devicePixelRatio;
+  if (pointer && !grip) data.bodies.forEach((body, k) => body.solids.forEach((s) => {
+    const p = project(place(poses[k], s.a)), q = s.b ? project(place(poses[k], s.b)) : p;
+    const d = away(p, q) - (s.r || Math.min(...s.size) / 2) * p[3];
+    if (d < nearest) { nearest = d; best = { body, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
+  }));
   tag.style.display = best ? "block" : "none";
   if (best) {
     tag.textContent = best.body.name;
@@ -237,7 +274,6 @@ function toggle() { playing = !playing; playButton.textContent = playing ? "\u25
 playButton.onclick = toggle;
 slider.oninput = () => { t = first + Number(slider.value) * (last - first); if (playing) toggle(); };
 addEventListener("keydown", (e) => { if (e.code === "Space" && e.target !== playButton) { e.preventDefault(); toggle(); } });
-let grip = null;
 stage.onpointerdown = (e) => { grip = [e.clientX, e.clientY]; stage.setPointerCapture(e.pointerId); };
 stage.onpointerup = () => { grip = null; };
 stage.onpointerleave = () => { pointer = null; };

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+import re
 import tempfile
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from .scene import drawing
 PICTURES = 1500  # a longer motion gets fewer pictures per second
 TEMPLATE = Path(__file__).with_name("page.html")
 SCRIPT = Path(__file__).with_name("page.js")
+MARK = re.compile("__(TITLE|SCRIPT|DATA)__")
 
 
 def write_page(
@@ -33,13 +35,9 @@ def write_page(
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
     headline = html.escape(str(title if title is not None else motion.manifest["name"]))
-    page = TEMPLATE.read_text(encoding="utf-8")
-    for mark, content in (
-        ("__TITLE__", headline),
-        ("__SCRIPT__", SCRIPT.read_text(encoding="utf-8")),
-        ("__DATA__", text),
-    ):
-        page = page.replace(mark, content)
+    parts = {"TITLE": headline, "SCRIPT": SCRIPT.read_text(encoding="utf-8"), "DATA": text}
+    # in one sweep: what is filled in is never searched for marks
+    page = MARK.sub(lambda mark: parts[mark[1]], TEMPLATE.read_text(encoding="utf-8"))
     return _publish(path, page)
 
 

@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from ..runtime.trajectory import Trajectory
 
 Array = NDArray[np.float64]
-THICK = 0.06  # radius of a drawn link, relative to the mean length of the links
+THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
+TAPER = 0.7
+LOOSE = ("free", "planar")  # joints that hold nothing together: no link leads to them
 SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 
@@ -32,7 +34,7 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
         solids = _shapes(motion, name)
         if not solids:
             solids = [_link(a, b, radius) for a, b in links[name]]
-            solids += _center(motion, k, radius)
+            solids += _center(motion, k, links[name], radius)
         bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
     ground = _shapes(motion, "ground") or [_link(a, b, radius) for a, b in links["ground"]]
     return {"name": manifest["name"], "bodies": bodies, "ground": ground}
@@ -55,7 +57,8 @@ def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
     names = [row["name"] for row in manifest["frames"]]
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in enumerate(manifest["bodies"]):
-        links[str(body["parent"])].append((np.zeros(3), position[k]))
+        if manifest["joints"][k]["kind"] not in LOOSE:
+            links[str(body["parent"])].append((np.zeros(3), position[k]))
     for k, body in enumerate(manifest["bodies"]):
         rows = links[str(body["name"])]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
@@ -77,13 +80,32 @@ def _com(motion: Trajectory, k: int) -> Array:
 
 
 def _link(a: Array, b: Array, radius: float) -> dict[str, Any]:
-    return {"kind": "link", "a": _short(a), "b": _short(b), "r": radius, "color": None}
+    """A rod that gets thinner from the inboard joint on, with a ball at the joint."""
+    ends = {"a": _short(a), "b": _short(b), "r": radius, "end": TAPER * radius}
+    return {"kind": "link", **ends, "joint": True, "color": None}
 
 
-def _center(motion: Trajectory, k: int, radius: float) -> list[dict[str, Any]]:
-    """A ball where the mass is."""
+def _center(
+    motion: Trajectory, k: int, links: list[tuple[Array, Array]], radius: float
+) -> list[dict[str, Any]]:
+    """A ball where the mass is, on a thin rod if that is beside the links."""
     com = _com(motion, k)
-    return [{"kind": "sphere", "a": _short(com), "r": 1.25 * radius, "color": None}]
+    foot = min(
+        (_nearest(com, a, b) for a, b in links), key=lambda p: float(np.linalg.norm(com - p))
+    )
+    ball = {"kind": "sphere", "a": _short(com), "r": 1.15 * radius, "color": None}
+    if np.linalg.norm(com - foot) < 2 * radius:
+        return [ball]
+    rib = {"kind": "link", "a": _short(foot), "b": _short(com), "r": 0.35 * radius, "color": None}
+    return [rib, ball]
+
+
+def _nearest(point: Array, a: Array, b: Array) -> Array:
+    """The point of the segment from a to b that is nearest to a point."""
+    along = b - a
+    length = float(along @ along)
+    k = float(np.clip((point - a) @ along / length, 0, 1)) if length > 0 else 0.0
+    return np.asarray(a + k * along)
 
 
 def _short(x: Array) -> list[float]:
