@@ -10,7 +10,7 @@ import pytest
 import sympy
 from scipy.spatial.transform import Rotation
 
-from cardan.elements.forces import Damping, JointForce
+from cardan.elements.forces import Damping, Force, JointForce
 from cardan.elements.joints import Fixed, Free, Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
 from cardan.model import Model, inertia
@@ -290,3 +290,17 @@ def test_build_changes_nothing_and_repeats_itself():
     one, two = build(scene), build(scene)
     assert one.graph.nodes == two.graph.nodes
     assert one.bodies == two.bodies
+
+
+def test_made_names_give_way_to_those_of_the_user():
+    scene = pendulum()
+    upper, lower = scene.bodies["upper"], scene.bodies["lower"]
+    upper.at(9, 0, 0, name="elbow.parent")
+    lower.at(8, 0, 0, name="push.frame")
+    scene.force("push", Force(lower.at(), (1, 0, 0)))
+    system = build(scene)
+    names = [frame.name for frame in system.frames]
+    assert len(set(names)) == len(names)
+    assert frame_pose(system, "elbow.parent", [0, 0])[0, 3] == 9
+    assert frame_pose(system, "push.frame", [0, 0])[0, 3] == 8
+    assert system.frames[system.forces[0].frames["frame"]].name == "push.frame_"

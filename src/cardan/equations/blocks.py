@@ -84,5 +84,9 @@ def c_name(quantity: str, of: str | None, known: list[str]) -> str:
         return quantity
     base = identifier(of)
     clashes = [n for n in known if identifier(n) == base]
-    suffix = f"_{clashes.index(of)}" if len(clashes) > 1 else ""
-    return f"{quantity}__{base}{suffix}"
+    if len(clashes) < 2:
+        return f"{quantity}__{base}"
+    # numbered by an order of their own, apart from names that look numbered
+    while any(identifier(n).startswith(f"{base}_") for n in known):
+        base += "_"
+    return f"{quantity}__{base}_{clashes.index(of)}"

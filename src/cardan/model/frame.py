@@ -80,11 +80,6 @@ class Frame(Located):
         return f"Frame({self.name!r} on {self.body.name!r})"
 
 
-def body_of(place: Place) -> Body:
-    """The body a frame is fixed to; a body stands for its own origin frame."""
-    return place.body
-
-
 def rows_of(value: Any) -> list[Any]:
     """Rows of a matrix, array or sequence; [] for anything else, which no shape check passes."""
     if hasattr(value, "tolist"):

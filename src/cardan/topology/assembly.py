@@ -60,6 +60,8 @@ class Assembly:
         self.joints: list[Joint] = []
         self.fixed: list[str] = []
         self.numbers: dict[Any, int] = {}
+        named = (frame.name for frame in model.frames.values() if frame.named)
+        self.written = {"ground", *model.bodies, *named}
         self.joint_number: dict[str, int] = {}
         self.nq = self.nu = 0
         self.unchecked: list[tuple[str, Nodes]] = []
@@ -245,9 +247,16 @@ class Assembly:
             if (frame.rotation, frame.position) == (placement.rotation, placement.position):
                 return known
         part = self.rigid(body).index[place.body.name]
-        named = place.name if isinstance(place, UserFrame) and place.named and not known else name
+        own = isinstance(place, UserFrame) and place.named and not known
+        named = place.name if own else self._unwritten(name)
         # a joint placed by at= has a frame of its own on a body that stands for another
         return self._number(name if known is not None else place, named, body, part, placement)
+
+    def _unwritten(self, name: str) -> str:
+        """A made name, or one like it where the user gave that to something else."""
+        while name in self.written:
+            name += "_"
+        return name
 
     def frame(self, place: Place, name: str) -> int:
         """Number of a frame of the user, made where it is not known yet."""
@@ -256,7 +265,9 @@ class Assembly:
             number, home = self.home[place.body]
             placement = home.then(self.graph, self._local(place, name))
             part = self.rigid(number).index[place.body.name]
-            known = self._number(place, name, number, part, placement)
+            own = isinstance(place, UserBody) or place.named
+            named = place.name if own else self._unwritten(name)
+            known = self._number(place, named, number, part, placement)
         return known
 
     def couple(self) -> None:
