@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .. import passes
+from ..ir.collector import collector_paused
 from ..ir.function import Function
 from .languages import LANGUAGES
 from .lowering import lower
@@ -56,9 +57,10 @@ def generate(
     """
     names = passes.standard(function) if chosen is None else tuple(chosen)
     notes = (*notes, f"passes: {', '.join(names) or 'none'}")
-    program = lower(passes.optimize(function, names), model, notes, longest)
     language = LANGUAGES["c"]
-    text = language.write(program)
+    with collector_paused():
+        program = lower(passes.optimize(function, names), model, notes, longest)
+        text = language.write(program)
     file = function.name + language.SUFFIX
     return CFile(function.name, text, _entry(function, program, file, text, of), program.includes)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import DerivationError, near
+from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..topology.system import Named, System
 from . import blocks
@@ -116,7 +117,8 @@ class Equations:
             raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
         c_name = self.c_name(name, of)
         if c_name not in self._made:
-            self._made[c_name] = self._derive(name, c_name, of)
+            with collector_paused():
+                self._made[c_name] = self._derive(name, c_name, of)
         return self._made[c_name]
 
     def _derive(self, name: str, c_name: str, of: str | None) -> Function:
