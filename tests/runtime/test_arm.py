@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import DerivationError, ModelError
+from cardan.errors import BuildError, DerivationError, ModelError
 from cardan.runtime.saved import load
 
 EPS = np.finfo(float).eps
@@ -151,3 +151,19 @@ def test_a_pickle_holds_what_was_not_used_yet():
     assert model.mass_matrix([0.0, 0.0])[0, 0] == pytest.approx(1.0, rel=1e-15)
     with pytest.raises(ModelError, match="compiled without 'forward_dynamics'"):
         model.forward_dynamics([0.0, 0.0], [0.0, 0.0])
+
+
+def test_verification_moves_the_inputs(tmp_path, cache_directory, monkeypatch):
+    """A derivation that loses the acceleration of an input is found when it is built."""
+    scene = cd.Model("shaker", gravity=(0, 0, 0))
+    turn = scene.input("turn")
+    table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
+    scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)
+    scene.joint("pin", cd.Revolute((0, 1, 1)), table.at(1, 0, 0), arm)
+    right = cd.compile(scene, directory=tmp_path / "right", method="kane")
+    right.prepare("forward_dynamics")
+    assert right.verify().checked == ("forward_dynamics",)
+    monkeypatch.setattr("cardan.equations.kinematics.input_rates", lambda graph, inputs: {})
+    wrong = cd.compile(scene, directory=tmp_path / "wrong", method="kane")
+    with pytest.raises(BuildError, match="forward_dynamics differs from an independent"):
+        wrong.forward_dynamics([0.0], [0.0])

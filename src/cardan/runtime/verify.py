@@ -26,6 +26,8 @@ REGULAR = 1e13
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
 DRAWN = 4
 STEP = 1e-30
+# Inputs go this far from their defaults, as a part of them.
+INPUT = 0.3
 CHECKED = (
     "mass_matrix",
     "bias",
@@ -93,6 +95,7 @@ class _Truth:
     udot: Array
     tau: Array
     t: float
+    r: Array
     M: Array
     h: Array
     gravity: Array
@@ -101,9 +104,10 @@ class _Truth:
 
     def only(self, chosen: NDArray[np.intp]) -> _Truth:
         """The same at some of the states."""
-        rows = {name: getattr(self, name)[chosen] for name in ("q", "u", "udot", "tau", "M", "h")}
-        f = None if self.f is None else self.f[chosen]
-        return replace(self, **rows, gravity=self.gravity[chosen], f=f)
+        names = ("q", "u", "udot", "tau", "r", "M", "h", "gravity", "f", "motion")
+        found = {name: getattr(self, name) for name in names}
+        rows: dict[str, Any] = {k: None if x is None else x[chosen] for k, x in found.items()}
+        return replace(self, **rows)
 
 
 def verify(
@@ -200,10 +204,13 @@ def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth
     rng = np.random.default_rng(seed)
     q, u = model.split(model.random_state(rng, (states,)))
     udot, tau = rng.uniform(-1, 1, (2, states, model.nu))
-    t, r, p = 0.3, model._layout.start("r"), model.parameters.vector
+    t, p, start = 0.3, model.parameters.vector, model._layout.start("r")
+    # near their defaults; rates and accelerations of inputs start from 0 and must not stay there
+    r = start + INPUT * np.maximum(1.0, np.abs(start)) * rng.uniform(-1, 1, (states, model.nr))
     motion = None
     if any(scene.prescribed):
         motion = model._evaluate_saved("scene_motion", t=[t], r=r, p=p)["motion"]
+        motion = np.broadcast_to(motion, (states, *motion.shape[-2:]))
     still = np.zeros(model.nu)
     h = inverse_dynamics(scene, q, u, still, motion)
     at_rest = None if motion is None else motion * [1.0, 0.0, 0.0]
@@ -214,7 +221,7 @@ def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth
         f = np.broadcast_to(values["f"], h.shape)
     elif model.manifest["scene"].get("forces") == []:
         f = np.zeros_like(h)
-    return _Truth(q, u, udot, tau, t, np.zeros((states, 0, 0)), h, gravity, f, motion)
+    return _Truth(q, u, udot, tau, t, r, np.zeros((states, 0, 0)), h, gravity, f, motion)
 
 
 def _finite(truth: _Truth) -> NDArray[np.intp]:
@@ -237,23 +244,24 @@ def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Chec
         return Check(name, np.nan, "not checked: the mass matrix is singular")
     if truth.f is None and name in ("inverse_dynamics", "forward_dynamics", "rhs"):
         return Check(name, np.nan, "not checked: the forces of the model are not saved")
-    q, u, t = truth.q, truth.u, truth.t
+    q, u = truth.q, truth.u
+    given: dict[str, Any] = {"t": truth.t, "r": truth.r}
     if name == "mass_matrix":
-        return Check(name, _error(model.mass_matrix(q, t=t) - truth.M, truth.M))
+        return Check(name, _error(model.mass_matrix(q, **given) - truth.M, truth.M))
     if name in ("bias", "gravity", "coriolis"):
         known = {"bias": truth.h, "gravity": truth.gravity, "coriolis": truth.h - truth.gravity}
         states = (q,) if name == "gravity" else (q, u)
-        value = getattr(model, name)(*states, t=t)
+        value = getattr(model, name)(*states, **given)
         return Check(name, _error(value - known[name], truth.h, truth.gravity))
     if name == "qdot":
-        return Check(name, _rates_error(scene, truth, model.qdot(q, u, t=t)))
+        return Check(name, _rates_error(scene, truth, model.qdot(q, u, **given)))
     if name == "inverse_dynamics":
-        value = model.inverse_dynamics(q, u, truth.udot, t=t)
+        value = model.inverse_dynamics(q, u, truth.udot, **given)
         return Check(name, _balance(truth, truth.udot, value))
     if name == "forward_dynamics":
-        value = model.forward_dynamics(q, u, tau=truth.tau, t=t)
+        value = model.forward_dynamics(q, u, tau=truth.tau, **given)
         return Check(name, _balance(truth, value, truth.tau))
-    xdot = model.rhs(t, np.concatenate([q, u], axis=-1))
+    xdot = model.rhs(truth.t, np.concatenate([q, u], axis=-1), truth.r)
     qdot, udot = model.split(xdot)
     error = max(_rates_error(scene, truth, qdot), _balance(truth, udot, np.zeros(model.nu)))
     return Check(name, error)
