@@ -96,7 +96,10 @@ def center_of_mass(k: Kinematics) -> Matrix:
 
 
 def momentum(k: Kinematics) -> Matrix:
-    """Angular momentum about the ground origin and linear momentum (6, 1), ground axes."""
+    """Angular momentum about the ground origin and linear momentum (6, 1), ground axes.
+
+    Of the bodies: a rotor that only adds its inertia to a joint has no momentum of its own here.
+    """
     total = Matrix.zeros(k.graph, 6)
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "momentum"):

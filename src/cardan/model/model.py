@@ -111,6 +111,10 @@ class Model:
     def output(self, name: str, expression: Any, unit: str = "") -> None:
         """Name an expression to be computed along with the motion.
 
+        Args:
+            unit: What the value is measured in, for the reader. It is computed in SI: an output
+                declared in mm comes in m.
+
         Raises:
             ModelError: the name is taken or the unit unknown.
         """

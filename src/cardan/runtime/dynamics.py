@@ -200,6 +200,7 @@ class Dynamics(Kinematics, ABC):
         """
         block = None
         if wrenches is not None:
+            outside.refuse_ground(self, wrenches, joint)
             block = outside.by_part(self, wrenches, q, r=r, t=t, parameters=parameters)
         return self._evaluate(("reaction", joint), (t, q, u, r, tau, block), parameters, out)
 

@@ -41,6 +41,11 @@ class Evaluation(ABC):
 
     @property
     @abstractmethod
+    def manifest(self) -> dict[str, Any]:
+        """What the compiler states about the model."""
+
+    @property
+    @abstractmethod
     def speeds(self) -> tuple[str, ...]:
         """Names of u."""
 

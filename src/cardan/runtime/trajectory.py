@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
+from . import followers
 from .calling import Array
 from .dense import Dense
 from .kinematics import Energy
@@ -139,7 +140,10 @@ class Trajectory:
         if place is not None:
             values, columns = place
             return values[:, columns]
-        known = [*self._places, *self._outputs]
+        follow = followers.names(self.manifest)
+        if name in follow:
+            return followers.history(self, name)
+        known = [*self._places, *follow, *self._outputs]
         if name in self._outputs:
             outputs: Array = self._model(f"output '{name}'").outputs(
                 self.q, self.u, t=self.t, r=self._r

@@ -42,6 +42,20 @@ def generalized(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **
     return total
 
 
+def refuse_ground(model: Kinematics, wrenches: Mapping[str, ArrayLike], joint: str) -> None:
+    """The reaction of a fixed joint may hold a wrench on the ground that the block has no row for.
+
+    Raises:
+        ModelError: a wrench on a frame fixed to the ground; names it.
+    """
+    still = [frame for frame in _read(model, wrenches) if model.part_of[frame] is None]
+    if still and joint in model.manifest["fixed"]:
+        raise ModelError(
+            f"reaction('{joint}'): the wrench on '{still[0]}' acts on a body fixed to the ground "
+            "and would not be counted. Put it into the scene as a Force and a Torque"
+        )
+
+
 def by_part(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
     """The block ``wrench``: (..., parts, 6), each at the origin of the part's own frame."""
     parts, part_of = model.bodies, model.part_of

@@ -1,0 +1,56 @@
+"""Histories of joints without slots in the state: coupled and prescribed ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import ModelError
+from .calling import Array
+
+if TYPE_CHECKING:
+    from .trajectory import Trajectory
+
+
+def names(manifest: Mapping[str, Any]) -> list[str]:
+    """Histories that follow from others: ``<joint>`` and ``<joint>.u``."""
+    rows = [j["name"] for j in manifest["joints"] if j["coupled"] or j["prescribed"]]
+    return [name + suffix for name in rows for suffix in ("", ".u")]
+
+
+def history(motion: Trajectory, name: str) -> Array:
+    """Coordinate or speed (nt,) of a coupled or prescribed joint.
+
+    Raises:
+        ModelError: a prescribed motion of a run read from a file without its model.
+    """
+    joint, rate = name.removesuffix(".u"), name.endswith(".u")
+    rows = motion.manifest["joints"]
+    number = [row["name"] for row in rows].index(joint)
+    if rows[number]["prescribed"]:
+        return _prescribed(motion, number, rate)
+    ratio = float(np.ravel(motion.scene["ratio"])[number])
+    offset = 0.0 if rate else float(np.ravel(motion.scene["offset"])[number])
+    leader = rows[number]["coupled"]["leader"] + (".u" if rate else "")
+    return ratio * motion[leader] + offset
+
+
+def _prescribed(motion: Trajectory, number: int, rate: bool) -> Array:
+    """What the motion of a joint is prescribed to be, at the times of the run."""
+    model = motion.model
+    if model is None:
+        joint = motion.manifest["joints"][number]["name"]
+        raise ModelError(
+            f"motion['{joint}']: the joint is prescribed, which a file does not hold. Compile the "
+            "model and give it: load_motion(path, model=...)"
+        )
+    found = model._evaluate_saved(
+        "scene_motion",
+        t=motion.t[:, np.newaxis],
+        r=motion.r,
+        p=np.broadcast_to(model.parameters.vector, (len(motion.t), len(model.parameters.vector))),
+    )["motion"]
+    values: Array = np.broadcast_to(found, (len(motion.t), *np.shape(found)[-2:]))
+    return values[:, number, 1 if rate else 0].copy()
