@@ -53,7 +53,7 @@ class Parameters(Mapping[str, float]):
         """The vector with some values replaced; values of shape (...) give (..., np).
 
         Raises:
-            ModelError: unknown or structural name, or a value that is not finite.
+            ModelError: unknown or structural name, or a value that is not finite or a negative mass.
         """
         read = {name: self._check(name, value) for name, value in values.items()}
         lead = np.broadcast_shapes(*(value.shape for value in read.values()))
@@ -74,4 +74,7 @@ class Parameters(Mapping[str, float]):
         array = np.asarray(value, dtype=np.float64)
         if not np.isfinite(array).all():
             raise ModelError(f"parameter '{name}' must be finite, not {value!r}")
+        # the number written as the mass of a body, under the name the model gave it
+        if name.endswith(".mass") and self.unit(name) == "kg" and (array < 0).any():
+            raise ModelError(f"parameter '{name}' is a mass and cannot be {value!r} kg")
         return array

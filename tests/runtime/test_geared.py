@@ -1,4 +1,4 @@
-"""Histories of joints that have no slot in the state, and wrenches the reactions cannot count."""
+"""A geared scene: joints without slots in the state, wrenches on the ground, masses set later."""
 
 from __future__ import annotations
 
@@ -38,3 +38,9 @@ def test_a_wrench_on_the_ground_is_not_lost_in_silence() -> None:
     assert np.isfinite(model.reaction("elbow", [0.1], [0.0], wrenches=push)).all()
     with pytest.raises(cd.ModelError, match=r"reaction\('bolt'\).*'base'.*fixed to the ground"):
         model.reaction("bolt", [0.1], [0.0], wrenches=push)
+
+
+def test_a_negative_mass_is_refused_later_too() -> None:
+    model = cd.compile(geared())
+    with pytest.raises(cd.ModelError, match=r"'arm.mass' is a mass and cannot be -1.0 kg"):
+        model.with_parameters({"arm.mass": -1.0})
