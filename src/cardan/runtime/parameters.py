@@ -53,7 +53,7 @@ class Parameters(Mapping[str, float]):
         """The vector with some values replaced; values of shape (...) give (..., np).
 
         Raises:
-            ModelError: unknown or structural name, or a value that is not finite or a negative mass.
+            ModelError: unknown or structural name; a value that is not finite; a negative mass.
         """
         read = {name: self._check(name, value) for name, value in values.items()}
         lead = np.broadcast_shapes(*(value.shape for value in read.values()))
