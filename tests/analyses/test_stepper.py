@@ -69,3 +69,16 @@ def test_mistakes(double: cd.CompiledModel, ball: cd.CompiledModel) -> None:
         double.stepper(inputs={"torque": np.sin})
     with pytest.raises(cd.ModelError, match="another stepper"):
         stepper.restore(ball.stepper().save())
+
+
+def test_one_step_from_many_states(double: cd.CompiledModel) -> None:
+    """Leading axes broadcast, and there and back again is where it began."""
+    rng = np.random.default_rng(3)
+    x = rng.uniform(-1, 1, (2, 3, double.nx))
+    options = {"rtol": 1e-12, "atol": 1e-13}
+    there = double.step(x, 0.2, **options)
+    assert there.shape == x.shape
+    for place in np.ndindex(2, 3):
+        motion = double.simulate(0.2, x0=x[place], **options)
+        np.testing.assert_allclose(there[place], motion.x[-1], rtol=0, atol=1e-11)
+    np.testing.assert_allclose(double.step(there, -0.2, **options), x, rtol=0, atol=1e-10)

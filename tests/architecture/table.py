@@ -32,6 +32,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
+    ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
     ("cardan.runtime.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),

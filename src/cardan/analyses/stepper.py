@@ -176,3 +176,25 @@ def stepper(
     runner = Runner(model, how, given, power=powered(model))
     runner.want(None, dense=False)
     return Stepper(runner, begin.x, t)
+
+
+def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array:
+    """The states that a time dt leads to.
+
+    Args:
+        model: The compiled model.
+        x: States [q, u] (..., nx).
+        dt: Time to pass [s], negative to go back; one compiled run per state.
+        options: As :func:`stepper` takes them, such as ``t``, ``rtol``, ``method`` and ``inputs``.
+
+    Returns:
+        (..., nx).
+
+    Raises:
+        ModelError, ValueError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
+    """
+    states = np.asarray(x, dtype=np.float64)
+    result = np.empty_like(states)
+    for place in np.ndindex(states.shape[:-1]):
+        result[place] = stepper(model, x0=states[place], **options).step(dt)
+    return result

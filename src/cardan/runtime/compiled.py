@@ -338,6 +338,12 @@ class CompiledModel(Dynamics):
 
         return stepper(self, **options)
 
+    def step(self, x: ArrayLike, dt: float, **options: Any) -> Array:
+        """States (..., nx) a time dt [s] after x; see :func:`cardan.analyses.stepper.step`."""
+        from ..analyses.stepper import step
+
+        return step(self, x, dt, **options)
+
     def __reduce__(self) -> tuple[Any, ...]:
         # source and manifest travel, never a binary; functions of a frame or joint as far as used
         from .saved import restore, texts
