@@ -49,8 +49,8 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
         + upper_arm_inertia_yy_2);
     w[2] = upper_arm_first_moment_x; /* upper_arm_first_moment_x */
     w[14] = forearm_inertia_xz + forearm_inertia_xz; /* upper_arm_inertia_2 */
-    w[23] = upper_arm_inertia_force - upper_arm_inertia_xx; /* upper_arm_second_moment_xx */
-    w[24] = upper_arm_inertia_force - upper_arm_inertia_zz_2; /* upper_arm_second_moment_zz */
+    w[20] = upper_arm_inertia_force - upper_arm_inertia_xx; /* upper_arm_second_moment_xx */
+    w[21] = upper_arm_inertia_force - upper_arm_inertia_zz_2; /* upper_arm_second_moment_zz */
 
     /* forearm: mass, first moment */
     const wreal forearm_mass = p[13]; /* kg */
@@ -99,9 +99,9 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[11] = wrist_placement_2 * hand_mass_3 - wrist_placement * hand_mass_4
         - forearm_com_y * forearm_mass_3;
     w[12] = forearm_inertia_yy_2; /* forearm_inertia_yy_2 */
-    w[20] = forearm_inertia_force - forearm_inertia_xx_2; /* forearm_second_moment_xx */
-    w[21] = forearm_inertia_force - forearm_inertia_yy_2; /* forearm_second_moment_yy */
-    w[22] = forearm_inertia_force - forearm_inertia_zz_2; /* forearm_second_moment_zz */
+    w[22] = forearm_inertia_force - forearm_inertia_xx_2; /* forearm_second_moment_xx */
+    w[23] = forearm_inertia_force - forearm_inertia_yy_2; /* forearm_second_moment_yy */
+    w[24] = forearm_inertia_force - forearm_inertia_zz_2; /* forearm_second_moment_zz */
 
     /* upper_arm: inertia */
     const wreal elbow_position_x = p[12]; /* m */
@@ -145,7 +145,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper_arm: inertia, composite inertia, alpha, omega, U, a, f */
+    /* upper_arm: inertia, composite inertia, alpha, omega, U, a, n */
     const real waist_u = u[0]; /* rad/s */
     const real shoulder_u = u[1]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
@@ -156,8 +156,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal upper_arm_inertia = w[13];
     const wreal upper_arm_inertia_2 = w[14];
     const wreal upper_arm_inertia_5 = w[17];
-    const wreal upper_arm_second_moment_xx = w[23];
-    const wreal upper_arm_second_moment_zz = w[24];
+    const wreal upper_arm_second_moment_xx = w[20];
+    const wreal upper_arm_second_moment_zz = w[21];
     const real upper_arm_inertia_8 = elbow_sin * upper_arm_inertia
         + elbow_cos * upper_arm_inertia_2;
     const real upper_arm_inertia_9 = elbow_sin * upper_arm_inertia_8;
@@ -173,7 +173,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_U_3 = upper_arm_alpha * upper_arm_omega_z;
     const real upper_arm_U_4 = upper_arm_U_2 + upper_arm_U_2;
     const real upper_arm_U_yz = upper_arm_U + upper_arm_U;
-    const real upper_arm_f = upper_arm_U_3 * upper_arm_second_moment_xx
+    const real upper_arm_n = upper_arm_U_3 * upper_arm_second_moment_xx
         + upper_arm_first_moment_x * upper_arm_a - upper_arm_U_3 * upper_arm_second_moment_zz;
 
     /* shared by several: inertia */
@@ -221,9 +221,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_u = u[2]; /* rad/s */
     const wreal forearm_first_moment_y = w[5];
     const wreal forearm_mass_2 = w[9];
-    const wreal forearm_second_moment_xx = w[20];
-    const wreal forearm_second_moment_yy = w[21];
-    const wreal forearm_second_moment_zz = w[22];
+    const wreal forearm_second_moment_xx = w[22];
+    const wreal forearm_second_moment_yy = w[23];
+    const wreal forearm_second_moment_zz = w[24];
     const real forearm_alpha = elbow_cos * upper_arm_alpha + elbow_sin * upper_arm_omega_z;
     const real forearm_omega_z = elbow_cos * upper_arm_omega_z - elbow_sin * upper_arm_alpha;
     const real forearm_omega_y = shoulder_u + elbow_u;
@@ -274,10 +274,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* upper_arm: n */
     const real upper_arm_n_x = elbow_cos * forearm_n_x
         - upper_arm_U_yz * upper_arm_second_moment_zz + elbow_sin * forearm_n_z;
-    const real upper_arm_n_y = forearm_n_y + upper_arm_f
+    const real upper_arm_n_y = forearm_n_y + upper_arm_n
         - elbow_position_x * (elbow_cos * forearm_f_z - elbow_sin * forearm_f_x);
-    const real upper_arm_n_z = elbow_cos * forearm_n_z - (forearm_f
-        + upper_arm_U_4 * upper_arm_second_moment_xx) - elbow_sin * forearm_n_x;
+    const real upper_arm_n_z = elbow_cos * forearm_n_z
+        - (upper_arm_U_4 * upper_arm_second_moment_xx + forearm_f) - elbow_sin * forearm_n_x;
 
     /* column: n */
     const real column_n_z = shoulder_cos * upper_arm_n_z - shoulder_sin * upper_arm_n_x;

@@ -46,8 +46,8 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal column_inertia_yy_2 = column_inertia_yy + column_mass_2;
     const wreal column_inertia_force = 0.5 * (column_inertia_zz + column_inertia_xx_2
         + column_inertia_yy_2);
-    w[17] = column_inertia_force - column_inertia_xx_2; /* column_second_moment_xx */
-    w[18] = column_inertia_force - column_inertia_yy_2; /* column_second_moment_yy */
+    w[11] = column_inertia_force - column_inertia_xx_2; /* column_second_moment_xx */
+    w[12] = column_inertia_force - column_inertia_yy_2; /* column_second_moment_yy */
 
     /* upper_arm: first moment, mass, inertia, inertia force, second moment */
     const wreal upper_arm_mass = p[7]; /* kg */
@@ -62,9 +62,9 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal upper_arm_inertia_force = 0.5 * (upper_arm_inertia_xx + upper_arm_inertia_zz_2
         + upper_arm_inertia_yy_2);
     w[1] = upper_arm_first_moment_x; /* upper_arm_first_moment_x */
-    w[14] = upper_arm_inertia_force - upper_arm_inertia_xx; /* upper_arm_second_moment_xx */
-    w[15] = upper_arm_inertia_force - upper_arm_inertia_yy_2; /* upper_arm_second_moment_yy */
-    w[16] = upper_arm_inertia_force - upper_arm_inertia_zz_2; /* upper_arm_second_moment_zz */
+    w[13] = upper_arm_inertia_force - upper_arm_inertia_xx; /* upper_arm_second_moment_xx */
+    w[14] = upper_arm_inertia_force - upper_arm_inertia_yy_2; /* upper_arm_second_moment_yy */
+    w[15] = upper_arm_inertia_force - upper_arm_inertia_zz_2; /* upper_arm_second_moment_zz */
 
     /* forearm: mass, first moment */
     const wreal forearm_mass = p[13]; /* kg */
@@ -111,9 +111,9 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     /* forearm_inertia_xy */
     w[10] = wrist_placement_2 * hand_mass_3 - wrist_placement * hand_mass_4
         - forearm_com_y * forearm_mass_3;
-    w[11] = forearm_inertia_force - forearm_inertia_xx_2; /* forearm_second_moment_xx */
-    w[12] = forearm_inertia_force - forearm_inertia_yy_2; /* forearm_second_moment_yy */
-    w[13] = forearm_inertia_force - forearm_inertia_zz_2; /* forearm_second_moment_zz */
+    w[16] = forearm_inertia_force - forearm_inertia_xx_2; /* forearm_second_moment_xx */
+    w[17] = forearm_inertia_force - forearm_inertia_yy_2; /* forearm_second_moment_yy */
+    w[18] = forearm_inertia_force - forearm_inertia_zz_2; /* forearm_second_moment_zz */
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -144,16 +144,16 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper_arm: alpha, omega, U, a, f */
+    /* upper_arm: alpha, omega, U, a, n */
     const real waist_u = u[0]; /* rad/s */
     const real shoulder_u = u[1]; /* rad/s */
     const real waist_udot = udot[0]; /* rad/s^2 */
     const real shoulder_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal upper_arm_first_moment_x = w[1];
-    const wreal upper_arm_second_moment_xx = w[14];
-    const wreal upper_arm_second_moment_yy = w[15];
-    const wreal upper_arm_second_moment_zz = w[16];
+    const wreal upper_arm_second_moment_xx = w[13];
+    const wreal upper_arm_second_moment_yy = w[14];
+    const wreal upper_arm_second_moment_zz = w[15];
     const real upper_arm_alpha = waist_u * shoulder_sin;
     const real upper_arm_omega_z = waist_u * shoulder_cos;
     const real upper_arm_U = shoulder_u * upper_arm_omega_z;
@@ -168,9 +168,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_U_yz = upper_arm_U + upper_arm_alpha_2;
     const real upper_arm_U_4 = shoulder_udot + upper_arm_U_3;
     const real upper_arm_U_zy = upper_arm_U - upper_arm_alpha_2;
-    const real upper_arm_f = upper_arm_U_xz * upper_arm_second_moment_zz
+    const real upper_arm_n = upper_arm_U_xz * upper_arm_second_moment_zz
         + upper_arm_first_moment_x * upper_arm_a + upper_arm_U_4 * upper_arm_second_moment_xx;
-    const real upper_arm_f_2 = (upper_arm_U_2 + upper_arm_alpha_z) * upper_arm_second_moment_yy
+    const real upper_arm_n_2 = (upper_arm_U_2 + upper_arm_alpha_z) * upper_arm_second_moment_yy
         + upper_arm_U_yx * upper_arm_second_moment_xx;
 
     /* forearm: alpha, omega, a, U, inertia force, n, f */
@@ -182,9 +182,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal forearm_mass_2 = w[8];
     const wreal forearm_first_moment_x = w[9];
     const wreal forearm_inertia_xy = w[10];
-    const wreal forearm_second_moment_xx = w[11];
-    const wreal forearm_second_moment_yy = w[12];
-    const wreal forearm_second_moment_zz = w[13];
+    const wreal forearm_second_moment_xx = w[16];
+    const wreal forearm_second_moment_yy = w[17];
+    const wreal forearm_second_moment_zz = w[18];
     const real forearm_alpha = elbow_cos * upper_arm_alpha + elbow_sin * upper_arm_omega_z;
     const real forearm_omega_z = elbow_cos * upper_arm_omega_z - elbow_sin * upper_arm_alpha;
     const real forearm_omega_y = shoulder_u + elbow_u;
@@ -236,21 +236,21 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_f_z = forearm_mass_2 * forearm_a_z - forearm_first_moment_x * forearm_U_10
         + forearm_first_moment_y * forearm_U_zy;
 
-    /* upper_arm: f, n */
-    const real upper_arm_f_3 = upper_arm_U_zy * upper_arm_second_moment_yy
+    /* upper_arm: n */
+    const real upper_arm_n_3 = upper_arm_U_zy * upper_arm_second_moment_yy
         - upper_arm_U_yz * upper_arm_second_moment_zz + elbow_cos * forearm_n_x;
-    const real upper_arm_n_x = elbow_sin * forearm_n_z + upper_arm_f_3;
-    const real upper_arm_n_y = forearm_n_y + upper_arm_f
+    const real upper_arm_n_x = elbow_sin * forearm_n_z + upper_arm_n_3;
+    const real upper_arm_n_y = forearm_n_y + upper_arm_n
         - elbow_position_x * (elbow_cos * forearm_f_z - elbow_sin * forearm_f_x);
-    const real upper_arm_n_z = elbow_position_x * forearm_f_y + upper_arm_f_2
+    const real upper_arm_n_z = elbow_position_x * forearm_f_y + upper_arm_n_2
         + elbow_cos * forearm_n_z - elbow_sin * forearm_n_x;
 
-    /* column: f, n */
-    const wreal column_second_moment_xx = w[17];
-    const wreal column_second_moment_yy = w[18];
-    const real column_f = waist_udot * column_second_moment_yy
+    /* column: n */
+    const wreal column_second_moment_xx = w[11];
+    const wreal column_second_moment_yy = w[12];
+    const real column_n = waist_udot * column_second_moment_yy
         + waist_udot * column_second_moment_xx + shoulder_cos * upper_arm_n_z;
-    const real column_n_z = column_f - shoulder_sin * upper_arm_n_x;
+    const real column_n_z = column_n - shoulder_sin * upper_arm_n_x;
 
     /* elbow: tau */
     const wreal elbow_damping = w[7]; /* N*m*s/rad */

@@ -88,7 +88,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* cart: f */
     const wreal cart_mass = w[1]; /* kg */
-    const real cart_f_x = hinge_cos * pole_f_x + cart_mass * track_udot + hinge_sin * pole_f_z;
+    const real cart_f_x = cart_mass * track_udot + hinge_cos * pole_f_x + hinge_sin * pole_f_z;
 
     /* track: tau */
     const real track_q = q[0]; /* m */

@@ -37,13 +37,11 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal upper_mass = m * upper_mass_2;
     w[3] = upper_mass; /* upper_mass */
 
-    /* upper: inertia */
+    /* upper: inertia, second moment */
     const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
-
-    /* lower: second moment */
-    const wreal lower_second_moment_zz = 0.5 * (upper_inertia_xx + upper_inertia_xx);
-    w[4] = lower_second_moment_zz; /* lower_second_moment_zz */
-    w[5] = lower_second_moment_zz - upper_inertia_xx; /* lower_second_moment_xx */
+    const wreal upper_second_moment_zz = 0.5 * (upper_inertia_xx + upper_inertia_xx);
+    w[4] = upper_second_moment_zz; /* upper_second_moment_zz */
+    w[5] = upper_second_moment_zz - upper_inertia_xx; /* upper_second_moment_xx */
 
     /* parameters as they are */
     w[0] = p[0]; /* m [kg] */
@@ -83,24 +81,24 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal m = w[0]; /* kg */
     const wreal l = w[1]; /* m */
     const wreal upper_mass = w[3];
-    const wreal lower_second_moment_zz = w[4];
-    const wreal lower_second_moment_xx = w[5];
+    const wreal upper_second_moment_zz = w[4];
+    const wreal upper_second_moment_xx = w[5];
     const real lower_omega_y = shoulder_u + elbow_u;
     const real lower_alpha_y = shoulder_udot + elbow_udot;
     const real lower_a = upper_a_x - l * shoulder_udot;
     const real lower_a_2 = shoulder_u * shoulder_u * l - gravity_z * shoulder_cos;
     const real lower_a_x = elbow_cos * lower_a - elbow_sin * lower_a_2;
     const real lower_a_z = elbow_sin * lower_a + elbow_cos * lower_a_2;
-    const real lower_n_y = lower_alpha_y * lower_second_moment_zz
-        + lower_alpha_y * lower_second_moment_xx - upper_mass * lower_a_x;
+    const real lower_n_y = lower_alpha_y * upper_second_moment_zz
+        + lower_alpha_y * upper_second_moment_xx - upper_mass * lower_a_x;
     const real lower_f_x = m * lower_a_x - upper_mass * lower_alpha_y;
     const real lower_f_z = m * lower_a_z + lower_omega_y * lower_omega_y * upper_mass;
     out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
 
-    /* upper: f, n */
-    const real upper_f = shoulder_udot * lower_second_moment_zz
-        + shoulder_udot * lower_second_moment_xx - upper_mass * upper_a_x + lower_n_y;
+    /* upper: n */
+    const real upper_n = shoulder_udot * upper_second_moment_zz
+        + shoulder_udot * upper_second_moment_xx - upper_mass * upper_a_x + lower_n_y;
     /* tau: shoulder.u.tau [N*m] */
-    out[0] = upper_f - l * (elbow_cos * lower_f_x + elbow_sin * lower_f_z);
+    out[0] = upper_n - l * (elbow_cos * lower_f_x + elbow_sin * lower_f_z);
     return CARDAN_OK;
 }

@@ -84,7 +84,11 @@ def compile(
     scene: Model | Equations,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
-    **options: Any,
+    *,
+    coordinates: str | None = None,
+    method: str | None = None,
+    speeds: Mapping[str, Any] | None = None,
+    loops: bool | None = None,
 ) -> CompiledModel:
     """C functions of a scene, written, compiled and checked when they are first used.
 
@@ -92,12 +96,17 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        options: As :func:`derive` takes them, where ``scene`` is a model.
+        coordinates, method, speeds: As :func:`derive` takes them, where ``scene`` is a model.
+        loops: True writes recursions as loops over the bodies, False as straight-line code; by
+            default systems of many bodies get loops: a little slower, but written and compiled in
+            a time that does not grow with them.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
+    given = {"coordinates": coordinates, "method": method, "speeds": speeds}
+    options: dict[str, Any] = {name: x for name, x in given.items() if x is not None}
     if isinstance(scene, Equations) and options:
         raise DerivationError(
             f"{', '.join(options)}: the equations are derived already; give it to derive()"
@@ -109,7 +118,7 @@ def compile(
         if name not in known:
             equations.function(name)  # raises, with the near name
     base = manifest.base(equations, tuple(functions))
-    folder = Path(directory) if directory is not None else _workspace(equations)
+    folder = Path(directory) if directory is not None else _workspace(equations, loops)
     layout.write_model(folder, base)
 
     def provide(name: str, of: str | None) -> str:
@@ -120,7 +129,7 @@ def compile(
             )
         c_name = equations.c_name(name, of)
         if not layout.has_function(folder, c_name):
-            function = equations.function(name, of)
+            function = equations.form(name, of, loops)
             notes = [f"formalism: {equations.method}"]
             file = generate(function, model=equations.system.name, notes=notes, of=of)
             layout.add_function(folder, file, function)
@@ -129,8 +138,8 @@ def compile(
     return CompiledModel(folder, provide)
 
 
-def fingerprint(equations: Equations) -> str:
-    """Hash of everything the C of a system depends on."""
+def fingerprint(equations: Equations, loops: bool | None = None) -> str:
+    """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
     digest = hashlib.sha256()
     for part in (
@@ -138,6 +147,7 @@ def fingerprint(equations: Equations) -> str:
         _compiler_state(),
         equations.method,
         equations.chosen,
+        loops,
         system.graph.nodes,
         system.graph.tables,
         system,
@@ -157,10 +167,10 @@ def _compiler_state() -> list[tuple[str, int, int]]:
     return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
-def _workspace(equations: Equations) -> Path:
+def _workspace(equations: Equations, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations; a temporary one where that is unusable."""
     try:
-        folder = cache.directory() / "models" / fingerprint(equations)[:32]
+        folder = cache.directory() / "models" / fingerprint(equations, loops)[:32]
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     except (OSError, BuildError):
         return Path(tempfile.mkdtemp(prefix="cardan-"))

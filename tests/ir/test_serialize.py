@@ -72,7 +72,7 @@ DAMAGE: list[tuple[tuple[Any, ...], Any, str]] = [
     (("nodes", -1), ["solve", "spd", [1], 1, 0, 0], "neither names nor whole numbers"),
     (("outputs", 0, "nodes"), [999], "not among the"),
     (("outputs", 0, "shape"), [2], "do not fill"),
-    (("outputs", 0, "shape"), [-1, -1], "do not fill"),
+    (("outputs", 0, "shape"), [-1, -1], "whole numbers"),
     (("outputs", 0, "entries"), [1], "must hold texts"),
     (("inputs", 0, "name"), None, "needs the text 'name'"),
     (("inputs", 0, "units"), [], "0 units for 4 entries"),

@@ -3,11 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from typing import NamedTuple
 
 from ..ir.function import Block, Function, Output
 from ..ir.ops import LEAVES
+from ..ir.recursion import Recursion
 from .naming import comment
 from .routines import Built
+
+
+class Cost(NamedTuple):
+    """What a call needs: lengths of work and w, operations of the call and of prepare."""
+
+    work: int
+    w: int
+    run: dict[str, int]
+    prepare: dict[str, int]
+
 
 # blocks longer than this are not listed entry by entry
 LONG = 150
@@ -38,35 +50,35 @@ def operations(built: Built) -> dict[str, int]:
 
 
 def head(
-    function: Function,
+    function: Function | Recursion,
     model: str,
     notes: Sequence[str],
     blocks: Collection[str],
-    prepare: Built,
-    body: Built,
+    cost: Cost,
 ) -> tuple[tuple[str, ...], ...]:
     """Paragraphs of the head comment.
 
     Args:
         blocks: Input blocks that are read.
+        cost: What it needs.
     """
     title = f"{function.name} of {model}" if model else function.name
     first = [comment(title)]
     if function.about:
         first.append(comment(function.about))
     first.extend(comment(note) for note in notes)
-    size = sum(len(output.nodes) for output in function.outputs)
+    size = sum(output.size for output in function.outputs)
     sizes = (
-        f"Sizes: out {size}, work {body.length}, w {prepare.length}",
-        f"Operations per call: {_counts(operations(body))}",
-        f"Operations of prepare: {_counts(operations(prepare))}",
+        f"Sizes: out {size}, work {cost.work}, w {cost.w}",
+        f"Operations per call: {_counts(cost.run)}",
+        f"Operations of prepare: {_counts(cost.prepare)}",
     )
     found = [tuple(first), sizes]
     found.extend(_input(block) for block in function.inputs if block.name in blocks)
     at = 0
     for output in function.outputs:
         found.append(_output(output, at))
-        at += len(output.nodes)
+        at += output.size
     return tuple(found)
 
 
@@ -88,11 +100,11 @@ def _input(block: Block) -> tuple[str, ...]:
 def _output(output: Output, at: int) -> tuple[str, ...]:
     shape = " x ".join(str(n) for n in output.shape) or "scalar"
     line = f"Output {comment(output.name)} ({shape})"
-    if not output.nodes:
+    if not output.size:
         return (f"{line}: empty",)
     if output.entries and len(output.shape) < 2:
         return (line, *_entries("out", at, output.entries, output.units))
-    last = f" ... {at + len(output.nodes) - 1}" if len(output.nodes) > 1 else ""
+    last = f" ... {at + output.size - 1}" if output.size > 1 else ""
     rows = ", row by row" if len(output.shape) > 1 else ""
     return (f"{line}: out[{at}{last}]{rows}",)
 

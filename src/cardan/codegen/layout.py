@@ -11,13 +11,14 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from ..errors import CodegenError
 from ..ir.function import Function
+from ..ir.recursion import Recursion
 from ..ir.serialize import to_dict
 from . import header
 from .manifest import Base
@@ -73,7 +74,7 @@ def has_function(directory: Path, name: str) -> bool:
     return hashlib.sha256(content).hexdigest() == str(entry["sha256"])
 
 
-def add_function(directory: Path, cfile: CFile, function: Function) -> None:
+def add_function(directory: Path, cfile: CFile, function: Function | Recursion) -> None:
     """Write a function: its C file, its expressions and its entry in the manifest.
 
     Raises:
@@ -82,7 +83,7 @@ def add_function(directory: Path, cfile: CFile, function: Function) -> None:
     add_functions(directory, [(cfile, function)])
 
 
-def add_functions(directory: Path, made: list[tuple[CFile, Function]]) -> None:
+def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recursion]]) -> None:
     """Write several functions at once.
 
     Raises:

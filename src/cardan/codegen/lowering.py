@@ -6,9 +6,9 @@ import re
 from collections.abc import Sequence
 
 from ..errors import CodegenError
-from ..ir.function import Function, Staged
+from ..ir.function import Function, Output, Staged
 from . import parts
-from .head import head, operations
+from .head import Cost, head, operations
 from .naming import RESERVED, comment
 from .program import Place, Program, Table
 from .routines import Built, Result, Stage, build
@@ -30,8 +30,7 @@ def lower(
         CodegenError: a placeholder was left in the graph, or the name is none for C.
     """
     function = staged.function
-    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", function.name) or function.name in RESERVED:
-        raise CodegenError(f"'{function.name}' cannot be the name of a C function")
+    check_name(function.name)
     order = staged.order or tuple(function.live())
     values = Values(function, order, staged.prepare)
 
@@ -47,7 +46,7 @@ def lower(
     solves = any("solve" in count for count in counts)
     return Program(
         name=function.name,
-        head=head(function, model, notes, read, prepare, body),
+        head=head(function, model, notes, read, Cost(body.length, prepare.length, *counts)),
         includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
         tables=tables(prepare, body) + prepare.tables,
         routines=prepare.routines + body.routines,
@@ -58,19 +57,30 @@ def lower(
     )
 
 
+def check_name(name: str) -> None:
+    """Refuse what cannot be the name of a C function."""
+    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) or name in RESERVED:
+        raise CodegenError(f"'{name}' cannot be the name of a C function")
+
+
 def results(function: Function) -> list[Result]:
     """The entries of ``out``, with the text that says what they are."""
     found: list[Result] = []
     for output in function.outputs:
         for k, node in enumerate(output.nodes):
-            if output.entries:
-                text = f"{output.name}: {output.entries[k]}"
-            else:
-                text = output.name + _position(output.shape, k)
-            if output.units and output.units[k]:
-                text += f" [{output.units[k]}]"
-            found.append(Result(node, Place("out", len(found)), comment(text)))
+            found.append(Result(node, Place("out", len(found)), described(output, k)))
     return found
+
+
+def described(output: Output, k: int) -> str:
+    """Text for a comment: name and unit of an entry of a result."""
+    if output.entries:
+        text = f"{output.name}: {output.entries[k]}"
+    else:
+        text = output.name + _position(output.shape, k)
+    if output.units and output.units[k]:
+        text += f" [{output.units[k]}]"
+    return comment(text)
 
 
 def _position(shape: tuple[int, ...], k: int) -> str:
@@ -82,10 +92,10 @@ def _position(shape: tuple[int, ...], k: int) -> str:
     return text
 
 
-def tables(prepare: Built, body: Built) -> tuple[Table, ...]:
+def tables(*stages: Built) -> tuple[Table, ...]:
     """The measured data that the nodes read, as constant arrays."""
     found: dict[str, Table] = {}
-    for built in (prepare, body):
+    for built in stages:
         if "table" not in built.operators:
             continue
         scope = built.routines[-1].scope

@@ -15,12 +15,13 @@ from ..ir.graph import Graph
 
 @dataclass(frozen=True)
 class Index:
-    """An index inside a loop: ``stride * counter + offset``, looked up in a table if one is named.
+    """An index that loops decide: ``table[stride * counter] + offset``.
 
     Attributes:
-        counter: Counter of the loop.
-        stride, offset: Its multiple and what is added.
-        table: Name of a :class:`Table` of ints that holds the index, "" for none.
+        counter: Counter of a loop, or a number.
+        stride: Its multiple.
+        offset: What is added to the index.
+        table: Name of an array of ints, "" where the multiple is the index itself.
     """
 
     counter: str
@@ -34,6 +35,13 @@ class Place(NamedTuple):
 
     array: str
     at: int | Index
+
+    @property
+    def key(self) -> tuple[str, str, int]:
+        """Orders places by array, then by where loops begin, then by element."""
+        if isinstance(self.at, int):
+            return self.array, "", self.at
+        return self.array, f"{self.at.table}{self.at.counter:>6}", self.at.offset
 
 
 Value: TypeAlias = int | Place  # a node of the scope, or an array element
@@ -89,6 +97,21 @@ class Loop(NamedTuple):
     body: tuple[Statement, ...]
 
 
+class Dispatch(NamedTuple):
+    """Inside a loop: the step that the row of a table begins with runs on that row.
+
+    Attributes:
+        table: Name of the table of ints.
+        counter, width: Counter of the loop; ints per row.
+        steps: Names of the routines; a row begins with the number of one of them.
+    """
+
+    table: str
+    counter: str
+    width: int
+    steps: tuple[str, ...]
+
+
 class Branch(NamedTuple):
     """One of two lists of statements, by a node that is not 0 or 0."""
 
@@ -104,7 +127,7 @@ class Section(NamedTuple):
     body: tuple[Statement, ...]
 
 
-Statement: TypeAlias = Declare | Assign | Call | Solve | Loop | Branch | Section
+Statement: TypeAlias = Declare | Assign | Call | Dispatch | Solve | Loop | Branch | Section
 
 
 @dataclass(frozen=True)
@@ -147,7 +170,8 @@ class Routine:
     Attributes:
         name: C name.
         kind: ``"function"`` and ``"part"`` take (in, out, work), ``"prepare"`` and
-            ``"prepare_part"`` take (p, w).
+            ``"prepare_part"`` take (p, w); ``"step"`` and ``"prepare_step"`` also take ``at``,
+            a row of ints that says where their values lie.
         about: What its reader should know.
         scope: What its expressions mean.
         body: Its statements.

@@ -90,7 +90,8 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
         longest: Statements after which a routine is split.
     """
     graph = values.function.graph
-    given = values.w if stage.kind == "function" else {}
+    after = not stage.kind.startswith("prepare")
+    given = values.w if after else {}
     wanted = [r.node for r in stage.results]
     plan = make_plan(graph, stage.order, wanted, given, values.names, values.owners)
     builder = _Builder(stage, plan, values)
@@ -101,10 +102,10 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
 
     # one routine, or parts and the routine that calls them
     scope = Scope(graph, plan.order, builder.names, plan.outside, values.function.name)
-    about = values.function.about if stage.kind == "function" else ""
+    about = values.function.about if after else ""
     routines = []
     if len(bodies) > 1:
-        kind = "part" if stage.kind == "function" else "prepare_part"
+        kind = "part" if after else "prepare_part"
         for n, body in enumerate(bodies, 1):
             routines.append(Routine(f"{stage.name}_part{n}", kind, "", scope, tuple(body)))
         bodies[-1] = [Call(routine.name) for routine in routines]
@@ -124,7 +125,7 @@ class _Builder:
         self.plan = plan
         self.values = values
         self.graph = plan.graph
-        self.after = stage.kind == "function"
+        self.after = not stage.kind.startswith("prepare")
         self.names: dict[int, str] = {}
         self.crossing: dict[int, int] = {}
         self.results: dict[int, list[Result]] = {}
@@ -165,7 +166,7 @@ class _Builder:
                 self._state(i, lines, results)
                 if i in crossing:
                     lines.append(Assign(Place(self.stage.array, crossing[i]), i))
-            loads = [self._load(k) for k in sorted(outer, key=self._place)]
+            loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
             found.append(Section(self._title(title, statements), (*loads, *lines, *results)))
         return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ..ir.function import Function
 from .naming import Names, comment, mangle
@@ -23,10 +23,18 @@ class Values:
         function: As above.
         order: Its live nodes.
         prepared: What the parameter stage makes, in the order of w.
+        where: Place of an entry of a block or of w; by default that entry.
     """
 
-    def __init__(self, function: Function, order: Sequence[int], prepared: Sequence[int]) -> None:
+    def __init__(
+        self,
+        function: Function,
+        order: Sequence[int],
+        prepared: Sequence[int],
+        where: Callable[[str, int], Place] = Place,
+    ) -> None:
         self.function = function
+        self.where = where
         self.owners = Owners(function.graph, function.owners)
         self.w = {node: k for k, node in enumerate(prepared)}
         self._unique = Names((function.name, f"prepare_{function.name}"))
@@ -79,8 +87,8 @@ class Values:
             prepared: The reader runs after the parameter stage.
         """
         if prepared and i in self.w:
-            return Place("w", self.w[i])
-        return Place(*self.function.graph.nodes[i][1:])
+            return self.where("w", self.w[i])
+        return self.where(*self.function.graph.nodes[i][1:])
 
     def load(self, i: int, prepared: bool) -> Declare:
         """The statement that gives an outside value its name."""

@@ -10,6 +10,8 @@ from typing import Any
 from .. import passes
 from ..ir.collector import collector_paused
 from ..ir.function import Function
+from ..ir.recursion import Recursion
+from . import loops
 from .languages import LANGUAGES
 from .lowering import lower
 from .parts import LONGEST
@@ -34,20 +36,20 @@ class CFile:
 
 
 def generate(
-    function: Function,
+    function: Function | Recursion,
     model: str = "",
     notes: Sequence[str] = (),
     longest: int = LONGEST,
     of: str | None = None,
     chosen: Sequence[str] | None = None,
 ) -> CFile:
-    """Optimize a function and write it in C.
+    """Optimize a function and write it in C: straight-line, a recursion as loops over tables.
 
     Args:
         function: The function; its name is the C name.
         model: Name of the model, for the reader.
         notes: Lines for the reader, such as the formalism.
-        longest: Statements after which the C function is split.
+        longest: Statements after which straight-line C is split.
         of: Frame or joint it belongs to.
         chosen: Passes by name; by default those that pay for the function.
 
@@ -55,18 +57,24 @@ def generate(
         CodegenError: the name is none for C.
         ValueError: the expressions break a rule of the grammar.
     """
-    names = passes.standard(function) if chosen is None else tuple(chosen)
-    notes = (*notes, f"passes: {', '.join(names) or 'none'}")
+    pieces = (function,) if isinstance(function, Function) else function.steps
+    names = [passes.standard(piece) if chosen is None else tuple(chosen) for piece in pieces]
+    used = dict.fromkeys(name for of_piece in names for name in of_piece)
+    notes = (*notes, f"passes: {', '.join(used) or 'none'}")
     language = LANGUAGES["c"]
     with collector_paused():
-        program = lower(passes.optimize(function, names), model, notes, longest)
+        staged = [passes.optimize(*pair) for pair in zip(pieces, names, strict=True)]
+        if isinstance(function, Function):
+            program = lower(staged[0], model, notes, longest)
+        else:
+            program = loops.lower(function, staged, model, notes)
         text = language.write(program)
     file = function.name + language.SUFFIX
     return CFile(function.name, text, _entry(function, program, file, text, of), program.includes)
 
 
 def _entry(
-    function: Function, program: Program, file: str, text: str, of: str | None
+    function: Function | Recursion, program: Program, file: str, text: str, of: str | None
 ) -> dict[str, Any]:
     """What a caller must know: blocks read, results, sizes."""
     blocks = set(program.blocks)
@@ -85,7 +93,7 @@ def _entry(
             }
             for output in function.outputs
         ],
-        "output_size": sum(len(output.nodes) for output in function.outputs),
+        "output_size": sum(output.size for output in function.outputs),
         "work_size": program.work_size,
         "prepared_size": program.prepared_size,
         "lanes": [1],

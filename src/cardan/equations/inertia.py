@@ -7,10 +7,8 @@ from dataclasses import dataclass
 from ..ir.arithmetic import Scalar
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from .carried import CELLS
 from .kinematics import Kinematics
-
-# components of a tensor, row by row
-CELLS = tuple(i + j for i in "xyz" for j in "xyz")
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from ..ir.rewrite import rebuild
 from ..ir.solve import solve
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
+from .carried import CELLS, XYZ, Cuts
 from .placeholders import placeholder
 
 
@@ -59,11 +60,14 @@ class Kinematics:
         system: The system graph; its expressions are copied, not changed.
         speeds: User-chosen generalized speeds, each linear in the joint speeds ``("var", "u", k)``;
             the system's u are then these.
+        cut: Whether values that bodies hand on become leaves, so that steps of a recursion can be
+            told apart. Nothing may be differentiated through them.
     """
 
-    def __init__(self, system: System, speeds: Sequence[Named] = ()) -> None:
+    def __init__(self, system: System, speeds: Sequence[Named] = (), cut: bool = False) -> None:
         self.system = system
         self.graph = system.graph.fork()
+        self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
         self._chosen = tuple(speeds)
@@ -81,6 +85,17 @@ class Kinematics:
     def owner(self, body: int) -> str:
         """Name under which the quantities of a body are printed."""
         return self.system.bodies[body].name
+
+    # values that are handed on
+
+    def carry(
+        self, i: int, quantity: str, x: Matrix, components: Sequence[str] = XYZ, owner: str = ""
+    ) -> Matrix:
+        """A value of body i that is used again elsewhere, under a name."""
+        x.label(owner or self.owner(i), quantity, components)
+        if self.cuts is None:
+            return x
+        return Matrix(self.graph, x.rows, x.columns, self.cuts.cut(i, quantity, x.nodes))
 
     # speeds
 
@@ -190,16 +205,17 @@ class Kinematics:
         with g.made_by(name, "R"):
             inner, shift = joint.element.pose(q, **data)
             self._label_angles(name, inner)
-            rotation = fixed @ inner
-            rotation.label(name, "R", [i + j for i in "xyz" for j in "xyz"])
+            inner = self.carry(i, "inner", inner, (), name)
+            rotation = self.carry(i, "R", fixed @ inner, CELLS, name)
         with g.made_by(name, "p"):
-            position = (at + fixed @ shift).label(name, "p")
+            position = self.carry(i, "p", at + fixed @ shift, XYZ, name)
         with g.made_by(name, "S"):
-            s = joint.element.motion(q, **data)
+            modes = joint.element.motion(q, **data)
+            s = self.carry(i, "S", modes, (), name)
         with g.made_by(name, "velocity"):
-            velocity = s @ u
+            velocity = self.carry(i, "relative", s @ u, (), name)
         with g.made_by(name, "drift"):
-            drift = self._drift(i, s, velocity)
+            drift = self._drift(i, modes, velocity)
             if joint.motion is not None:
                 drift = drift + s * Scalar(g, self.resolve([joint.motion.acceleration])[0])
         return JointMotion(q, u, inner, rotation, position, s, self._columns(i, s), velocity, drift)
@@ -243,7 +259,7 @@ class Kinematics:
                 omega = joint.velocity.block(slice(0, 3))
                 if body.parent >= 0:
                     omega = joint.rotation.T @ result[body.parent] + omega
-                result.append(omega.label(self.owner(i), "omega"))
+                result.append(self.carry(i, "omega", omega))
         return result
 
     @cached_property
@@ -256,7 +272,7 @@ class Kinematics:
                 if body.parent >= 0:
                     carried = result[body.parent] + self.omega[body.parent].cross(joint.position)
                     v = joint.rotation.T @ carried + v
-                result.append(v.label(self.owner(i), "v"))
+                result.append(self.carry(i, "v", v))
         return result
 
     @cached_property
@@ -266,7 +282,9 @@ class Kinematics:
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
             with self.graph.made_by(self.owner(i), "orientation"):
                 r = joint.rotation
-                result.append(result[body.parent] @ r if body.parent >= 0 else r)
+                if body.parent >= 0:
+                    r = result[body.parent] @ r
+                result.append(self.carry(i, "orientation", r, ()))
         return result
 
     @cached_property
@@ -278,7 +296,7 @@ class Kinematics:
                 p = joint.position
                 if body.parent >= 0:
                     p = result[body.parent] + self.ground_rotation[body.parent] @ p
-                result.append(p)
+                result.append(self.carry(i, "position", p, ()))
         return result
 
     def convective(self, i: int) -> Matrix:

@@ -110,19 +110,19 @@ def _power(k: Kinematics, action: Action) -> Scalar:
 
 def generalized(k: Kinematics, loads: Loads) -> Matrix:
     """Generalized force of the joint loads alone (nu, 1)."""
-    total = Matrix.zeros(k.graph, k.system.nu)
-    for i, force in loads.joints.items():
-        total = total + spread(k, i, force)
-    return total
-
-
-def spread(k: Kinematics, joint: int, force: Matrix) -> Matrix:
-    """A force along the speeds of one joint as a generalized force of the system (nu, 1)."""
-    record, g = k.system.joints[joint], k.graph
     nodes = [ZERO] * k.system.nu
+    for i, force in loads.joints.items():
+        for slot, node in spread(k, i, force).items():
+            nodes[slot] = k.graph.add(nodes[slot], node)
+    return Matrix(k.graph, len(nodes), 1, nodes)
+
+
+def spread(k: Kinematics, joint: int, force: Matrix) -> dict[int, int]:
+    """A force along the speeds of one joint as a generalized force of the system: slot -> node."""
+    record = k.system.joints[joint]
     if record.coupling is not None:
         leader, ratio, _ = k.leader(joint)
-        nodes[k.system.joints[leader].u] = (force[0] * ratio).node
-    elif record.motion is None:
-        nodes[record.u : record.u + force.rows] = force.nodes
-    return Matrix(g, len(nodes), 1, nodes)
+        return {k.system.joints[leader].u: (force[0] * ratio).node}
+    if record.motion is not None:
+        return {}
+    return {record.u + n: node for n, node in enumerate(force.nodes)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import prod
 
 from .graph import Graph, Node
 from .ops import LEAVES, OPERATORS
@@ -45,6 +46,11 @@ class Output:
     nodes: tuple[int, ...]
     entries: tuple[str, ...] = ()
     units: tuple[str, ...] = ()
+
+    @property
+    def size(self) -> int:
+        """Number of entries."""
+        return prod(self.shape)
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def rebuild(
         rule, copies = None, dict(replace or {})
     before = target.origin
     try:
-        _copy(graph, target, live(graph, roots, copies), copies, rule, thorough)
+        copy(graph, target, live(graph, roots, copies), copies, rule, thorough)
     finally:
         target.origin = before
     return target, [copies[i] for i in roots]
@@ -74,15 +74,15 @@ def with_roots(function: Function, graph: Graph, roots: Sequence[int]) -> Functi
     return Function(f.name, graph, f.inputs, tuple(outputs), f.owners, f.about)
 
 
-def _copy(
+def copy(
     graph: Graph,
     target: Graph,
     order: Sequence[int],
     copies: dict[int, int],
-    rule: Rule | None,
-    thorough: bool,
+    rule: Rule | None = None,
+    thorough: bool = False,
 ) -> None:
-    """Copy nodes in topological order, filling ``copies``."""
+    """Copy nodes in topological order, filling ``copies``; see :func:`rebuild`."""
     nodes, origins, labels = graph.nodes, graph.origins, graph.labels
     intern, here = target.intern, graph is target
     # nodes whose copy is not the same operator on copies of the same operands

@@ -15,14 +15,17 @@ from .function import Block, Function, Output
 from .grammar import check
 from .graph import Graph, Node, Table
 from .ops import LEAVES
+from .recursion import OUT, STORE, Recursion, Sweep, Visit
 
 SCHEMA = 1
 MOST_NODES = 4_000_000
 MOST_ENTRIES = 4_000_000
 
 
-def to_dict(function: Function) -> dict[str, Any]:
-    """The function with the nodes that its results need, renumbered."""
+def to_dict(function: Function | Recursion) -> dict[str, Any]:
+    """The function with the nodes that its results need, renumbered; a recursion by its steps."""
+    if isinstance(function, Recursion):
+        return _recursion_to_dict(function)
     order = function.live()
     place = {i: k for k, i in enumerate(order)}
     return {
@@ -30,10 +33,7 @@ def to_dict(function: Function) -> dict[str, Any]:
         "name": function.name,
         "about": function.about,
         "owners": list(function.owners),
-        "inputs": [
-            {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
-            for b in function.inputs
-        ],
+        "inputs": _saved_blocks(function),
         "outputs": [
             {
                 "name": o.name,
@@ -52,6 +52,42 @@ def to_dict(function: Function) -> dict[str, Any]:
     }
 
 
+def _saved_blocks(function: Function | Recursion) -> list[dict[str, Any]]:
+    return [
+        {"name": b.name, "entries": list(b.entries), "units": list(b.units)}
+        for b in function.inputs
+    ]
+
+
+def _recursion_to_dict(recursion: Recursion) -> dict[str, Any]:
+    return {
+        "schema": SCHEMA,
+        "name": recursion.name,
+        "about": recursion.about,
+        "inputs": _saved_blocks(recursion),
+        "outputs": [
+            {
+                "name": o.name,
+                "shape": list(o.shape),
+                "entries": list(o.entries),
+                "units": list(o.units),
+            }
+            for o in recursion.outputs
+        ],
+        "size": recursion.size,
+        "steps": [to_dict(step) for step in recursion.steps],
+        "sweeps": [
+            {"name": sweep.name, "visits": [_saved_visit(visit) for visit in sweep.visits]}
+            for sweep in recursion.sweeps
+        ],
+    }
+
+
+def _saved_visit(visit: Visit) -> list[Any]:
+    reads = {block: list(places) for block, places in visit.reads.items()}
+    return [visit.step, reads, list(visit.stores), list(visit.outs)]
+
+
 def _saved(node: Node, place: Mapping[int, int]) -> list[Any]:
     op = node[0]
     if op in LEAVES:
@@ -64,7 +100,7 @@ def _saved(node: Node, place: Mapping[int, int]) -> list[Any]:
 
 
 def from_dict(data: Mapping[str, Any]) -> Function:
-    """The function that :func:`to_dict` saved.
+    """The function that :func:`to_dict` saved; a recursion comes back straight-line.
 
     Raises:
         ValueError: the data is not a saved function of this schema, is too large, or breaks a rule
@@ -72,17 +108,19 @@ def from_dict(data: Mapping[str, Any]) -> Function:
     """
     if not isinstance(data, Mapping) or data.get("schema") != SCHEMA:
         raise ValueError(f"a saved function has 'schema': {SCHEMA}; this is none of them")
+    inputs = tuple(
+        Block(_text(b, "name"), _texts(b, "entries"), _texts(b, "units"))
+        for b in _list(data, "inputs", 64)
+    )
+    name, about = _text(data, "name"), _text(data, "about")
+    if "sweeps" in data:
+        return check(_recursion(data, name, inputs, about).straight())
     nodes = _list(data, "nodes", MOST_NODES)
     graph, place = Graph(), list[int]()
     graph.tables = [_table(t) for t in _list(data, "tables", MOST_NODES)]
     for number, saved in enumerate(nodes):
         place.append(graph.intern(_read(saved, number, place)))
-    inputs = tuple(
-        Block(_text(b, "name"), _texts(b, "entries"), _texts(b, "units"))
-        for b in _list(data, "inputs", 64)
-    )
     outputs = tuple(_output(o, place) for o in _list(data, "outputs", MOST_ENTRIES))
-    name, about = _text(data, "name"), _text(data, "about")
     return check(Function(name, graph, inputs, outputs, _texts(data, "owners"), about))
 
 
@@ -109,10 +147,63 @@ def _read(saved: Any, number: int, place: Sequence[int]) -> Node:
     return (op, *copies, *data) if op == "item" else (op, *data, *copies)
 
 
-def _output(saved: Any, place: Sequence[int]) -> Output:
+def _recursion(
+    data: Mapping[str, Any], name: str, inputs: tuple[Block, ...], about: str
+) -> Recursion:
+    """A recursion whose visits name only what is there."""
+    steps = tuple(from_dict(step) for step in _list(data, "steps", MOST_ENTRIES))
+    size, outputs = data.get("size"), _list(data, "outputs", MOST_ENTRIES)
+    if type(size) is not int or not 0 <= size <= MOST_ENTRIES:
+        raise ValueError(f"'size' of a saved recursion must be a whole number, not {size!r}")
+    results = tuple(
+        Output(_text(o, "name"), _shape(o), (), _texts(o, "entries"), _texts(o, "units"))
+        for o in outputs
+    )
+    lengths = {b.name: len(b) for b in inputs} | {STORE: size}
+    room = sum(o.size for o in results)
+    sweeps = tuple(
+        Sweep(
+            _text(sweep, "name"),
+            tuple(_visit(v, steps, lengths, room) for v in _list(sweep, "visits", MOST_ENTRIES)),
+        )
+        for sweep in _list(data, "sweeps", MOST_ENTRIES)
+    )
+    return Recursion(name, inputs, results, steps, sweeps, size, about)
+
+
+def _visit(saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], room: int) -> Visit:
+    """A visit with as many places as its step has values, all of them inside their blocks."""
+    if not isinstance(saved, list) or len(saved) != 4 or not isinstance(saved[1], dict):
+        raise ValueError("a saved visit is [step, places read, places stored, results]")
+    step, reads, stores, outs = saved
+    if type(step) is not int or not 0 <= step < len(steps):
+        raise ValueError(f"a saved visit names step {step!r}; there are {len(steps)}")
+    function = steps[step]
+    wanted = [(b.name, reads.get(b.name), len(b), lengths.get(b.name, 0)) for b in function.inputs]
+    stored, out = function.outputs if len(function.outputs) == 2 else (None, None)
+    if stored is None or out is None:
+        raise ValueError("a saved step has two outputs: what it stores, what it gives out")
+    wanted += [(STORE, stores, stored.size, lengths[STORE]), (OUT, outs, out.size, room)]
+    for block, places, count, length in wanted:
+        if not isinstance(places, list) or len(places) != count:
+            raise ValueError(f"a saved visit needs {count} places of '{block}'")
+        if not all(type(k) is int and 0 <= k < length for k in places):
+            raise ValueError(f"a saved visit leaves the {length} places of '{block}'")
+    read = {block: tuple(places) for block, places in reads.items()}
+    return Visit(step, read, tuple(stores), tuple(outs))
+
+
+def _shape(saved: Any) -> tuple[int, ...]:
     shape = tuple(_list(saved, "shape", 8))
+    if not all(type(n) is int and n >= 0 for n in shape) or math.prod(shape) > MOST_ENTRIES:
+        raise ValueError(f"a saved result has a shape of whole numbers, not {shape}")
+    return shape
+
+
+def _output(saved: Any, place: Sequence[int]) -> Output:
+    shape = _shape(saved)
     nodes = _list(saved, "nodes", MOST_ENTRIES)
-    if not all(type(n) is int and n >= 0 for n in shape) or math.prod(shape) != len(nodes):
+    if math.prod(shape) != len(nodes):
         raise ValueError(f"{len(nodes)} nodes of a saved result do not fill {shape}")
     if not all(type(k) is int and 0 <= k < len(place) for k in nodes):
         raise ValueError(f"a saved result names nodes that are not among the {len(place)} saved")

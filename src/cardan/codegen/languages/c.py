@@ -11,6 +11,7 @@ from ..program import (
     Branch,
     Call,
     Declare,
+    Dispatch,
     Loop,
     Place,
     Program,
@@ -35,6 +36,18 @@ SIGNATURES = {
     " real *CARDAN_RESTRICT work)",
     "prepare": "CARDAN_API void {}(const real *p, wreal *CARDAN_RESTRICT w)",
     "prepare_part": "CARDAN_PART void {}(const real *p, wreal *CARDAN_RESTRICT w)",
+    "step": "CARDAN_PART int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"
+    " real *CARDAN_RESTRICT work, const int *at)",
+    "prepare_step": "CARDAN_PART void {}(const real *p, wreal *CARDAN_RESTRICT w, const int *at)",
+}
+RUNS, PREPARES = ("in", "out", "work"), ("p", "w")
+ARGUMENTS = {
+    "function": RUNS,
+    "part": RUNS,
+    "step": (*RUNS, "at"),
+    "prepare": PREPARES,
+    "prepare_part": PREPARES,
+    "prepare_step": (*PREPARES, "at"),
 }
 
 
@@ -76,8 +89,8 @@ def _routine(routine: Routine, writer: _Writer) -> list[str]:
     # what this routine leaves alone
     if body:
         arrays.add("in")
-    arguments = ("p", "w") if prepares else ("in", "out", "work")
-    body.extend(f"{STEP}(void){name};" for name in arguments if name not in arrays)
+    unused = [name for name in ARGUMENTS[routine.kind] if name not in arrays]
+    body.extend(f"{STEP}(void){name};" for name in unused)
     checked = writer.checked and not prepares
     if checked:
         body.append(f"{STEP}int status = CARDAN_OK;")
@@ -135,12 +148,27 @@ class _Writer:
             _WRITERS[type(statement)](self, statement, indent, lines)
 
     def _call(self, s: Call, indent: str, lines: list[str]) -> None:
-        kind = next(r.kind for r in self.program.routines if r.name == s.routine)
-        arguments = ("p", "w") if kind == "prepare_part" else ("in", "out", "work")
-        self.touched.update(arguments)
-        status = "" if kind == "prepare_part" else "status |= "
+        lines.append(f"{indent}{self._run(s.routine)}")
+
+    def _run(self, routine: str) -> str:
+        """A routine of the file is called with what its caller has."""
+        kind = next(r.kind for r in self.program.routines if r.name == routine)
+        self.touched.update(ARGUMENTS[kind])
         self.checked = True
-        lines.append(f"{indent}{status}{s.routine}({', '.join(arguments)});")
+        status = "" if kind.startswith("prepare") else "status |= "
+        return f"{status}{routine}({', '.join(ARGUMENTS[kind])});"
+
+    def _dispatch(self, s: Dispatch, indent: str, lines: list[str]) -> None:
+        lines.append(f"{indent}const int *const at = {s.table} + {s.width} * {s.counter};")
+        if len(s.steps) == 1:
+            lines.append(f"{indent}{self._run(s.steps[0])}")
+            return
+        lines.append(f"{indent}switch (at[0]) {{")
+        for number, step in enumerate(s.steps):
+            last = number == len(s.steps) - 1
+            case = "default" if last else f"case {number}"
+            lines.append(f"{indent}{case}: {self._run(step)} break;")
+        lines.append(f"{indent}}}")
 
     def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
         """A and B into the array, then the kernel."""
@@ -181,8 +209,11 @@ class _Writer:
             return f"{place.array}[{at}]"
         stride = f"{at.stride} * " if at.stride != 1 else ""
         offset = f" + {at.offset}" if at.offset else ""
-        text = f"{stride}{at.counter}{offset}"
-        return f"{place.array}[{at.table}[{text}]]" if at.table else f"{place.array}[{text}]"
+        text = f"{stride}{at.counter}"
+        if at.table:
+            self.touched.add(at.table)
+            text = f"{at.table}[{text}]"
+        return f"{place.array}[{text}{offset}]"
 
 
 _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
@@ -190,6 +221,7 @@ _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Assign: _Writer._assign,
     Section: _Writer._section,
     Call: _Writer._call,
+    Dispatch: _Writer._dispatch,
     Solve: _Writer._solve,
     Loop: _Writer._loop,
     Branch: _Writer._branch,

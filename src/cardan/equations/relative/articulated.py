@@ -15,7 +15,8 @@ from ...errors import DerivationError
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
-from ..inertia import CELLS, of_body, turn_general, turn_symmetric
+from ..carried import CELLS, Sums
+from ..inertia import of_body, turn_general, turn_symmetric
 from ..kinematics import Kinematics
 from ..loads import Loads
 
@@ -29,10 +30,9 @@ class Articulated:
     M: Matrix
     bias: Matrix
 
-    def __add__(self, other: Articulated) -> Articulated:
-        return Articulated(
-            self.I + other.I, self.H + other.H, self.M + other.M, self.bias + other.bias
-        )
+    @property
+    def parts(self) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+        return self.I, self.H, self.M, self.bias
 
     def times(self, x: Matrix) -> Matrix:
         """Moment and force of an acceleration (6, n)."""
@@ -71,25 +71,27 @@ def _refuse_coupled(k: Kinematics) -> None:
 
 def _inward(k: Kinematics, tau: Matrix, loads: Loads) -> list[Elimination]:
     """Articulated inertias from the leaves to the ground, eliminating each joint's speeds."""
-    bodies = [_rigid(k, i, loads) for i in range(len(k.system.bodies))]
+    n = len(k.system.bodies)
+    sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads).parts for i in range(n)])
     eliminations: dict[int, Elimination] = {}
-    for i in range(len(bodies) - 1, -1, -1):
+    for i in range(n - 1, -1, -1):
         joint, parent, name = k.system.joints[i], k.system.bodies[i].parent, k.owner(i)
-        for block, letter in ((bodies[i].I, "I"), (bodies[i].H, "H"), (bodies[i].M, "M")):
+        body = Articulated(*sums[i])
+        for block, letter in ((body.I, "I"), (body.H, "H"), (body.M, "M")):
             block.label(name, f"articulated_{letter}", CELLS)
         with k.graph.made_by(name, "elimination"):
-            convective = k.convective(i)
+            imposed = k.carry(i, "imposed", _imposed_by_motion(k, i), ())
             if joint.motion is not None:
                 eliminations[i] = Elimination(
-                    Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()), convective
+                    Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()), imposed
                 )
-                rest = bodies[i]
+                rest = body
             else:
-                eliminations[i], rest = _eliminate(k, i, bodies[i], tau, loads, convective)
+                eliminations[i], rest = _eliminate(k, i, body, tau, loads, imposed)
         if parent >= 0:
             with k.graph.made_by(k.owner(parent), "articulated"):
-                bodies[parent] = bodies[parent] + _carried(k, i, rest, convective)
-    return [eliminations[i] for i in range(len(bodies))]
+                sums.add(parent, i, _carried(k, i, rest, imposed).parts)
+    return [eliminations[i] for i in range(n)]
 
 
 def _rigid(k: Kinematics, i: int, loads: Loads) -> Articulated:
@@ -106,7 +108,7 @@ def _rigid(k: Kinematics, i: int, loads: Loads) -> Articulated:
 
 
 def _eliminate(
-    k: Kinematics, i: int, body: Articulated, tau: Matrix, loads: Loads, convective: Matrix
+    k: Kinematics, i: int, body: Articulated, tau: Matrix, loads: Loads, imposed: Matrix
 ) -> tuple[Elimination, Articulated]:
     """Solve the joint's equation for its udot and put it into the body's."""
     joint, s, g = k.system.joints[i], k.joints[i].S, k.graph
@@ -126,8 +128,10 @@ def _eliminate(
     else:
         both = solve("spd", d, Matrix.hstack(reach.T, available))
         gain, free = both.block(slice(None), slice(0, 6)), both.column(6)
-    free.label(joint.name, "free", [c.name for c in joint.element.speeds])
-    elimination = Elimination(free, gain, convective)
+    names = [c.name for c in joint.element.speeds]
+    free = k.carry(i, "free", free, names, joint.name)
+    gain = k.carry(i, "gain", gain, (), joint.name)
+    elimination = Elimination(free, gain, imposed)
     if k.system.bodies[i].parent < 0:
         return elimination, body
     plain = s.columns == 1 and i not in loads.rotors
@@ -173,11 +177,11 @@ def _rest(
     )
 
 
-def _carried(k: Kinematics, i: int, rest: Articulated, convective: Matrix) -> Articulated:
+def _carried(k: Kinematics, i: int, rest: Articulated, imposed: Matrix) -> Articulated:
     """The rest of body i as its parent feels it: velocity products added, turned and moved."""
     joint = k.joints[i]
     fixed, r, p = k.matrix(3, 3, k.system.joints[i].rotation), joint.rotation, joint.position
-    bias = rest.bias + rest.times(_imposed_by_motion(k, i, convective))
+    bias = rest.bias + rest.times(imposed)
     tensor = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.I))
     coupling = turn_general(fixed, turn_general(joint.inner, rest.H))
     mass = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.M))
@@ -189,12 +193,14 @@ def _carried(k: Kinematics, i: int, rest: Articulated, convective: Matrix) -> Ar
     return Articulated(tensor + added, moved, mass, Matrix.vstack(moment, force))
 
 
-def _imposed_by_motion(k: Kinematics, i: int, convective: Matrix) -> Matrix:
+def _imposed_by_motion(k: Kinematics, i: int) -> Matrix:
     """Acceleration of body i at rest parent and udot: velocity products of joint and parent."""
     joint, parent = k.joints[i], k.system.bodies[i].parent
+    if parent < 0:
+        return k.convective(i)
     omega = k.omega[parent]
     centripetal = joint.rotation.T @ omega.cross(omega.cross(joint.position))
-    return convective + Matrix.vstack(Matrix.zeros(k.graph, 3), centripetal)
+    return k.convective(i) + Matrix.vstack(Matrix.zeros(k.graph, 3), centripetal)
 
 
 def _symmetric(a: Matrix, b: Matrix) -> Matrix:
@@ -212,20 +218,20 @@ def _outward(k: Kinematics, eliminations: list[Elimination], gravity: Matrix) ->
         parent, joint, record = k.system.bodies[i].parent, k.joints[i], k.system.joints[i]
         with g.made_by(k.owner(i), "a"):
             if parent < 0:
-                ground = joint.rotation.T @ -gravity
-                imposed = Matrix.vstack(Matrix.zeros(g, 3), ground) + elimination.imposed
+                carried = Matrix.vstack(Matrix.zeros(g, 3), joint.rotation.T @ -gravity)
             else:
                 alpha, a = reached[parent].block(slice(0, 3)), reached[parent].block(slice(3, 6))
-                carried = joint.rotation.T @ (a + alpha.cross(joint.position))
-                imposed = Matrix.vstack(joint.rotation.T @ alpha, carried)
-                imposed = imposed + _imposed_by_motion(k, i, elimination.imposed)
+                linear = joint.rotation.T @ (a + alpha.cross(joint.position))
+                carried = Matrix.vstack(joint.rotation.T @ alpha, linear)
+            imposed = carried + elimination.imposed
         if record.motion is not None:
-            reached.append(imposed)
+            reached.append(k.carry(i, "a", imposed, ()))
             continue
         with g.made_by(record.name, "udot"):
             own = elimination.free - elimination.gain @ imposed
-            own.label(record.name, "udot", [c.name for c in record.element.speeds])
+            names = [c.name for c in record.element.speeds]
+            own = k.carry(i, "udot", own, names, record.name)
             udot[record.u : record.u + own.rows] = own.nodes
         with g.made_by(k.owner(i), "a"):
-            reached.append(imposed + joint.S @ own)
+            reached.append(k.carry(i, "a", imposed + joint.S @ own, ()))
     return Matrix(g, k.system.nu, 1, udot)

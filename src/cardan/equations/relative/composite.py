@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ..inertia import CELLS, Inertia, moved, of_body, turn_symmetric
+from ..carried import CELLS
+from ..inertia import Inertia, moved, of_body, turn_symmetric
 from ..kinematics import Kinematics
 from ..loads import Loads
 

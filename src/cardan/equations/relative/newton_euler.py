@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ..inertia import CELLS, Inertia, of_body, second_moment
+from ..carried import CELLS, Sums
+from ..inertia import Inertia, of_body, second_moment
 from ..kinematics import Kinematics
 from ..loads import Loads, spread
 
@@ -61,16 +62,16 @@ def accelerations(
             alpha, a = relative.block(slice(0, 3)), relative.block(slice(3, 6))
             if body.parent >= 0:
                 alpha = to_child @ result.alpha[body.parent] + alpha
-            result.alpha.append(alpha.label(name, "alpha"))
+            result.alpha.append(k.carry(i, "alpha", alpha))
         with k.graph.made_by(name, "a"):
             if body.parent >= 0:
                 carried = result.a[body.parent] + result.spread[body.parent] @ joint.position
             else:
                 carried = -gravity
-            result.a.append((to_child @ carried + a).label(name, "a"))
+            result.a.append(k.carry(i, "a", to_child @ carried + a))
         with k.graph.made_by(name, "U"):
             omega = k.omega[i] if moving else Matrix.zeros(k.graph, 3)
-            result.spread.append(_spread(omega, alpha).label(name, "U", CELLS))
+            result.spread.append(k.carry(i, "U", _spread(omega, result.alpha[i]), CELLS))
     return result
 
 
@@ -108,23 +109,29 @@ def second_moment_force(inertia: Inertia, a: Matrix, spread: Matrix) -> tuple[Ma
 def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces:
     """Forces that the joints transmit, inward."""
     n = len(k.system.bodies)
-    zero = Matrix.zeros(k.graph, 3)
-    result = JointForces([zero] * n, [zero] * n)
+    sums = Sums(k, ("n", "f"), [_own_force(k, i, acc, loads) for i in range(n)])
+    result: dict[int, tuple[Matrix, Matrix]] = {}
     for i in range(n - 1, -1, -1):
-        moment, force = inertia_force(k, i, acc)
+        moment, force = result[i] = sums[i][0], sums[i][1]
+        force.label(k.owner(i), "f")
+        moment.label(k.owner(i), "n")
+        parent, joint = k.system.bodies[i].parent, k.joints[i]
+        if parent >= 0:
+            with k.graph.made_by(k.owner(i), "f"):
+                carried = joint.rotation @ force
+                turned = joint.rotation @ moment + joint.position.cross(carried)
+                sums.add(parent, i, (turned, carried))
+    return JointForces([result[i][0] for i in range(n)], [result[i][1] for i in range(n)])
+
+
+def _own_force(k: Kinematics, i: int, acc: Accelerations, loads: Loads) -> tuple[Matrix, Matrix]:
+    """What a body needs from its joints: rate of change of momentum less applied forces."""
+    moment, force = inertia_force(k, i, acc)
+    if i in loads.wrenches:
         with k.graph.made_by(k.owner(i), "f"):
-            if i in loads.wrenches:
-                moment = moment - loads.wrenches[i][0]
-                force = force - loads.wrenches[i][1]
-            result.force[i] = (result.force[i] + force).label(k.owner(i), "f")
-            result.moment[i] = (result.moment[i] + moment).label(k.owner(i), "n")
-            parent, joint = k.system.bodies[i].parent, k.joints[i]
-            if parent >= 0:
-                carried = joint.rotation @ result.force[i]
-                turned = joint.rotation @ result.moment[i] + joint.position.cross(carried)
-                result.force[parent] = result.force[parent] + carried
-                result.moment[parent] = result.moment[parent] + turned
-    return result
+            moment = moment - loads.wrenches[i][0]
+            force = force - loads.wrenches[i][1]
+    return moment, force
 
 
 def inverse_dynamics(
@@ -134,15 +141,18 @@ def inverse_dynamics(
     along = [along_joint(k, i, udot) for i in range(len(k.joints))]
     acc = accelerations(k, along, gravity, moving)
     forces = joint_forces(k, acc, loads)
-    tau = Matrix.zeros(k.graph, k.system.nu)
+    tau = [ZERO] * k.system.nu
     for i in range(len(k.joints) - 1, -1, -1):
         with k.graph.made_by(k.system.joints[i].name, "tau"):
-            tau = tau + spread(k, i, driving_force(k, i, forces, loads, along[i]))
+            own = driving_force(k, i, forces, loads, along[i])
+            for slot, node in spread(k, i, own).items():
+                tau[slot] = k.graph.add(tau[slot], node)
+    result = Matrix(k.graph, k.system.nu, 1, tau)
     for joint in k.system.joints:
         if joint.u >= 0:
             names = [c.name for c in joint.element.speeds]
-            tau.block(slice(joint.u, joint.u + len(names))).label(joint.name, "tau", names)
-    return tau
+            result.block(slice(joint.u, joint.u + len(names))).label(joint.name, "tau", names)
+    return result
 
 
 def driving_force(k: Kinematics, i: int, forces: JointForces, loads: Loads, udot: Matrix) -> Matrix:
