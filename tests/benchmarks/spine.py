@@ -101,6 +101,7 @@ def cases() -> list[Case]:
         *found,
         Case("chain of 7", lambda snap: chain(7)),
         Case("chain of 100", lambda snap: chain(100)),
+        Case("chain of 1000", lambda snap: chain(1000)),
     ]
 
 
@@ -132,7 +133,7 @@ def ours(case: Case) -> tuple[Row, np.ndarray, np.ndarray]:
     equations = cd.derive(case.build(True))
 
     def derivation() -> None:
-        generate(cd.derive(case.build(True)).function("forward_dynamics"), model=case.name)
+        generate(cd.derive(case.build(True)).form("forward_dynamics"), model=case.name)
 
     derived = best(3, derivation)
     model = cd.compile(equations, functions=("forward_dynamics",))
