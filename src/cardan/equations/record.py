@@ -17,6 +17,7 @@ from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .kinematics import Kinematics
 from .relative import FORMALISMS, OTHER_NAMES
+from .steps import recursion
 from .sweeps import LATER, Sweeps
 
 if TYPE_CHECKING:
@@ -163,7 +164,7 @@ class Equations:
             k = Kinematics(self.system, cut=True)
             function = self._derive(name, name, None, k)
             assert k.cuts is not None
-            return Sweeps(k.cuts, function, self._homes(function), self.system).recursion()
+            return recursion(Sweeps(k.cuts, function, self._homes(function), self.system))
 
     def form(
         self, name: str, of: str | None = None, loops: bool | None = None
@@ -177,10 +178,10 @@ class Equations:
         """
         many = len(self.system.bodies) > LOOPED if loops is None else loops
         if many and of is None and self.loops(name):
-            recursion = self.recursion(name)
-            visits = sum(len(sweep.visits) for sweep in recursion.sweeps)
-            if loops or visits >= REPEATED * len(recursion.steps):
-                return recursion
+            found = self.recursion(name)
+            visits = sum(len(sweep.visits) for sweep in found.sweeps)
+            if loops or visits >= REPEATED * len(found.steps):
+                return found
         return self.function(name, of)
 
     def loops(self, name: str) -> bool:

@@ -1,29 +1,25 @@
-"""From expressions with handed values to a recursion: sweeps over the tree, and their steps.
+"""When and where handed values are computed: sweeps over the tree, and places in a store.
 
 Every handed value, every part of a sum and every result is computed when its body is visited. A
 sweep goes outward or inward; a value stands in the first sweep in which all that it reads is there.
-Visits that do the same with other places are runs of one step.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from ..errors import DerivationError
-from ..ir.function import Block, Function, Output, live
-from ..ir.graph import Graph
-from ..ir.recursion import OUT, STORE, Recursion, Sweep, Visit
-from ..ir.rewrite import copy
+from ..ir.function import Function, live
+from ..ir.recursion import STORE
 from ..topology.system import System
-from .carried import CELLS, XYZ, Cuts, Definition
+from .carried import Cuts
 
 # sweeps that any function of a tree needs by far; more means that values wait for each other
 MOST_SWEEPS = 40
-DIRECTIONS = ("outward", "inward")
-AFTER = "after the sweeps"
+# the body of what no body is visited for
+LATER, AFTER = -2, "after the sweeps"
 
 
 class Task(NamedTuple):
@@ -31,7 +27,7 @@ class Task(NamedTuple):
 
     Attributes:
         name: All tasks of one name stand in the same sweep.
-        body: Whose visit it belongs to; -2 after all sweeps.
+        body: Whose visit it belongs to; ``LATER`` after all sweeps.
         node: Its expression.
         leaf: The stored value it defines or adds to; -1 for a result.
         out: Entry of the results, -1 for others.
@@ -44,9 +40,6 @@ class Task(NamedTuple):
     leaf: int = -1
     out: int = -1
     adds: bool = False
-
-
-LATER = -2
 
 
 class Sweeps:
@@ -210,27 +203,6 @@ class Sweeps:
         }
         return places, len(fields) * len(self.parents)
 
-    # the recursion
-
-    def recursion(self) -> Recursion:
-        """The tasks as steps and visits."""
-        builder = _Steps(self)
-        sweeps = []
-        for phase in sorted({phase for phase, _ in self.by_visit}):
-            bodies = sorted(body for at, body in self.by_visit if at == phase)
-            later = bodies == [LATER]
-            direction = AFTER if later else DIRECTIONS[phase % 2]
-            if phase % 2 and not later:
-                bodies.reverse()
-            visits = tuple(
-                builder.visit(direction, body, self.by_visit[phase, body]) for body in bodies
-            )
-            sweeps.append(Sweep(direction, visits))
-        f = self.function
-        outputs = tuple(Output(o.name, o.shape, (), o.entries, o.units) for o in f.outputs)
-        steps = builder.finished()
-        return Recursion(f.name, f.inputs, outputs, steps, tuple(sweeps), self.size, f.about)
-
 
 # phase of what is read -> first phase in which it can be read: an outward sweep has been at
 # everybody inboard, an inward one at everybody outboard
@@ -240,151 +212,3 @@ _LEAST: dict[str, Callable[[int], int]] = {
     "outboard": lambda phase: phase + 1 - phase % 2,
     "far": lambda phase: phase + 1,
 }
-
-
-class _Steps:
-    """Collects the steps that visits turn out to need."""
-
-    def __init__(self, sweeps: Sweeps) -> None:
-        self.sweeps = sweeps
-        self._number: dict[object, int] = {}
-        self._steps: list[Function] = []
-        self._names: dict[str, int] = defaultdict(int)
-        self._runs: list[list[str]] = []
-
-    def finished(self) -> tuple[Function, ...]:
-        """The steps; each says for whom it stands."""
-        found = []
-        for step, runs in zip(self._steps, self._runs, strict=True):
-            more = f" and {len(runs) - 1} more" if len(runs) > 1 else ""
-            found.append(replace(step, about=runs[0] + more))
-        return tuple(found)
-
-    def visit(self, direction: str, body: int, tasks: Sequence[Task]) -> Visit:
-        """The visit of a body, with a step of its own where no other one does the same."""
-        s, local = self.sweeps, Graph()
-        local.tables = s.graph.tables.copy()
-        defined = {
-            t.leaf: t.node for t in tasks if t.leaf >= 0 and not s.cuts.definitions[t.leaf].added
-        }
-        reads, copies = self._leaves(local, tasks, defined)
-        cones = {id(cone): cone for t in tasks for cone in (s.cones[t],)}
-        order = sorted({i for cone in cones.values() for i in cone} | set(defined))
-
-        # a value that is computed here is no leaf here: it goes on as its expression
-        def inline(_: Graph, i: int, done: Mapping[int, int]) -> int | None:
-            return done[defined[i]] if i in defined else None
-
-        copy(s.graph, local, order, copies, inline)
-
-        # what is stored, added and handed out
-        stored = [t for t in tasks if t.leaf in s.places]
-        outs = [t for t in tasks if t.out >= 0]
-        values = {t: copies[t.node] for t in (*stored, *outs)}
-        for t in stored:
-            if t.adds:
-                values[t] = local.add(copies[t.leaf], values[t])
-        roots = [values[t] for t in (*stored, *outs)]
-        key = (direction, tuple(local.nodes), tuple(roots), len(stored), *map(len, reads.values()))
-        if key not in self._number:
-            self._number[key] = len(self._steps)
-            self._steps.append(self._step(direction, body, local, reads, stored, outs, roots))
-            self._runs.append([])
-        number = self._number[key]
-        self._runs[number].append(self._who(body))
-        places = tuple(s.places[t.leaf] for t in stored)
-        return Visit(number, reads, places, tuple(t.out for t in outs))
-
-    def _leaves(
-        self, local: Graph, tasks: Sequence[Task], defined: Collection[int]
-    ) -> tuple[dict[str, tuple[int, ...]], dict[int, int]]:
-        """Entries that a visit reads, by block, and the local inputs that stand for them."""
-        s, nodes = self.sweeps, self.sweeps.graph.nodes
-        leaves = {i for t in tasks for i in s.inputs[t] if i not in defined}
-        leaves |= {t.leaf for t in tasks if t.adds}
-        entries: dict[str, dict[int, int]] = {}
-        for i in leaves:
-            block, k = nodes[i][1:]
-            entries.setdefault(block, {})[s.places[i] if block == STORE else k] = i
-        reads: dict[str, tuple[int, ...]] = {}
-        copies: dict[int, int] = {}
-        for block in (*(b.name for b in s.function.inputs), STORE):
-            if block in entries:
-                reads[block] = tuple(sorted(entries[block]))
-                for n, k in enumerate(reads[block]):
-                    copies[entries[block][k]] = local.var(block, n)
-        return reads, copies
-
-    def _step(
-        self,
-        direction: str,
-        body: int,
-        local: Graph,
-        reads: Mapping[str, tuple[int, ...]],
-        stored: Sequence[Task],
-        outs: Sequence[Task],
-        roots: Sequence[int],
-    ) -> Function:
-        """A step in words that hold for all its visits."""
-        s, words = self.sweeps, self._words(body)
-        for where in (local.origins, local.labels):
-            items = where.items() if isinstance(where, dict) else enumerate(where)
-            for i, (owner, quantity) in list(items):
-                where[i] = (words.get(owner, owner), quantity)
-        local.shared = {
-            i: {(words.get(owner, owner), q) for owner, q in of} for i, of in local.shared.items()
-        }
-        self._names[direction] += 1
-        name = f"{s.function.name}_{direction.split()[0]}_{self._names[direction]}"
-
-        def field(place: int) -> str:
-            d = s.fields[place]
-            who = self._words(body).get(s.system.bodies[d.body].name, s.system.bodies[d.body].name)
-            return f"{who}.{d.field[0]}_{_component(d)}"
-
-        inputs = []
-        known = {b.name: b for b in s.function.inputs}
-        for block, places in reads.items():
-            if block == STORE:
-                entries, units = tuple(map(field, places)), ("",) * len(places)
-            else:
-                entries = tuple(_renamed(known[block].entries[k], words) for k in places)
-                units = tuple(known[block].units[k] for k in places)
-            inputs.append(Block(block, entries, units))
-        results = [(o.name, k, o) for o in s.function.outputs for k in range(o.size)]
-        at = len(stored)
-        named = tuple(
-            _renamed(o.entries[k], words) if o.entries else o.name
-            for o, k in ((results[t.out][2], results[t.out][1]) for t in outs)
-        )
-        outputs = (
-            Output(STORE, (at,), tuple(roots[:at]), tuple(field(s.places[t.leaf]) for t in stored)),
-            Output(OUT, (len(outs),), tuple(roots[at:]), named),
-        )
-        owners = tuple(words.values())
-        return Function(name, local, tuple(inputs), outputs, owners)
-
-    def _words(self, body: int) -> dict[str, str]:
-        """Names of a body's surroundings -> what they are to it."""
-        if body == LATER:
-            return {}
-        system, parent = self.sweeps.system, self.sweeps.parents[body]
-        words = {system.bodies[parent].name: "parent"} if parent >= 0 else {}
-        return words | {system.joints[body].name: "joint", system.bodies[body].name: "body"}
-
-    def _who(self, body: int) -> str:
-        if body == LATER:
-            return "all bodies"
-        joint = self.sweeps.system.joints[body]
-        return f"{self.sweeps.system.bodies[body].name}, {joint.element.kind} joint {joint.name}"
-
-
-def _component(d: Definition) -> str:
-    """x, y, z or xx, xy ... where it is clear, else a number."""
-    return {3: XYZ, 9: CELLS}.get(d.size, [str(k) for k in range(d.size)])[d.field[1]]
-
-
-def _renamed(entry: str, words: Mapping[str, str]) -> str:
-    """A dotted name with its first word in general terms."""
-    owner, dot, rest = entry.partition(".")
-    return f"{words.get(owner, owner)}{dot}{rest}"
