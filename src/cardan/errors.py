@@ -30,8 +30,20 @@ class BuildError(CardanError, RuntimeError):
     """A compiler is missing or failed, or a build did not pass its check."""
 
 
+class CompilerMissing(BuildError):
+    """There is no C compiler here; functions are evaluated in NumPy then."""
+
+
+class ArgumentError(CardanError, ValueError, TypeError):
+    """An argument of a function is missing, or is not of the kind or shape it must have."""
+
+
 class SolveError(CardanError, ArithmeticError):
     """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
+
+
+class BuildWarning(UserWarning):
+    """Compiled code is kept elsewhere than it should be, or there is none."""
 
 
 class SolveWarning(UserWarning):

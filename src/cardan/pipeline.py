@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import tempfile
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -13,7 +12,7 @@ from . import __version__, topology
 from .codegen import generate, layout, manifest
 from .equations.record import Equations, choose
 from .errors import BuildError, DerivationError
-from .runtime import cache
+from .runtime import folder as cache
 from .runtime.compiled import CompiledModel
 
 if TYPE_CHECKING:
@@ -119,7 +118,14 @@ def compile(
             equations.function(name)  # raises, with the near name
     base = manifest.base(equations, tuple(functions))
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
-    layout.write_model(folder, base)
+    try:
+        layout.write_model(folder, base)
+    except OSError as error:
+        if directory is not None:
+            raise _unwritable(folder, error) from error
+        # no room in the cache: for this process then
+        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
+        layout.write_model(folder, base)
 
     def provide(name: str, of: str | None) -> str:
         """Write the C of one function unless it is there."""
@@ -132,7 +138,10 @@ def compile(
             function = equations.form(name, of, loops)
             notes = [f"formalism: {equations.method}"]
             file = generate(function, model=equations.system.name, notes=notes, of=of)
-            layout.add_function(folder, file, function)
+            try:
+                layout.add_function(folder, file, function)
+            except OSError as error:
+                raise _unwritable(folder, error) from error
         return c_name
 
     return CompiledModel(folder, provide)
@@ -168,10 +177,12 @@ def _compiler_state() -> list[tuple[str, int, int]]:
 
 
 def _workspace(equations: Equations, loops: bool | None) -> Path:
-    """Folder of the cache for the C of these equations; a temporary one where that is unusable."""
-    try:
-        folder = cache.directory() / "models" / fingerprint(equations, loops)[:32]
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    except (OSError, BuildError):
-        return Path(tempfile.mkdtemp(prefix="cardan-"))
-    return folder
+    """Folder of the cache for the C of these equations."""
+    return cache.directory() / "models" / fingerprint(equations, loops)[:32]
+
+
+def _unwritable(folder: Path, error: OSError) -> BuildError:
+    return BuildError(
+        f"the C of the model cannot be written to {folder} ({error.strerror}). Make room with: "
+        "cardan doctor --prune, or name another directory= or CARDAN_CACHE"
+    )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime import abi, abi_ctypes
+from cardan.runtime import abi, abi_ctypes, folder, interpreted
 from cardan.runtime.compiled import CompiledModel
 from runtime import pendulum
 
@@ -20,9 +20,12 @@ WAYS = ["ctypes"] + (["cython"] if _abi else [])
 
 @pytest.fixture(autouse=True)
 def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty cache."""
+    """An empty cache, and no temporary one beside it."""
     path = tmp_path / "cache"
     monkeypatch.setenv("CARDAN_CACHE", str(path))
+    monkeypatch.setattr(folder, "_SCRATCH", {})
+    for remembered in (folder._usable, folder._temporary, interpreted._warn):
+        remembered.cache_clear()
     return path
 
 

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+import warnings
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from cardan.errors import BuildError
-from cardan.runtime import cache, toolchain
+from cardan.errors import BuildError, BuildWarning, CompilerMissing
+from cardan.runtime import cache, folder, toolchain
 
 BUILD = (
     "import sys, pathlib; from cardan.runtime import cache; "
@@ -37,7 +42,7 @@ def test_second_build_comes_from_the_cache_without_a_compiler(source, monkeypatc
     assert first.fresh
     assert answer(first.path) == 42
     started = []
-    monkeypatch.setattr(subprocess, "run", lambda *a, **k: started.append(a))
+    monkeypatch.setattr(subprocess, "Popen", lambda *a, **k: started.append(a))
     cache._compiler.cache_clear()
     second = cache.build([source])
     assert not second.fresh
@@ -50,12 +55,49 @@ def test_cache_is_private(source, cache_directory):
     assert cache_directory.stat().st_mode & 0o777 == 0o700
 
 
-def test_directory_others_may_write_to_is_refused(source, cache_directory):
-    cache_directory.mkdir()
-    cache_directory.chmod(0o777)
-    cache._private.cache_clear()
-    with pytest.raises(BuildError, match=r"not private.*chmod 700"):
-        cache.build([source])
+def test_readable_cache_of_ours_is_made_private(source, cache_directory):
+    cache_directory.mkdir(mode=0o755)
+    assert cache.build([source]).path.parent == cache_directory
+    assert cache_directory.stat().st_mode & 0o777 == 0o700
+
+
+def writable_by_all(path: Path) -> None:
+    path.mkdir()
+    path.chmod(0o777)
+
+
+def belongs_to_another(path: Path) -> None:
+    path.mkdir(mode=0o700)
+    if os.geteuid():
+        pytest.skip("only the superuser can give a folder away")
+    os.chown(path, 12345, 12345)
+
+
+def below_a_file(path: Path) -> None:
+    path.parent.joinpath("cache").write_text("mine")
+
+
+UNUSABLE = {
+    writable_by_all: "not private",
+    belongs_to_another: "belongs to another user",
+    below_a_file: "it is a file",
+}
+
+
+@pytest.mark.parametrize("harm", UNUSABLE)
+def test_unusable_folder_is_left_alone_and_said_once(source, cache_directory, harm):
+    harm(cache_directory)
+    before = sorted(cache_directory.glob("*")) if cache_directory.is_dir() else "mine"
+    with pytest.warns(BuildWarning, match=UNUSABLE[harm]):
+        first = cache.build([source])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        second = cache.build([source])
+    assert answer(first.path) == 42
+    assert (first.fresh, second.fresh) == (True, False)
+    assert first.path.parent.stat().st_mode & 0o777 == 0o700
+    after = sorted(cache_directory.glob("*")) if cache_directory.is_dir() else "mine"
+    assert before == after
 
 
 def test_text_header_flags_and_processor_are_in_the_key(source, tmp_path, monkeypatch):
@@ -75,7 +117,9 @@ def test_text_header_flags_and_processor_are_in_the_key(source, tmp_path, monkey
     keys.add(cache.key([source], [], by, False))
     other = toolchain.Compiler(by.command, by.binary, by.identity + " newer")
     keys.add(cache.key([source], [], other, False))
-    assert len(keys) == 7
+    other = toolchain.Compiler((*by.command, "-O0"), by.binary, by.identity)
+    keys.add(cache.key([source], [], other, False))
+    assert len(keys) == 8
 
 
 @pytest.mark.parametrize("harm", ["flip", "cut", "empty"])
@@ -103,28 +147,173 @@ def test_two_processes_compile_the_same_at_once(source):
     assert answer(Path(paths.pop())) == 42
 
 
-def test_killed_compile_leaves_no_corrupt_object(source, cache_directory, tmp_path, monkeypatch):
-    # a compiler that writes half an object, tells us, and hangs
-    real = cache.compiler().command[0]
-    told = tmp_path / "half"
-    slow = tmp_path / "slowcc"
+@pytest.fixture
+def hanging(tmp_path, monkeypatch) -> Path:
+    """A compiler that writes half an object, tells its process id here, and hangs."""
+    real, told, slow = cache.compiler().command[0], tmp_path / "half", tmp_path / "slowcc"
     slow.write_text(
         f'#!/bin/sh\ncase "$*" in *--version*) exec {real} --version;; esac\n'
         'while [ "$1" != "-o" ]; do shift; done\n'
-        f'echo half > "$2"; echo $$ > {told}.new; mv {told}.new {told}; exec sleep 60\n'
+        f'echo half > "$2"; sleep 60 & echo $$ $! > {told}.new; mv {told}.new {told}; wait\n'
     )
     slow.chmod(0o755)
     monkeypatch.setenv("CC", str(slow))
-    process = subprocess.Popen([sys.executable, "-c", BUILD, str(source)])
+    return told
+
+
+def patient(what: Callable[[], object]) -> None:
+    """Wait until something is so; half a minute is beyond doubt."""
     deadline = time.monotonic() + 30
-    while not told.exists() and time.monotonic() < deadline:
+    while not what():
+        assert time.monotonic() < deadline
         time.sleep(0.01)
+
+
+def alive(process: int) -> bool:
+    """Whether a process runs; one that only waits to be buried does not."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return state not in "ZX"
+
+
+def aged(path: Path) -> None:
+    os.utime(path, (1.0, 1.0))
+
+
+def test_killed_process_takes_its_compiler_along(source, cache_directory, hanging, monkeypatch):
+    process = subprocess.Popen([sys.executable, "-c", BUILD, str(source)])
+    patient(hanging.exists)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    os.kill(int(told.read_text()), signal.SIGKILL)
-    assert [p for p in cache_directory.glob("*.so") if not p.name.startswith(".")] == []
+    family = list(map(int, hanging.read_text().split()))
+    patient(lambda: not any(map(alive, family)))
+    assert list(cache_directory.glob("*.so")) == []
+    left = list(cache_directory.glob(".new-*"))
+    assert len(left) == 1
+    aged(left[0])
     monkeypatch.delenv("CC")
     assert answer(cache.build([source]).path) == 42
+    assert list(cache_directory.glob(".new-*")) == []
+
+
+def test_killed_compiler_is_an_error_and_leaves_nothing(source, cache_directory, hanging):
+    process = subprocess.Popen(
+        [sys.executable, "-c", BUILD, str(source)], stderr=subprocess.PIPE, text=True
+    )
+    patient(hanging.exists)
+    for number in map(int, hanging.read_text().split()):
+        os.kill(number, signal.SIGKILL)
+    assert "BuildError: slowcc could not compile answer.c" in process.communicate(timeout=60)[1]
+    assert list(cache_directory.glob("*.so")) == list(cache_directory.glob(".new-*")) == []
+
+
+def test_ctrl_c_stops_the_compiler_and_cleans_up(source, cache_directory, hanging):
+    process = subprocess.Popen(
+        [sys.executable, "-c", BUILD, str(source)], stderr=subprocess.PIPE, text=True
+    )
+    patient(hanging.exists)
+    process.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in process.communicate(timeout=60)[1]
+    assert not any(map(alive, map(int, hanging.read_text().split())))
+    assert list(cache_directory.glob(".new-*")) == []
+
+
+def test_compiler_that_takes_too_long_is_stopped(source, cache_directory, hanging, monkeypatch):
+    monkeypatch.setenv("CARDAN_COMPILE_SECONDS", "1")
+    with pytest.raises(BuildError, match=r"answer\.c took it longer than 1 s.*COMPILE_SECONDS"):
+        cache.build([source])
+    assert not any(map(alive, map(int, hanging.read_text().split())))
+    assert list(cache_directory.glob(".new-*")) == []
+
+
+def test_compiler_that_takes_too_much_memory_is_stopped(source, monkeypatch):
+    monkeypatch.setenv("CARDAN_COMPILE_MEMORY", "16")
+    with pytest.raises(BuildError):
+        cache.build([source])
+
+
+@pytest.mark.parametrize("text", ["-1", "many", "0", "1e3"])
+def test_limits_must_be_numbers(source, monkeypatch, text):
+    monkeypatch.setenv("CARDAN_COMPILE_SECONDS", text)
+    with pytest.raises(BuildError, match=r"CARDAN_COMPILE_SECONDS=.*positive whole number"):
+        cache.build([source])
+
+
+# the version of a compiler is remembered if there is room for it
+REMEMBERING = ("mkstemp", "fdopen")
+WRITES = (*REMEMBERING, "mkdtemp", "compiler", "open", "replace")
+
+
+@pytest.mark.parametrize("point", WRITES)
+def test_no_space_left_wherever_something_is_written(source, cache_directory, point, monkeypatch):
+    full = OSError(errno.ENOSPC, "No space left on device")
+    owner = {"mkdtemp": tempfile, "mkstemp": tempfile, "compiler": cache, "open": cache}
+    name = {"compiler": "compile_shared"}.get(point, point)
+    place = owner.get(point, os)
+    real = open if point == "open" else getattr(place, name)
+
+    def fails(*given: Any, **named: Any) -> Any:
+        # only the cache is full, not the temporary folder
+        inside = str(cache_directory) in f"{given} {named}"
+        if inside or point == "fdopen":
+            raise full
+        return real(*given, **named)
+
+    if point not in REMEMBERING:
+        cache.compiler()
+    monkeypatch.setattr(place, name, fails, raising=False)
+    if point == "replace":
+        with pytest.raises(BuildError, match=r"No space left.*cardan doctor --prune"):
+            cache.build([source])
+    elif point in REMEMBERING:
+        assert answer(cache.build([source]).path) == 42
+    else:
+        with pytest.warns(BuildWarning, match=r"No space left on device.*cardan doctor --prune"):
+            assert answer(cache.build([source]).path) == 42
+    monkeypatch.undo()
+    objects = list(cache_directory.glob("*.so"))
+    assert len(objects) == (point in REMEMBERING)
+    assert all(map(cache.intact, objects))
+    assert list(cache_directory.glob(".new-*")) == []
+
+
+SMALL = (
+    "import resource, signal, sys, pathlib; from cardan.runtime import cache; cache.compiler(); "
+    "signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
+    "resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000)); "
+    "cache.build([pathlib.Path(sys.argv[1])])"
+)
+
+
+def test_file_limit_of_the_process_is_a_clear_error(source, cache_directory):
+    done = subprocess.run(
+        [sys.executable, "-c", SMALL, str(source)], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 1
+    assert "cardan.errors.BuildError" in done.stderr
+    assert list(cache_directory.glob("*.so")) == list(cache_directory.glob(".new-*")) == []
+
+
+def test_code_that_cannot_be_loaded_names_the_folder(source):
+    built = cache.compiled([source])
+    built.path.write_bytes(b"no object")
+    with pytest.raises(BuildError, match=r"cannot be loaded.*CARDAN_CACHE"):
+        built.load()
+    built.discard()
+    assert not built.path.parent.exists()
+
+
+def test_nothing_is_found_before_it_is_published(source, cache_directory):
+    built = cache.compiled([source])
+    assert answer(built.path) == 42
+    assert list(cache_directory.glob("*.so")) == []
+    assert cache.sweep(cache_directory) == []
+    aged(built.path.parent)
+    assert cache.sweep(cache_directory) == [], "its process lives"
+    assert built.published().path.parent == cache_directory
+    assert list(cache_directory.glob(".new-*")) == []
 
 
 def test_interrupted_compile_cleans_up(source, cache_directory, monkeypatch):
@@ -139,11 +328,12 @@ def test_interrupted_compile_cleans_up(source, cache_directory, monkeypatch):
 
 
 def test_leftovers_of_killed_compiles_are_swept(source, cache_directory):
-    cache.directory()
-    old, young = cache_directory / ".new-old.so", cache_directory / ".new-young.so"
+    folder.directory()
+    old, young = cache_directory / ".new-old", cache_directory / ".new-young"
     for path in (old, young):
-        path.write_text("half")
-    os.utime(old, (1.0, 1.0))
+        path.mkdir()
+        (path / "object.so").write_text("half")
+    aged(old)
     cache.build([source])
     assert not old.exists()
     assert young.exists()
@@ -155,6 +345,8 @@ def test_missing_compiler_says_what_to_install(source, monkeypatch):
     monkeypatch.setattr(toolchain, "ziglang", lambda: [])
     with pytest.raises(BuildError, match=r"no C compiler.*pip install 'cardan\[compiler\]'"):
         cache.build([source])
+    with pytest.raises(CompilerMissing):
+        cache.compiler()
 
 
 def test_failing_compile_shows_the_message_and_the_command(source):
@@ -172,8 +364,12 @@ def test_version_of_a_compiler_is_remembered_until_it_changes(tmp_path, cache_di
         asked.append(binary.read_text())
         return asked[-1]
 
-    cache.directory()
-    assert [cache._remembered(cache_directory, binary, ask) for _ in range(3)] == ["one"] * 3
+    folder.directory()
+
+    def mark() -> str:
+        return toolchain.Candidate((str(binary),), binary, "cc").mark()
+
+    assert [cache._remembered(cache_directory, mark(), ask) for _ in range(3)] == ["one"] * 3
     binary.write_text("another")
-    assert cache._remembered(cache_directory, binary, ask) == "another"
+    assert cache._remembered(cache_directory, mark(), ask) == "another"
     assert asked == ["one", "another"]

@@ -13,7 +13,7 @@ import pytest
 from cardan.errors import BuildError, ModelError
 from cardan.runtime import report as reports
 from cardan.runtime.compiled import CompiledModel
-from cardan.runtime.saved import load
+from cardan.runtime.saved import digest, load
 from runtime import pendulum
 
 
@@ -92,7 +92,7 @@ def test_manifest_may_not_point_outside(directory):
     manifest = json.loads((directory / "manifest.json").read_text())
     manifest["functions"]["rhs"]["file"] = "../rhs.c"
     (directory / "manifest.json").write_text(json.dumps(manifest))
-    with pytest.raises(BuildError, match="names a file outside"):
+    with pytest.raises(ModelError, match="its file is elsewhere"):
         load(directory).rhs(0.0, [0.1, 0.2])
 
 
@@ -114,10 +114,74 @@ def test_pickle_holds_source_and_no_binary(model, tmp_path):
     assert answer.stdout.split() == ["1.25", expected[0].hex()]
 
 
-def test_pickle_with_a_path_is_refused(model):
-    restore, (files, values, reproducible) = model.__reduce__()
-    with pytest.raises(ModelError, match="cannot hold a file"):
-        restore({**files, "../evil.c": ""}, values, reproducible)
+def named_outside(files):
+    files["../evil.c"] = ""
+
+
+def with_a_binary(files):
+    files["evil.so"] = ""
+
+
+def with_other_code(files):
+    files["rhs.c"] += "/* more */"
+
+
+def without_a_file(files):
+    del files["rhs.c"]
+
+
+def without_json(files):
+    files["manifest.json"] = "{"
+
+
+def of_another_version(files):
+    files["manifest.json"] = files["manifest.json"].replace('"abi": 1', '"abi": 7')
+
+
+def with_absurd_sizes(files):
+    manifest = json.loads(files["manifest.json"])
+    manifest["functions"]["rhs"]["work_size"] = 2**62
+    files["manifest.json"] = json.dumps(manifest)
+
+
+def with_a_symbol_that_is_none(files):
+    manifest = json.loads(files["manifest.json"])
+    manifest["functions"]["rhs(); system"] = manifest["functions"].pop("rhs")
+    files["manifest.json"] = json.dumps(manifest)
+
+
+HARMS = {
+    named_outside: "cannot hold a file",
+    with_a_binary: "cannot hold a file",
+    with_other_code: r"rhs\.c is not the file its manifest speaks of",
+    without_a_file: r"rhs\.c is not the file",
+    without_json: "is no JSON",
+    of_another_version: "abi version 7",
+    with_absurd_sizes: "work_size is",
+    with_a_symbol_that_is_none: "no name in C",
+}
+
+
+@pytest.mark.parametrize("harm", HARMS)
+def test_harmed_pickle_is_refused_before_anything_is_written(model, cache_directory, harm):
+    restore, (files, values, reproducible, stated) = model.__reduce__()
+    there = sorted(cache_directory.rglob("*"))
+    files = dict(files)
+    harm(files)
+    with pytest.raises(ModelError, match=r"not those it was made of|cannot hold a file"):
+        restore(files, values, reproducible, stated)
+    # who changes the texts can change their hash too
+    with pytest.raises(ModelError, match=HARMS[harm]):
+        restore(files, values, reproducible, digest(files))
+    assert sorted(cache_directory.rglob("*")) == there
+
+
+def test_pickle_with_other_than_its_parameters_is_refused(model):
+    restore, (files, values, reproducible, stated) = model.__reduce__()
+    with pytest.raises(ModelError, match="one value per parameter"):
+        restore(files, values[1:], reproducible, stated)
+    with pytest.raises(ModelError, match="holds no texts"):
+        restore({"manifest.json": b""}, values, reproducible, stated)
 
 
 def test_report_measures_every_function(model, capsys):

@@ -24,9 +24,31 @@ def test_contraction_is_always_given():
 
 def test_cc_of_the_environment_comes_first(monkeypatch):
     monkeypatch.setenv("CC", f"{shutil.which('cc')} -pipe")
-    command, binary = toolchain.candidates()[0]
-    assert command[1:] == ("-pipe",)
-    assert binary == Path(shutil.which("cc") or "").resolve()
+    (found,) = toolchain.candidates()
+    assert found.name == "$CC"
+    assert found.command[1:] == ("-pipe",)
+    assert found.binary == Path(shutil.which("cc") or "").resolve()
+
+
+def test_cc_that_does_not_exist_is_an_error(monkeypatch):
+    monkeypatch.setenv("CC", "no-such-cc -m64")
+    with pytest.raises(BuildError, match=r"CC='no-such-cc -m64'.*unset it"):
+        toolchain.candidates()
+
+
+def test_order_of_the_search(tmp_path, monkeypatch):
+    for name in ("clang", "gcc", "cc"):
+        (tmp_path / name).write_text("#!/bin/sh\necho one of them\n")
+        (tmp_path / name).chmod(0o755)
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    names = [found.name for found in toolchain.candidates()]
+    assert names[:3] == ["cc", "gcc", "clang"]
+    assert names[3:] == [found.name for found in toolchain.ziglang()]
+    # one that does not answer makes room for the next
+    (tmp_path / "cc").write_text("#!/bin/sh\nexit 1\n")
+    found = toolchain.find_compiler(lambda mark, ask: ask())
+    assert found.command == (str(tmp_path / "gcc"),)
 
 
 def test_compiler_that_does_not_answer(tmp_path):

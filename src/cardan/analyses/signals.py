@@ -60,21 +60,46 @@ class Signals:
             found |= {start + sign * k * self.sample for k in range(1, count)}
         return sorted(found, reverse=end < start)
 
-    def at(self, times: Array, known: Array, r: Array) -> Array:
-        """r (m, nr) at times (m,), given its values r (nt, nr) at the times ``known`` (nt,).
+    def recorded(self, t: Array, r: Array) -> Recorded:
+        """The inputs of a run with values r (nt, nr) at its times t (nt,)."""
+        asked = tuple(self.functions)
+        return Recorded(self.constants, self.pieces, asked, self.sample is not None, t, r)
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """The inputs of a run that is over.
+
+    Attributes:
+        constants, pieces: As in :class:`Signals`.
+        asked: Indices in r of the functions.
+        held: Whether those kept their values between samples.
+        t, r: Times (nt,) and values there (nt, nr).
+    """
+
+    constants: Array
+    pieces: tuple[Pieces, ...]
+    asked: tuple[int, ...]
+    held: bool
+    t: Array
+    r: Array
+
+    def at(self, times: Array) -> Array:
+        """r (m, nr) at times (m,).
 
         Exact for constants and values at times; functions are held where they are sampled, and
         joined by straight lines otherwise.
         """
         result = np.tile(self.constants, (len(times), 1))
-        order = np.argsort(known, kind="stable")
-        for k in self.functions:
-            if self.sample is None:
-                result[:, k] = np.interp(times, known[order], r[order, k])
-            else:
+        order = np.argsort(self.t, kind="stable")
+        known, r = self.t[order], self.r[order]
+        for k in self.asked:
+            if self.held:
                 # a row at the end of a step holds the value that led there
-                next_row = np.clip(np.searchsorted(known[order], times), 0, len(known) - 1)
-                result[:, k] = r[order, k][next_row]
+                next_row = np.clip(np.searchsorted(known, times), 0, len(known) - 1)
+                result[:, k] = r[next_row, k]
+            else:
+                result[:, k] = np.interp(times, known, r[:, k])
         for piece in self.pieces:
             where = np.searchsorted(piece.breaks, times, side="right") - 1
             where = np.clip(where, 0, len(piece.coefficients) - 1)

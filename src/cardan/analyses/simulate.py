@@ -160,5 +160,5 @@ def _trajectory(
         conduct=conduct,
         model=model,
         dense=dense,
-        inputs_at=lambda times: runner.signals.at(times, t, r),
+        inputs_at=runner.signals.recorded(t, r).at,
     )

@@ -2,106 +2,123 @@
 
 A file is ``<key>.so``: the object as the linker wrote it, then the SHA-256 of it. Loaders ignore
 what follows the last section, so the check travels with the file and one rename publishes both.
-Processes never wait for each other: each compiles to a name of its own and renames.
+Processes never wait for each other: each compiles in a folder of its own, ``.new-...``, and
+renames. A lock on that folder says that its process lives; the system drops it with the process.
 """
 
 from __future__ import annotations
 
+import ctypes
+import fcntl
 import hashlib
 import json
 import os
-import stat
+import shutil
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
 from ..errors import BuildError
+from . import folder
 from .toolchain import Compiler, compile_shared, find_compiler, processor
 
 DIGEST = 32
-VERSION = "1"
-ABANDONED = 3600.0
+VERSION = "2"
+NEW = ".new-"
+GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 
 
 @dataclass(frozen=True)
 class Object:
-    """A shared object in the cache.
+    """A compiled shared object.
 
     Attributes:
         path: The file.
         fresh: True when it was compiled now, False when it was there.
+        place: Where it belongs in the cache; None when it is there.
+        lock: Descriptor that keeps others from sweeping it away before it is there.
     """
 
     path: Path
     fresh: bool
+    place: Path | None = None
+    lock: int = -1
+
+    def load(self) -> ctypes.CDLL:
+        """The object in this process.
+
+        Raises:
+            BuildError: the loader refuses it.
+        """
+        try:
+            return ctypes.CDLL(str(self.path))
+        except OSError as error:
+            raise BuildError(
+                f"compiled code cannot be loaded: {error}. Does {self.path.parent} lie on a file "
+                "system without permission to execute, or was it removed? Set CARDAN_CACHE to "
+                "another folder"
+            ) from error
+
+    def published(self) -> Object:
+        """The same in its place in the cache, for other processes to find.
+
+        Raises:
+            BuildError: the cache was removed meanwhile.
+        """
+        if self.place is None:
+            return self
+        try:
+            os.replace(self.path, self.place)
+        except OSError as error:
+            raise _unwritable(self.place.parent, error) from error
+        finally:
+            self.discard()
+        return replace(self, path=self.place, place=None, lock=-1)
 
     def discard(self) -> None:
-        """Take it out of the cache, so that nobody loads it again."""
-        self.path.unlink(missing_ok=True)
-
-
-def directory() -> Path:
-    """The cache of this user, made with mode 0700: ``$CARDAN_CACHE`` or the usual place.
-
-    Raises:
-        BuildError: it belongs to somebody else or others may write to it.
-    """
-    named = os.environ.get("CARDAN_CACHE")
-    usual = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return _private(named or os.path.join(usual, "cardan"))
-
-
-@lru_cache(maxsize=8)
-def _private(name: str) -> Path:
-    path = Path(name)
-    try:
-        path.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = path.stat()
-    except OSError as error:
-        raise BuildError(
-            f"the compile cache {path} cannot be made ({error.strerror}). "
-            "Set CARDAN_CACHE to a directory that you may write to."
-        ) from error
-    # an object loaded from here runs as this user: nobody else may put one there
-    if status.st_uid != os.getuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-        raise BuildError(
-            f"the compile cache {path} is not private: it must belong to you and nobody else may "
-            f"write to it. Run: chmod 700 {path}, or set CARDAN_CACHE to another directory."
-        )
-    return path
+        """Forget it unless it is published: nobody finds it any more."""
+        if self.place is not None:
+            shutil.rmtree(self.path.parent, ignore_errors=True)
+            with suppress(OSError):
+                os.close(self.lock)
 
 
 @lru_cache(maxsize=8)
 def _compiler(cache: Path, chosen: str, path: str) -> Compiler:
-    return find_compiler(lambda binary, ask: _remembered(cache, binary, ask))
+    return find_compiler(lambda mark, ask: _remembered(cache, mark, ask))
 
 
 def compiler() -> Compiler:
-    """The compiler in use, found once per process and setting of CC and PATH."""
-    return _compiler(directory(), os.environ.get("CC", ""), os.environ.get("PATH", ""))
+    """The compiler in use, found once per process and setting of CC and PATH.
+
+    Raises:
+        CompilerMissing: there is none. BuildError: the one that CC names does not work.
+    """
+    return _compiler(folder.directory(), os.environ.get("CC", ""), os.environ.get("PATH", ""))
 
 
-def _remembered(cache: Path, binary: Path, ask: Callable[[], str]) -> str:
-    """The version text of a compiler, kept on disk by path, time of change and size."""
-    status = binary.stat()
-    mark = f"{binary}|{status.st_mtime_ns}|{status.st_size}"
+def _remembered(cache: Path, mark: str, ask: Callable[[], str]) -> str:
+    """The version text of a compiler, kept on disk by a mark that changes with it."""
     file = cache / "compilers.json"
     try:
-        known: dict[str, str] = dict(json.loads(file.read_text(encoding="utf-8")))
-    except (OSError, ValueError, TypeError):
+        known = {str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()}
+    except (OSError, ValueError, AttributeError):
         known = {}
     if mark not in known:
         known[mark] = ask()
-        publish(file, json.dumps(known, indent=1).encode())
+        # a cache that cannot be written to only means that it is asked again
+        with suppress(OSError):
+            publish(file, json.dumps(known, indent=1).encode())
     return known[mark]
 
 
 def publish(path: Path, content: bytes) -> None:
     """Write a file so that readers see all of it or nothing."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".new-")
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=NEW)
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(content)
@@ -113,8 +130,8 @@ def publish(path: Path, content: bytes) -> None:
 
 def key(sources: Sequence[Path], headers: Iterable[Path], by: Compiler, reproducible: bool) -> str:
     """Hash of texts, headers, flags, compiler and processor."""
-    parts = [VERSION, by.identity, str(by.binary), *by.flags(reproducible), processor()]
-    digest = hashlib.sha256("\0".join(parts).encode())
+    parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible)]
+    digest = hashlib.sha256("\0".join([*parts, processor()]).encode())
     for path in [*sources, *sorted(headers)]:
         content = path.read_bytes()
         digest.update(f"\0{path.name}\0{len(content)}\0".encode())
@@ -125,47 +142,98 @@ def key(sources: Sequence[Path], headers: Iterable[Path], by: Compiler, reproduc
 def build(
     sources: Sequence[Path], include: Sequence[Path] = (), reproducible: bool = False
 ) -> Object:
-    """The shared object of C files: from the cache, or compiled now.
+    """The shared object of C files: from the cache, or compiled now and put there.
+
+    Args and Raises: as :func:`compiled`.
+    """
+    return compiled(sources, include, reproducible).published()
+
+
+def compiled(
+    sources: Sequence[Path], include: Sequence[Path] = (), reproducible: bool = False
+) -> Object:
+    """The shared object of C files: from the cache, or compiled now and not yet published.
 
     Args:
         sources: C files, linked together.
         include: Directories; every header in them is part of the key.
+        reproducible: Equal bits from every compiler.
 
     Raises:
-        BuildError: no compiler, or it failed.
+        CompilerMissing: no compiler. BuildError: it failed, or there is no room to write.
     """
-    cache, by = directory(), compiler()
-    headers = [header for folder in include for header in folder.glob("*.h")]
-    path = cache / f"{key(sources, headers, by, reproducible)}.so"
-    if intact(path):
-        return Object(path, fresh=False)
-    sweep(cache)
-    handle, name = tempfile.mkstemp(dir=cache, prefix=".new-", suffix=".so")
-    os.close(handle)
-    new = Path(name)
+    cache, by = folder.directory(), compiler()
+    headers = [header for place in include for header in place.glob("*.h")]
     try:
-        compile_shared(by, sources, include, new, reproducible, scratch=cache / "zig")
-        # sign, then publish in one step: a killed compile leaves only a name nobody asks for
-        with open(new, "r+b") as file:
+        name = f"{key(sources, headers, by, reproducible)}.so"
+    except OSError as error:
+        raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
+    for place in (cache / name, *(other / name for other in folder.temporary())):
+        if intact(place):
+            # the time of the last use, for those who prune
+            with suppress(OSError):
+                os.utime(place)
+            return Object(place, fresh=False)
+    try:
+        return _made(cache / name, sources, include, by, reproducible)
+    except OSError as error:
+        elsewhere = folder.instead(cache, f"{error.strerror or error}. {_ROOM}")
+    try:
+        return _made(elsewhere / name, sources, include, by, reproducible)
+    except OSError as error:
+        raise _unwritable(elsewhere, error) from error
+
+
+_ROOM = "Make room with: cardan doctor --prune, or set CARDAN_CACHE to another folder"
+
+
+def _unwritable(place: Path, error: OSError) -> BuildError:
+    return BuildError(f"{place} cannot be written to ({error.strerror or error}). {_ROOM}")
+
+
+def _made(
+    place: Path, sources: Sequence[Path], include: Sequence[Path], by: Compiler, reproducible: bool
+) -> Object:
+    """Compile and sign, in a folder of this process."""
+    sweep(place.parent)
+    own = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
+    made = Object(own / "object.so", True, place, os.open(own, os.O_RDONLY))
+    try:
+        fcntl.flock(made.lock, fcntl.LOCK_EX)
+        compile_shared(by, sources, include, made.path, reproducible, place.parent / "zig")
+        with open(made.path, "r+b") as file:
             content = file.read()
             file.write(hashlib.sha256(content).digest())
-        os.replace(new, path)
     except BaseException:
-        new.unlink(missing_ok=True)
+        made.discard()
         raise
-    return Object(path, fresh=True)
+    return made
 
 
-def sweep(cache: Path) -> None:
-    """Remove what killed compiles left behind long ago."""
-    long_ago = time.time() - ABANDONED
-    for path in cache.glob(".new-*"):
+def sweep(cache: Path) -> list[Path]:
+    """Remove what killed processes left behind; returns what it was."""
+    long_ago, gone = time.time() - GRACE, []
+    for path in cache.glob(f"{NEW}*"):
         try:
-            if path.stat().st_mtime < long_ago:
-                path.unlink()
-        except FileNotFoundError:
-            # another process was quicker
+            if path.stat().st_mtime < long_ago and _abandoned(path):
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+                gone.append(path)
+        except OSError:
+            # another process was quicker, or it is not ours to remove
             continue
+    return gone
+
+
+def _abandoned(path: Path) -> bool:
+    """Whether no living process holds the lock of a path."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    finally:
+        os.close(handle)
+    return True
 
 
 def intact(path: Path) -> bool:

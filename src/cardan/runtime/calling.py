@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,15 +13,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, SolveWarning, near
+from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near
 from . import abi
+from .interpreted import Interpreted
+from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
-BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0"
-ORDER = tuple(BLOCKS.split())
-SLOT = {name: k for k, name in enumerate(ORDER)}
 SHOWN = 12
-PIECE = 500_000_000  # operations: a few tenths of a second
+FIRST = 256  # states before the time of one is known
+PIECE = 0.03  # seconds between two looks at signals
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,7 @@ class Caller:
         work_size: Numbers of work memory it needs.
         w: Prepared parameters.
         operations: How many it does: long ones release the GIL for one state too.
+        evaluator: What stands in for the C function where there is no compiler.
         w_slot: Where w stands in cardan_in.
     """
 
@@ -79,6 +81,7 @@ class Caller:
         work_size: int,
         w: Array,
         operations: int = 0,
+        evaluator: Interpreted | None = None,
     ) -> None:
         self.name = name
         self.address = address
@@ -89,6 +92,7 @@ class Caller:
         self.work_size = work_size
         self.w = w
         self.operations = operations
+        self.evaluator = evaluator
         self.w_slot = SLOT["w"]
 
     def __call__(self, out: Array | None, *values: Any, w: Array | None = None) -> Array:
@@ -100,7 +104,7 @@ class Caller:
             w: Prepared parameters with leading axes of their own, (..., nw).
 
         Raises:
-            ValueError: wrong shape.
+            ArgumentError: missing, wrong kind or shape.
             SolveError: a number given is NaN or infinite, or the result for one state is.
         """
         arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
@@ -126,34 +130,45 @@ class Caller:
     def _run(
         self, blocks: list[Array | None], strides: list[int], result: Array
     ) -> tuple[int, int]:
-        """The C loop in pieces short enough for Ctrl-C to be heard in between."""
-        piece, status, failed = max(1, PIECE // (self.operations + 100)), 0, -1
-        for start in range(0, len(result), piece):
+        """The loop over the states in pieces short enough for Ctrl-C to be heard in between."""
+        piece, status, failed, start = FIRST, 0, -1, 0
+        while start < len(result):
             rows = result[start : start + piece]
             here = [
                 None if b is None else b[start * step :]
                 for b, step in zip(blocks, strides, strict=True)
             ]
-            answer, bad = abi.run(self.address, here, strides, len(rows), rows, self.work_size)
+            before = time.perf_counter()
+            answer, bad = self._call(here, strides, rows)
+            spent = time.perf_counter() - before
             if answer and not status:
                 status, failed = answer, start + bad
+            start += len(rows)
+            piece = max(1, min(8 * piece, int(piece * PIECE / max(spent, 1e-6))))
         return status, failed
+
+    def _call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
+        if self.evaluator is not None:
+            return self.evaluator.run(blocks, strides, rows)
+        return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
     def _read(self, argument: Argument, value: Any) -> Array | None:
         """The value as float64 with the trailing axes of the argument."""
         if value is None:
             if argument.default is None and argument.size:
-                raise TypeError(f"{self.name} needs {argument.name}=")
+                raise ArgumentError(f"{self.name} needs {argument.name}=")
             return argument.default
         if isinstance(value, Mapping) and argument.start is not None:
             return by_name(f"{self.name}, {argument.name}", argument, value)
         array = np.asarray(value)
         if array.dtype.kind not in "fiub":
-            raise TypeError(f"{self.name}: {argument.name} must be real numbers, not {array.dtype}")
+            raise ArgumentError(
+                f"{self.name}: {argument.name} must be real numbers, not {array.dtype}"
+            )
         array = np.asarray(array, dtype=np.float64)
         n = len(argument.shape)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
-            raise ValueError(
+            raise ArgumentError(
                 f"{self.name}: {argument.name} has shape {array.shape}, expected "
                 f"{_shape_text(argument.shape)}{_listed(argument)}"
             )
@@ -172,7 +187,7 @@ class Caller:
             return np.broadcast_shapes(*shapes.values())
         except ValueError:
             text = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-            raise ValueError(
+            raise ArgumentError(
                 f"{self.name}: leading axes do not broadcast together: {text}"
             ) from None
 
@@ -225,7 +240,7 @@ class Caller:
             return result
         if not isinstance(out, np.ndarray) or out.shape != result.shape or out.dtype != float:
             has = getattr(out, "shape", None)
-            raise ValueError(
+            raise ArgumentError(
                 f"{self.name}: out has shape {has}, expected float64 of shape {result.shape}"
             )
         out[...] = result
@@ -275,7 +290,7 @@ def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> 
         if size == 1:
             value = value[..., None]
         elif value.ndim == 0 or value.shape[-1] != size:
-            raise ValueError(
+            raise ArgumentError(
                 f"{where}: '{name}' has shape {value.shape}, expected (..., {size}): "
                 f"{', '.join(argument.entries[place])}"
             )

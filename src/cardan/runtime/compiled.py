@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
@@ -214,22 +215,40 @@ class CompiledModel(Dynamics):
         return self._load([(name, of)])[0]
 
     def _load(self, keys: Iterable[Key]) -> list[LoadedFunction]:
-        """Several functions; those that must be compiled are compiled side by side."""
-        wanted = list(keys)
-        missing = [key for key in dict.fromkeys(wanted) if key not in self._functions]
-        for name, of in missing:
-            self._check_of(name, of)
-        codes = self._objects.load([self._objects.symbol(*key) for key in missing])
-        for (name, of), code in zip(missing, codes, strict=True):
-            arguments = self._layout.reads(name)
-            p = self._parameters.vector
-            self._functions[name, of] = assemble(name, of, code, arguments, p)
-        fresh = [key for key, code in zip(missing, codes, strict=True) if code.built.fresh]
-        if fresh:
-            from .verify import verify_built
+        """Several functions; those that must be compiled are compiled side by side.
 
-            verify_built(self, fresh)
-        return [self._functions[key] for key in wanted]
+        Nobody gets a function, and no other process finds its object, before it is checked.
+        """
+        wanted = list(keys)
+        with self._objects.lock:
+            missing = [key for key in dict.fromkeys(wanted) if key not in self._functions]
+            for name, of in missing:
+                self._check_of(name, of)
+            if missing:
+                self._add(missing)
+            return [self._functions[key] for key in wanted]
+
+    def _add(self, missing: list[Key]) -> None:
+        """Load functions, check those that were compiled now, and publish them."""
+        objects = self._objects
+        codes = objects.load([objects.symbol(*key) for key in missing])
+        fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
+        p = self._parameters.vector
+        try:
+            for (name, of), code in zip(missing, codes, strict=True):
+                arguments = self._layout.reads(name)
+                self._functions[name, of] = assemble(name, of, code, arguments, p)
+            if fresh:
+                from .verify import verify_built
+
+                verify_built(self, fresh)
+            for key, symbol in fresh.items():
+                self._functions[key] = replace(self._functions[key], code=objects.keep(symbol))
+        except BaseException:
+            for key in missing:
+                self._functions.pop(key, None)
+            objects.forget(fresh.values())
+            raise
 
     def _check_of(self, name: str, of: str | None) -> None:
         if name not in READS:
@@ -346,8 +365,9 @@ class CompiledModel(Dynamics):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # source and manifest travel, never a binary; functions of a frame or joint as far as used
-        from .saved import restore, texts
+        from .saved import digest, restore, texts
 
         self._objects.write(name for name in self.manifest["available"] if name not in NAMED)
         values = self._parameters.vector.tolist()
-        return restore, (texts(self.directory), values, self._objects.reproducible)
+        files = texts(self.directory)
+        return restore, (files, values, self._objects.reproducible, digest(files))

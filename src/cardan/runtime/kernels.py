@@ -19,7 +19,6 @@ def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:
         only: Pattern of file names, for callers that need few of them soon.
 
     Raises:
-        BuildError: no compiler, or it failed.
+        CompilerMissing: no compiler. BuildError: it failed.
     """
-    built = cache.build(sorted(DIRECTORY.glob(f"{only}.c")), [DIRECTORY], reproducible)
-    return ctypes.CDLL(str(built.path))
+    return cache.build(sorted(DIRECTORY.glob(f"{only}.c")), [DIRECTORY], reproducible).load()

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .calling import SLOT, Argument, Array
+from .calling import Argument, Array
+from .slots import SLOT
 
 READS = {
     "rhs": "t x r",

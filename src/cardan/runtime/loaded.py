@@ -10,8 +10,10 @@ import numpy as np
 
 from ..errors import BuildError
 from . import abi
-from .calling import ORDER, Argument, Array, Caller
+from .calling import Argument, Array, Caller
+from .interpreted import Interpreted
 from .objects import Code
+from .slots import ORDER
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,9 @@ class LoadedFunction:
 
 def prepare(code: Code, p: Array) -> Array:
     """Prepared parameters w of parameter vectors p, (..., np) -> (..., nw)."""
+    if code.function is not None:
+        # expressions read the parameters themselves
+        return np.ascontiguousarray(p, dtype=np.float64)
     lead, size = p.shape[:-1], int(code.entry["prepared_size"])
     rows = np.ascontiguousarray(p, dtype=np.float64).reshape(prod(lead), p.shape[-1])
     w = np.empty((prod(lead), size))
@@ -98,8 +103,9 @@ def assemble(
         int(code.entry["work_size"]),
         w,
         sum(code.entry["operations"].values()),
+        None if code.function is None else Interpreted(code.function),
     )
-    return LoadedFunction(name, of, code, w, caller, abi.fast(caller))
+    return LoadedFunction(name, of, code, w, caller, caller if code.function else abi.fast(caller))
 
 
 def entry_names(outputs: list[dict[str, Any]]) -> list[str]:

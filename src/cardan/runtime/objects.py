@@ -8,16 +8,17 @@ import json
 import os
 import threading
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..errors import BuildError, DerivationError, ModelError, near
-from . import cache
+from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
+from . import cache, interpreted, schema
 
-ABI = 1
-SCHEMA = 1
+if TYPE_CHECKING:
+    from ..ir.function import Function
+
 Provide = Callable[[str, str | None], str]
 Key = tuple[str, str | None]
 
@@ -28,18 +29,32 @@ class Code:
 
     Attributes:
         symbol: Its C name.
-        address, prepare: Addresses of ``symbol`` and ``prepare_symbol``.
         entry: Its entry in the manifest.
-        built: The shared object it lives in.
+        fresh: True until it is checked.
+        address, prepare: Addresses of ``symbol`` and ``prepare_symbol``; 0 without a compiler.
+        built: The shared object it lives in, None without a compiler.
         library: Keeps it loaded.
+        function: What is evaluated instead where there is no compiler.
     """
 
     symbol: str
-    address: int
-    prepare: int
     entry: dict[str, Any] = field(repr=False)
-    built: cache.Object
-    library: ctypes.CDLL = field(repr=False)
+    fresh: bool
+    address: int = 0
+    prepare: int = 0
+    built: cache.Object | None = None
+    library: ctypes.CDLL | None = field(default=None, repr=False)
+    function: Function | None = field(default=None, repr=False)
+
+    def discard(self) -> None:
+        """Nobody finds its object in the cache."""
+        if self.built is not None:
+            self.built.discard()
+
+    def checked(self) -> Code:
+        """The same after its check: its object goes into the cache."""
+        built = None if self.built is None else replace(self.built.published(), fresh=False)
+        return replace(self, fresh=False, built=built)
 
 
 class Objects:
@@ -48,6 +63,7 @@ class Objects:
     Attributes:
         directory: Where ``manifest.json`` and the C files are.
         manifest: As read; grows when functions are provided.
+        lock: Held while functions are loaded and checked.
     """
 
     def __init__(
@@ -56,7 +72,7 @@ class Objects:
         self.directory = Path(directory)
         self.reproducible = reproducible
         self._provide = provide
-        self._lock = threading.RLock()
+        self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
@@ -72,12 +88,7 @@ class Objects:
             ) from None
         except ValueError as error:
             raise ModelError(f"{path} is not a manifest: {error}") from None
-        for name, known in (("abi", ABI), ("schema", SCHEMA)):
-            if manifest.get(name) != known:
-                raise ModelError(
-                    f"{path}: {name} version {manifest.get(name)} cannot be read, this cardan "
-                    f"reads {known}. Compile the model again"
-                )
+        schema.check(manifest, str(path))
         return manifest
 
     def saved(self) -> dict[str, Any]:
@@ -102,7 +113,7 @@ class Objects:
         Raises:
             ModelError: the model has no such function; or it was saved without it.
         """
-        with self._lock:
+        with self.lock:
             if self._provide is not None:
                 symbol = self._provide(name, of)
                 if symbol not in self.manifest["functions"]:
@@ -137,30 +148,70 @@ class Objects:
     def load(self, symbols: Sequence[str]) -> list[Code]:
         """The compiled functions; several that must be compiled are compiled at once.
 
+        What is fresh is in no cache yet: :meth:`keep` or :meth:`forget` it after its check.
+
         Raises:
             BuildError: the compiler failed; or a text is not the one the manifest speaks of.
         """
-        with self._lock:
+        with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             if len(missing) > 1:
                 with ThreadPoolExecutor(min(len(missing), os.cpu_count() or 1)) as pool:
-                    made = list(pool.map(self._build, missing))
+                    running = [pool.submit(self._made, symbol) for symbol in missing]
+                made = _all_or_none(running)
             else:
-                made = [self._build(s) for s in missing]
-            for symbol, built in zip(missing, made, strict=True):
-                self._loaded[symbol] = self._open(symbol, built)
+                made = [self._made(symbol) for symbol in missing]
+            self._loaded.update(zip(missing, made, strict=True))
             return [self._loaded[s] for s in symbols]
 
-    def _build(self, symbol: str) -> cache.Object:
-        path = self.text_path(symbol)
-        return cache.build([path], [self.directory], self.reproducible)
+    def keep(self, symbol: str) -> Code:
+        """A function that passed its check: other processes may find it now."""
+        self._loaded[symbol] = code = self._loaded[symbol].checked()
+        return code
 
-    def _open(self, symbol: str, built: cache.Object) -> Code:
-        library = ctypes.CDLL(str(built.path))
-        address = ctypes.cast(getattr(library, symbol), ctypes.c_void_p).value or 0
-        prepare = ctypes.cast(getattr(library, f"prepare_{symbol}"), ctypes.c_void_p).value or 0
-        entry = self.manifest["functions"][symbol]
-        return Code(symbol, address, prepare, entry, built, library)
+    def forget(self, symbols: Iterable[str]) -> None:
+        """Functions that did not: they are made again when somebody asks for them."""
+        for symbol in symbols:
+            code = self._loaded.pop(symbol, None)
+            if code is not None:
+                code.discard()
+
+    def _made(self, symbol: str) -> Code:
+        """A function as C, or as expressions where there is no compiler."""
+        path, entry = self.text_path(symbol), self.manifest["functions"][symbol]
+        try:
+            built = cache.compiled([path], [self.directory], self.reproducible)
+        except CompilerMissing as missing:
+            return Code(symbol, entry, True, function=self._expressions(symbol, missing))
+        try:
+            library = built.load()
+            address = ctypes.cast(library[symbol], ctypes.c_void_p).value or 0
+            prepare = ctypes.cast(library[f"prepare_{symbol}"], ctypes.c_void_p).value or 0
+        except AttributeError as error:
+            built.discard()
+            raise BuildError(f"{path} does not hold what its manifest says: {error}") from None
+        except BaseException:
+            built.discard()
+            raise
+        return Code(symbol, entry, built.fresh, address, prepare, built, library)
+
+    def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
+        """The saved Function of a symbol; says once what to do about the compiler.
+
+        Raises:
+            CompilerMissing: it is not saved.
+            ModelError: what is saved breaks a rule.
+        """
+        from ..ir.serialize import from_dict
+
+        saved = self.saved()
+        if symbol not in saved:
+            raise missing
+        interpreted.announce(missing)
+        try:
+            return from_dict(saved[symbol])
+        except ValueError as error:
+            raise ModelError(f"{self.directory / 'functions.json'}: {symbol}: {error}") from None
 
     def text_path(self, symbol: str) -> Path:
         """The C file of a function, whose content is what the manifest says.
@@ -183,3 +234,14 @@ class Objects:
                 "half copied. Compile the model again, or correct its sha256 in the manifest"
             )
         return path
+
+
+def _all_or_none(running: Sequence[Future[Code]]) -> list[Code]:
+    """Results of tasks that have ended; if one failed, the others are thrown away."""
+    failed = [error for task in running if (error := task.exception())]
+    if failed:
+        for task in running:
+            if not task.exception():
+                task.result().discard()
+        raise failed[0]
+    return [task.result() for task in running]

@@ -16,8 +16,9 @@ from ..errors import DerivationError, ModelError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache
-from .calling import ORDER, SLOT, Argument, Array
+from .calling import Argument, Array
 from .loaded import LoadedFunction
+from .slots import ORDER, SLOT
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ..errors import ModelError
-from . import cache
+from ..errors import BuildError, ModelError
+from . import cache, folder, schema
 from .parameters import Parameters
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
 KINDS = (".c", ".h", ".json")
+MANIFEST = "manifest.json"
+LARGEST = 1 << 30  # characters of all texts of a pickled model
 
 
 def texts(directory: Path) -> dict[str, str]:
@@ -22,14 +25,15 @@ def texts(directory: Path) -> dict[str, str]:
     return {
         path.name: path.read_text("utf-8")
         for path in sorted(directory.iterdir())
-        if path.suffix in KINDS
+        if path.suffix in KINDS and not path.name.startswith(".")
     }
 
 
 def load(directory: str | Path) -> CompiledModel:
     """Open a model directory written by ``export`` or found in a cache.
 
-    Needs neither SymPy nor the compiler half of cardan, only a C compiler.
+    Needs neither SymPy nor the compiler half of cardan, only a C compiler. The C in it runs as
+    you: open no directory and no pickle from somebody you do not trust.
 
     Raises:
         ModelError: no manifest, or a file is not the one the manifest speaks of.
@@ -49,20 +53,81 @@ def load(directory: str | Path) -> CompiledModel:
     return model
 
 
-def restore(files: dict[str, str], values: list[float], reproducible: bool) -> CompiledModel:
-    """The model of a pickle: its texts, written once into the cache of this machine."""
+def digest(files: Mapping[str, str]) -> str:
+    """Hash of the texts of a model."""
+    return hashlib.sha256(json.dumps(dict(files), sort_keys=True).encode()).hexdigest()
+
+
+def restore(
+    files: dict[str, str], values: list[float], reproducible: bool, stated: str
+) -> CompiledModel:
+    """The model of a pickle: its texts, checked, then written once into the cache of this machine.
+
+    Args:
+        files: As :func:`texts` gives them.
+        values: The parameters.
+        reproducible: As the model was opened.
+        stated: :func:`digest` of the files.
+
+    Raises:
+        ModelError: the pickle was damaged or changed, or is of another version.
+    """
     from .compiled import CompiledModel
 
+    manifest = _checked(files, stated)
+    if not isinstance(values, list) or len(values) != len(manifest["parameters"]):
+        raise _damaged("it does not hold one value per parameter")
+    name = f"models/{stated}"
+    try:
+        place = _written(folder.directory() / name, files)
+    except OSError as error:
+        elsewhere = folder.instead(folder.directory(), str(error.strerror))
+        try:
+            place = _written(elsewhere / name, files)
+        except OSError as again:
+            raise BuildError(f"{elsewhere} cannot be written to ({again.strerror})") from again
+    model = CompiledModel(place, reproducible=bool(reproducible))
+    return model._with(Parameters(model.manifest, values))
+
+
+def _checked(files: Any, stated: Any) -> dict[str, Any]:
+    """The manifest of a pickle whose texts are all there, unchanged and in order."""
+    if not isinstance(files, dict) or not all(
+        isinstance(name, str) and isinstance(text, str) for name, text in files.items()
+    ):
+        raise _damaged("it holds no texts")
     wrong = [n for n in files if Path(n).name != n or Path(n).suffix not in KINDS]
     if wrong:
-        raise ModelError(f"a pickled model cannot hold a file named {wrong[0]!r}")
-    digest = hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()
-    folder = cache.directory() / "models" / digest
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        raise _damaged(f"it cannot hold a file named {wrong[0]!r}")
+    if sum(map(len, files.values())) > LARGEST:
+        raise _damaged(f"its texts are longer than {LARGEST} characters")
+    if digest(files) != stated:
+        raise _damaged("its texts are not those it was made of")
+    try:
+        manifest = json.loads(files.get(MANIFEST, "null"))
+        saved = json.loads(files.get("functions.json", "{}"))
+    except (ValueError, RecursionError) as error:
+        raise _damaged(f"a file is no JSON: {error}") from None
+    schema.check(manifest, "a pickled model")
+    if not isinstance(saved, dict):
+        raise _damaged("functions.json holds no functions")
+    stated_ones = {e["file"]: e.get("sha256") for e in manifest["functions"].values()}
+    for name, known in {**stated_ones, **manifest["sha256"]}.items():
+        if hashlib.sha256(files.get(name, "").encode()).hexdigest() != known:
+            raise _damaged(f"{name} is not the file its manifest speaks of")
+    return dict(manifest)
+
+
+def _damaged(why: str) -> ModelError:
+    return ModelError(f"this pickle holds no model of cardan: {why}. Pickle the model again")
+
+
+def _written(place: Path, files: Mapping[str, str]) -> Path:
+    """A folder with these texts."""
+    place.mkdir(mode=0o700, parents=True, exist_ok=True)
     for name, text in files.items():
         content = text.encode()
         # what is there already is left alone: other processes may be reading it
-        if not (folder / name).is_file() or (folder / name).read_bytes() != content:
-            cache.publish(folder / name, content)
-    model = CompiledModel(folder, reproducible=reproducible)
-    return model._with(Parameters(model.manifest, values))
+        if not (place / name).is_file() or (place / name).read_bytes() != content:
+            cache.publish(place / name, content)
+    return place

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import importlib.util
 import os
 import platform
@@ -11,10 +12,12 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
+from typing import NamedTuple, NoReturn
 
-from ..errors import BuildError
+from ..errors import BuildError, CompilerMissing
+from . import bounded
 
 NAMES = ("cc", "gcc", "clang")
 COMMON_FLAGS = (
@@ -25,6 +28,7 @@ COMMON_FLAGS = (
     "-fno-math-errno",
 )
 SHARED_FLAGS = ("-shared", "-fPIC", "-pipe")
+SHOWN = 8
 
 
 @dataclass(frozen=True)
@@ -56,24 +60,64 @@ class Compiler:
         return (*COMMON_FLAGS, f"-ffp-contract={contract}", *SHARED_FLAGS)
 
 
-def candidates() -> list[tuple[tuple[str, ...], Path]]:
-    """Compilers to try, in this order: ``$CC``, cc, gcc, clang, ``ziglang``."""
-    named = [shlex.split(os.environ["CC"])] if os.environ.get("CC") else []
+class Candidate(NamedTuple):
+    """A compiler that may be there.
+
+    Attributes:
+        command: How it is called.
+        binary: The program whose change means another compiler.
+        name: As users know it: ``$CC``, ``gcc``, ``ziglang``.
+    """
+
+    command: tuple[str, ...]
+    binary: Path
+    name: str
+
+    def mark(self) -> str:
+        """Text that changes when the compiler does."""
+        status = self.binary.stat()
+        words = " ".join(self.command)
+        return f"{words}|{self.binary}|{status.st_mtime_ns}|{status.st_size}"
+
+
+def candidates() -> list[Candidate]:
+    """Compilers to try, in this order: cc, gcc, clang, ``ziglang``; or what ``$CC`` names alone.
+
+    Raises:
+        BuildError: ``$CC`` names nothing that can be run.
+    """
+    if os.environ.get("CC", "").strip():
+        return [_named(os.environ["CC"])]
     found = []
-    for words in [*named, *([name] for name in NAMES)]:
-        path = shutil.which(words[0]) if words else None
+    for name in NAMES:
+        path = shutil.which(name)
         if path:
-            found.append(((path, *words[1:]), Path(path).resolve()))
-    return found or ziglang()
+            found.append(Candidate((path,), Path(path).resolve(), name))
+    return found + ziglang()
 
 
-def ziglang() -> list[tuple[tuple[str, ...], Path]]:
+def _named(text: str) -> Candidate:
+    """The compiler that CC speaks of."""
+    try:
+        words = shlex.split(text)
+    except ValueError as error:
+        raise BuildError(f"CC={text!r} is no command: {error}") from None
+    path = shutil.which(words[0])
+    if path is None:
+        raise BuildError(
+            f"CC={text!r}: there is no program {words[0]!r} on the PATH. Correct CC, or unset it "
+            "to have cc, gcc, clang and ziglang tried"
+        )
+    return Candidate((path, *words[1:]), Path(path).resolve(), "$CC")
+
+
+def ziglang() -> list[Candidate]:
     """The clang of the Python package ziglang; [] where it is not installed."""
     spec = importlib.util.find_spec("ziglang")
     for folder in (spec.submodule_search_locations or []) if spec else []:
         binary = Path(folder) / "zig"
         if binary.exists():
-            return [((sys.executable, "-m", "ziglang", "cc"), binary)]
+            return [Candidate((sys.executable, "-m", "ziglang", "cc"), binary, "ziglang")]
     return []
 
 
@@ -81,29 +125,42 @@ def ask_version(command: Sequence[str]) -> str:
     """What the compiler says about itself: the first line and the target."""
     try:
         answer = subprocess.run(
-            [*command, "--version"], capture_output=True, text=True, timeout=60, check=True
+            [*command, "--version"],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=60,
+            check=True,
         )
     except (OSError, subprocess.SubprocessError) as error:
         raise BuildError(f"the compiler {' '.join(command)} does not answer: {error}") from error
     return answer.stdout.strip()
 
 
-def find_compiler(remembered: Callable[[Path, Callable[[], str]], str]) -> Compiler:
-    """The compiler to use here.
+def find_compiler(remembered: Callable[[str, Callable[[], str]], str]) -> Compiler:
+    """The first compiler that answers.
 
     Args:
-        remembered: ``remembered(binary, ask)`` gives the version text, from memory if it can.
+        remembered: ``remembered(mark, ask)`` gives the version text, from memory if it can.
 
     Raises:
-        BuildError: there is no compiler.
+        CompilerMissing: there is no compiler. BuildError: what ``$CC`` names does not answer.
     """
-    found = candidates()
-    if found:
-        command, binary = found[0]
-        return Compiler(command, binary, remembered(binary, lambda: ask_version(command)))
-    raise BuildError(
+    silent = ""
+    for found in candidates():
+        command = found.command
+        try:
+            identity = remembered(found.mark(), partial(ask_version, command))
+        except BuildError as error:
+            if found.name == "$CC":
+                raise
+            silent += f"; {error}"
+            continue
+        return Compiler(command, found.binary, identity)
+    raise CompilerMissing(
         "no C compiler here: looked for $CC, cc, gcc and clang on the PATH and for the Python "
-        "package ziglang. Install one of them, such as: pip install 'cardan[compiler]'"
+        f"package ziglang{silent}. Install one of them, such as: pip install 'cardan[compiler]'"
     )
 
 
@@ -115,15 +172,15 @@ def compile_shared(
     reproducible: bool = False,
     scratch: Path | None = None,
 ) -> None:
-    """Compile and link C files into one shared object, in one command.
+    """Compile and link C files into one shared object, in one command, within limits.
 
     Args:
         include: Directories of headers.
-        output: File to write.
+        output: File to write; beside it the compiler may keep what it needs meanwhile.
         scratch: Where a compiler that keeps a cache of its own may put it.
 
     Raises:
-        BuildError: with the compiler's message.
+        BuildError: with the compiler's message. OSError: there is no room for the output.
     """
     command = [
         *compiler.command,
@@ -134,20 +191,53 @@ def compile_shared(
         *(str(source) for source in sources),
         "-lm",
     ]
-    environment = dict(os.environ)
+    environment = {**os.environ, "LC_ALL": "C", "TMPDIR": str(output.parent)}
     if scratch is not None:
         environment.setdefault("ZIG_GLOBAL_CACHE_DIR", str(scratch))
         environment.setdefault("ZIG_LOCAL_CACHE_DIR", str(scratch))
+    limits = bounded.Limits.of_environment()
     try:
-        answer = subprocess.run(command, capture_output=True, text=True, env=environment)
+        answer = bounded.run(command, limits, environment)
     except OSError as error:
         raise BuildError(f"{compiler.command[0]} could not be started: {error}") from error
-    if answer.returncode:
+    if answer.status:
+        _complain(command, [source.name for source in sources], answer, limits)
+
+
+FULL = ("No space left on device", "NoSpaceLeft", "Disk quota exceeded", "File too large")
+GREEDY = ("out of memory", "OutOfMemory", "Cannot allocate memory", "memory exhausted")
+
+
+def _complain(
+    command: Sequence[str], sources: Sequence[str], answer: bounded.Answer, limits: bounded.Limits
+) -> NoReturn:
+    """Say what stopped a compiler, and what to do."""
+    if any(text in answer.errors for text in FULL):
+        raise OSError(errno.ENOSPC, "No space left on device")
+    program, what = Path(command[0]).name, ", ".join(sources)
+    if answer.late or "CPU time limit" in answer.errors:
         raise BuildError(
-            f"{Path(compiler.command[0]).name} could not compile "
-            f"{', '.join(str(source) for source in sources)} (status {answer.returncode}). "
-            f"It was called as: {shlex.join(command)}\n{answer.stderr[-4000:].strip()}"
+            f"{program} was stopped: {what} took it longer than {limits.seconds} s. Allow more "
+            "with CARDAN_COMPILE_SECONDS, or try another compiler (CC) or another method="
         )
+    if any(text in answer.errors for text in GREEDY):
+        raise BuildError(
+            f"{program} was stopped: {what} takes more than {limits.memory} MiB of memory. Allow "
+            "more with CARDAN_COMPILE_MEMORY, or try another compiler (CC) or another method="
+        )
+    raise BuildError(
+        f"{program} could not compile {what} (status {answer.status}):\n{_errors(answer.errors)}\n"
+        f"It was called as: {shlex.join(command)}\n"
+        "Another compiler may take it: set CC, or pip install 'cardan[compiler]' and CC='python "
+        "-m ziglang cc'"
+    )
+
+
+def _errors(text: str) -> str:
+    """The first lines of a compiler's answer that speak of errors."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    telling = [line for line in lines if "error" in line.lower()]
+    return "\n".join((telling or lines)[:SHOWN]) or "it said nothing"
 
 
 @lru_cache(maxsize=1)

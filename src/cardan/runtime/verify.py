@@ -145,18 +145,12 @@ def verify(
 
 
 def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
-    """Check functions that were compiled just now; one that fails leaves the cache.
+    """Check functions that were compiled just now.
 
     Raises:
         BuildError: a function is wrong.
     """
-    names = [name for name, of in fresh if of is None and name in CHECKED]
-    try:
-        verify(model, functions=names)
-    except BuildError:
-        for name in names:
-            model._functions.pop((name, None)).code.built.discard()
-        raise
+    verify(model, functions=[name for name, of in fresh if of is None and name in CHECKED])
 
 
 def unknown(model: CompiledModel) -> str:
