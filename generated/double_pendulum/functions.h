@@ -8,6 +8,11 @@
 
 #include "model.h"
 
+/* model.c: values to start from; speeds start from 0 */
+extern const real cardan_default_q[cardan_nq + (cardan_nq == 0)];
+extern const real cardan_default_r[cardan_nr + (cardan_nr == 0)];
+extern const real cardan_default_p[cardan_np + (cardan_np == 0)];
+
 /* udot with M udot + h = f + tau; reads q, u, p, tau */
 enum {
     forward_dynamics_out_size = 2,

@@ -1,13 +1,18 @@
 """Exported models: plain C that compiles alone, nobody's files touched."""
 
 import json
+import os
 import subprocess
+import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.codegen import companions
 from cardan.codegen.export import export
+from cardan.codegen.layout import KERNELS
 from cardan.errors import CodegenError, DerivationError
 from codegen.models import arm
 from codegen.running import SPEED, STRICT, compilers
@@ -97,3 +102,101 @@ def test_a_failure_leaves_nothing_behind(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     with pytest.raises(CodegenError, match="is a file"):
         export(cd.derive(arm()), tmp_path / "file")
+
+
+def example_of(folder: Path) -> list[str]:
+    """What the example prints when it is compiled as its first line says."""
+    first = (folder / "example.c").read_text("utf-8").splitlines()[0]
+    command = first.removeprefix("/* Try it:  ").removesuffix(" */")
+    answer = subprocess.run(["sh", "-c", command], cwd=folder, capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stderr
+    return answer.stdout.splitlines()
+
+
+def numbers(lines: list[str], name: str) -> list[float]:
+    return [float(line.split(" = ")[1]) for line in lines if line.startswith(f"{name}[")]
+
+
+@pytest.mark.parametrize("method", ["dop853", "rk4"])
+def test_the_example_simulates(method: str, tmp_path: Path) -> None:
+    scene = arm()
+    equations = cd.derive(scene)
+    folder = equations.export(
+        tmp_path / "arm", ["forward_dynamics"], language="c", integrators=(method,)
+    )
+    lines = example_of(folder)
+    model = cd.compile(equations)
+    start = model.initial()
+    udot = model.forward_dynamics(*model.split(start))
+    assert numbers(lines, "forward_dynamics") == pytest.approx(udot.tolist(), abs=1e-12)
+    end = model.simulate(1.0, x0=start, rtol=1e-11, atol=1e-13).x[-1]
+    assert numbers(lines, "x") == pytest.approx(end.tolist(), abs=1e-6)
+
+
+def test_integrators_keep_what_their_records_say() -> None:
+    from cardan.analyses.integrators import INTEGRATORS
+
+    text = (KERNELS / "run.h").read_text("utf-8")
+    for method in INTEGRATORS.values():
+        assert f"cardan_{method.kernel}_stages = {method.stages}" in text
+        assert f"cardan_{method.kernel}_rows = {method.dense_rows}" in text
+        assert method.kernel in companions.INTEGRATORS
+
+
+def test_the_package_runs_without_cardan(tmp_path: Path) -> None:
+    equations = cd.derive(arm())
+    folder = equations.export(tmp_path / "arm", ["rhs", "forward_dynamics", ("pose", "tool")])
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace"]
+    subprocess.run(build, cwd=folder, check=True, env=environment, capture_output=True, timeout=300)
+    program = """
+import json, sys
+sys.modules["cardan"] = None
+import numpy as np
+import arm_of_9 as m
+q, u = np.linspace(-0.4, 0.4, 18).reshape(2, 9), np.linspace(-1, 1, 8)
+q[:, :4] = [0.8, 0.0, 0.6, 0.0]
+heavy = {m.PARAMETERS[-1]: 2.0}
+failures = []
+for call in (lambda: m.forward_dynamics(q[:, :5], u), lambda: m.forward_dynamics({"no": 1}, u)):
+    try:
+        call()
+    except (ValueError, KeyError) as error:
+        failures.append(str(error))
+print(json.dumps([
+    m.forward_dynamics(q, u, tau=u).tolist(),
+    m.forward_dynamics(q, u, parameters=heavy).tolist(),
+    m.rhs(0.0, np.concatenate([q[0], u])).tolist(),
+    m.pose__tool(q).tolist(),
+    failures,
+]))
+"""
+    answer = subprocess.run(
+        [sys.executable, "-c", program], cwd=folder, env=environment,
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert answer.returncode == 0, answer.stderr
+    found = json.loads(answer.stdout)
+    model = cd.compile(equations)
+    q, u = np.linspace(-0.4, 0.4, 18).reshape(2, 9), np.linspace(-1, 1, 8)
+    q[:, :4] = [0.8, 0.0, 0.6, 0.0]
+    heavy = {[*model.parameters][-1]: 2.0}
+    expected = [
+        model.forward_dynamics(q, u, tau=u),
+        model.with_parameters(heavy).forward_dynamics(q, u),
+        model.rhs(0.0, np.concatenate([q[0], u])),
+        model.pose("tool", q),
+    ]
+    for ours, theirs in zip(expected, found, strict=False):
+        np.testing.assert_allclose(theirs, ours, rtol=1e-11, atol=1e-12)
+    assert "q must have shape (..., 9), not (2, 5)" in found[-1][0]
+    assert "there is no 'no'" in found[-1][1]
+
+
+def test_unknown_words_are_refused(tmp_path: Path) -> None:
+    equations = cd.derive(arm())
+    with pytest.raises(CodegenError, match=r"language 'cyton' .* Did you mean 'cython'"):
+        equations.export(tmp_path / "arm", language="cyton")
+    with pytest.raises(CodegenError, match=r"integrators: 'dop835' .* Did you mean 'dop853'"):
+        equations.export(tmp_path / "arm", integrators=("dop835",))
+    assert list(tmp_path.iterdir()) == []

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import os
-import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -15,11 +14,7 @@ import pytest
 
 import cardan as cd
 from cardan.runtime import toolchain
-
-ROOT = Path(__file__).parents[2]
-FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
-EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
-
+from golden.scenes import EXAMPLES, FUNCTIONS, ROOT, scene_of
 
 KEPT = sorted(path for path in (ROOT / "generated").iterdir() if path.is_dir())
 
@@ -28,15 +23,11 @@ def written(directory: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in directory.iterdir() if path.is_file()}
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.name)
 def test_generated_is_up_to_date(
-    example: Path,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    pytestconfig: pytest.Config,
+    example: Path, tmp_path: Path, pytestconfig: pytest.Config
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    scene = runpy.run_path(str(example))["scene"]
+    scene = scene_of(example)
     made = cd.derive(scene).export(tmp_path / "c", functions=FUNCTIONS)
     kept = ROOT / "generated" / scene.name
     if pytestconfig.getoption("--accept"):

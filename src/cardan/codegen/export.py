@@ -1,70 +1,123 @@
-"""Export: a model as plain C that compiles alone."""
+"""Export: a model as plain C that compiles alone, with a package for NumPy on top."""
 
 from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near
-from . import layout, manifest
-from .naming import comment
-from .writing import CFile, generate
+from . import companions, header, layout, manifest
+from .languages import cython
+from .writing import generate
 
 STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
+LANGUAGES = ("cython", "c")
+# what building an export leaves in its directory
+PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
+FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
 
 
 def export(
-    equations: Equations, directory: str | Path, functions: Sequence[Any] | None = None
+    equations: Equations,
+    directory: str | Path,
+    functions: Sequence[Any] | None = None,
+    language: str = "cython",
+    integrators: Sequence[str] = (),
+    reproducible: bool = False,
+    loops: bool | None = None,
 ) -> Path:
-    """Write C files, headers and a manifest that need nothing but a C compiler.
+    """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
     Args:
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
             default the dynamics and the energy.
+        language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+        integrators: ``"dop853"``, ``"rk4"``: their C comes along, and ``example.c`` simulates.
+        reproducible: The flags written down forbid contraction: equal bits from every compiler.
+        loops: As :func:`cardan.compile` takes it.
 
     Returns:
-        The directory.
+        The directory. It appears whole or not at all.
 
     Raises:
-        CodegenError: the directory holds other things.
+        CodegenError: the directory holds other things; an unknown language or integrator.
         DerivationError: an unknown function.
     """
-    target = Path(directory)
+    target, wanted = Path(directory), tuple(name.lower() for name in integrators)
+    _check_words(language, wanted)
     _check(target)
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
+    if wanted and ("rhs", None) not in asked:
+        asked.append(("rhs", None))
     known = equations.names()
     for name, _ in asked:
         if name not in known:
             raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
 
-    # everything is made beside the target, then moved there in one step
+    def fill(folder: Path) -> None:
+        layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in asked)))
+        made = []
+        for name, of in asked:
+            function = equations.form(name, of, loops)
+            notes = [f"formalism: {equations.method}"]
+            made.append((generate(function, equations.system.name, notes, of=of), function))
+        layout.add_functions(folder, made)
+        flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")
+        data = layout.read(folder) or {}
+        for name, text in _companions(data, language, wanted, flags).items():
+            layout.add_file(folder, name, text)
+        (folder / layout.LOCK).unlink()
+
+    _replace(target, fill)
+    return target
+
+
+def _check_words(language: str, integrators: Sequence[str]) -> None:
+    if language not in LANGUAGES:
+        raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
+    for name in integrators:
+        if name not in companions.INTEGRATORS:
+            known = near(name, companions.INTEGRATORS)
+            raise CodegenError(f"integrators: '{name}' does not exist.{known}")
+
+
+def _companions(
+    data: dict[str, Any], language: str, integrators: Sequence[str], flags: Sequence[str]
+) -> dict[str, str]:
+    """Everything beside the functions, by file name."""
+    kernels = [*companions.RUN] if integrators else []
+    kernels += [name for one in integrators for name in companions.INTEGRATORS[one]]
+    package = cython.package(data) if language == "cython" else ""
+    line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+    files = {name: layout.kernel(name) for name in kernels}
+    files |= {
+        "functions.h": companions.prototypes(data),
+        "model.c": header.defaults(data),
+        "example.c": companions.example(data, integrators, line),
+        "README.md": companions.readme(data, package, line),
+    }
+    return files | (cython.files(data, flags) if package else {})
+
+
+def _replace(target: Path, fill: Callable[[Path], None]) -> None:
+    """Fill a directory beside the target, then move it there in one step."""
     target.parent.mkdir(parents=True, exist_ok=True)
     scratch = Path(tempfile.mkdtemp(prefix=".cardan-", dir=target.parent))
     try:
         scratch.chmod(0o755)
-        layout.write_model(scratch, manifest.base(equations, tuple(n for n, _ in asked)))
-        made = []
-        for name, of in asked:
-            function = equations.function(name, of)
-            notes = [f"formalism: {equations.method}"]
-            made.append((generate(function, equations.system.name, notes, of=of), function))
-        layout.add_functions(scratch, made)
-        prototypes = _prototypes(equations.system.name, [cfile for cfile, _ in made])
-        layout.add_file(scratch, "functions.h", prototypes)
-        (scratch / layout.LOCK).unlink()
+        fill(scratch)
         if target.exists():
             shutil.rmtree(target)
         scratch.rename(target)
     except BaseException:
         shutil.rmtree(scratch, ignore_errors=True)
         raise
-    return target
 
 
 def _check(target: Path) -> None:
@@ -76,38 +129,10 @@ def _check(target: Path) -> None:
     if target.exists() and not target.is_dir():
         raise CodegenError(f"{target} is a file: name a directory to export to")
     if target.is_dir():
-        names = {path.name for path in target.iterdir()}
+        names = {p.name for p in target.iterdir() if not any(map(p.match, PRODUCTS))}
         foreign = sorted(names - layout.written(target)) if names else []
         if foreign:
             raise CodegenError(
                 f"directory {target} holds other things ({', '.join(foreign[:3])}): "
                 "name a new or empty one"
             )
-
-
-def _prototypes(model: str, files: Sequence[CFile]) -> str:
-    """The header of the exported functions, with the sizes a caller must provide."""
-    lines = [
-        "/*",
-        f" * functions.h: what model '{comment(model)}' computes.",
-        " *",
-        " * out, work and w are arrays of the caller of at least the sizes given here.",
-        " */",
-        "#ifndef CARDAN_FUNCTIONS_H",
-        "#define CARDAN_FUNCTIONS_H",
-        "",
-        '#include "model.h"',
-    ]
-    for cfile in files:
-        name, entry = cfile.name, cfile.entry
-        reads = ", ".join(entry["inputs"]) or "nothing"
-        lines += ["", f"/* {comment(entry['about'] or name)}; reads {reads} */", "enum {"]
-        lines += [
-            f"    {name}_out_size = {entry['output_size']},",
-            f"    {name}_work_size = {entry['work_size']},",
-            f"    {name}_w_size = {entry['prepared_size']}",
-            "};",
-            f"CARDAN_API int {name}(const cardan_in *in, real *out, real *work);",
-            f"CARDAN_API void prepare_{name}(const real *p, wreal *w);",
-        ]
-    return "\n".join([*lines, "", "#endif"]) + "\n"

@@ -1,4 +1,4 @@
-"""``model.h``: the sizes of a model and the places of its entries, by name, for C programmers."""
+"""``model.h`` and ``model.c``: sizes, places of entries by name, values to start from, for C."""
 
 from __future__ import annotations
 
@@ -34,12 +34,52 @@ def slots(manifest: dict[str, Any]) -> str:
     ]
     sizes = [f"    cardan_n{b} = {len(manifest[key])}" for b, key, _ in BLOCKS]
     sizes.append(f"    cardan_nbodies = {len(manifest['bodies'])}")
+    parts = sum(len(body["parts"]) for body in manifest["bodies"])
+    sizes.append(f"    cardan_nparts = {parts}")
     lines += [*(f"{size}," for size in sizes[:-1]), sizes[-1], "};"]
     for block, key, meaning in BLOCKS:
         if manifest[key]:
             lines += ["", f"/* {meaning} */", "enum {"]
             lines += [*_entries(block, manifest[key], names), "};"]
     return "\n".join([*lines, "", "#endif"]) + "\n"
+
+
+def defaults(manifest: dict[str, Any]) -> str:
+    """``model.c``: values of the parameters, coordinates and inputs that the scene names."""
+    lines = [
+        "/*",
+        f" * model.c: values of model '{comment(manifest['name'])}' to start from.",
+        " */",
+        '#include "functions.h"',
+    ]
+    for block, key, meaning in BLOCKS:
+        if block == "u":
+            continue
+        lines += ["", f"/* {meaning} */", f"const real {array(block)} = {{"]
+        # an array has at least one element in C
+        rows = manifest[key] or [{"name": "nothing", "unit": "", "default": 0.0}]
+        if block == "q" and manifest[key]:
+            rows = _start(manifest)
+        for row in rows:
+            unit = f" [{row['unit']}]" if row["unit"] else ""
+            lines.append(f"    {float(row['default'])!r}, /* {comment(row['name'] + unit)} */")
+        lines.append("};")
+    return "\n".join(lines) + "\n"
+
+
+def _start(manifest: dict[str, Any]) -> list[dict[str, Any]]:
+    """Coordinates with the initial values that the scene gives its joints."""
+    rows = [dict(row) for row in manifest["coordinates"]]
+    for joint in manifest["joints"]:
+        if joint["q"] and joint["q0"]:
+            for k, value in enumerate(joint["q0"], joint["q"][0]):
+                rows[k]["default"] = value
+    return rows
+
+
+def array(block: str) -> str:
+    """How the values of a block are declared, in ``model.c`` and in ``functions.h``."""
+    return f"cardan_default_{block}[cardan_n{block} + (cardan_n{block} == 0)]"
 
 
 def _entries(block: str, rows: Sequence[dict[str, Any]], names: Names) -> list[str]:

@@ -40,7 +40,7 @@ def write_model(directory: Path, base: Base) -> None:
     """
     directory.mkdir(parents=True, exist_ok=True)
     with _locked(directory):
-        there = _read(directory)
+        there = read(directory)
         if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
             if there["available"] != base.data["available"]:
                 _write_manifest(directory, {**there, "available": base.data["available"]})
@@ -63,7 +63,7 @@ def write_model(directory: Path, base: Base) -> None:
 
 def has_function(directory: Path, name: str) -> bool:
     """Whether a function is in the manifest and its file is the one it speaks of."""
-    manifest = _read(directory)
+    manifest = read(directory)
     entry = (manifest or {}).get("functions", {}).get(name)
     if entry is None:
         return False
@@ -91,7 +91,7 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
     """
     saved = [(cfile.name, to_dict(function)) for cfile, function in made]
     with _locked(directory):
-        manifest = _read(directory)
+        manifest = read(directory)
         if manifest is None:
             raise CodegenError(f"directory {directory} holds no model: call write_model first")
         hashes, functions = manifest["sha256"], manifest["functions"]
@@ -109,7 +109,7 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
 def add_file(directory: Path, name: str, text: str) -> None:
     """Write one more file that belongs to the model."""
     with _locked(directory):
-        manifest = _read(directory)
+        manifest = read(directory)
         if manifest is None:
             raise CodegenError(f"directory {directory} holds no model: call write_model first")
         manifest["sha256"][name] = _write(directory / name, text)
@@ -118,7 +118,7 @@ def add_file(directory: Path, name: str, text: str) -> None:
 
 def written(directory: Path) -> set[str]:
     """Names of the files in a directory that belong to its model; empty where there is none."""
-    manifest = _read(directory)
+    manifest = read(directory)
     return set() if manifest is None else {MANIFEST, LOCK, *manifest["sha256"]}
 
 
@@ -136,7 +136,7 @@ def _plain(data: dict[str, Any]) -> Any:
     return json.loads(json.dumps(data))
 
 
-def _read(directory: Path) -> dict[str, Any] | None:
+def read(directory: Path) -> dict[str, Any] | None:
     """The manifest of a directory; None where there is none of this schema."""
     try:
         found = json.loads((directory / MANIFEST).read_text("utf-8"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -300,11 +301,34 @@ class Equations:
         replacements, matrix = to_sympy_shared(self.function(name), self.symbols)
         return replacements, matrix
 
-    def export(self, directory: str | Path, functions: tuple[str, ...] | None = None) -> Path:
-        """Write C, header and manifest that compile alone; see :func:`cardan.codegen.export`."""
+    def export(
+        self,
+        directory: str | Path,
+        functions: Sequence[Any] | None = None,
+        language: str = "cython",
+        integrators: Sequence[str] = (),
+        reproducible: bool = False,
+        loops: bool | None = None,
+    ) -> Path:
+        """Write C, a package for NumPy and an example that need no cardan.
+
+        Args:
+            directory: A new or empty one, or an earlier export, which is replaced.
+            functions: Names, or pairs such as ``("pose", "hand")``.
+            language: ``"cython"``, or ``"c"`` without the package.
+            integrators: ``"dop853"``, ``"rk4"``: to simulate from C.
+            reproducible: Equal bits from every compiler.
+            loops: As :func:`cardan.compile` takes it.
+
+        Returns:
+            The directory.
+
+        Raises:
+            CodegenError, DerivationError: see :func:`cardan.codegen.export.export`.
+        """
         from ..codegen.export import export
 
-        return export(self, directory, functions)
+        return export(self, directory, functions, language, integrators, reproducible, loops)
 
     def __str__(self) -> str:
         s = self.system

@@ -103,6 +103,10 @@ void cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
 
+/* memory.c */
+size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work);
+void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work);
+
 /* what the methods build on: derivative.c and control.c */
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
@@ -116,7 +120,17 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
-/* the methods */
+/* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
+enum {
+    cardan_rk4_stages = 4,
+    cardan_rk4_rows = 3,
+    cardan_dop853_stages = 16,
+    cardan_dop853_rows = 7
+};
+#define CARDAN_METHOD(run, name)                                                                   \
+    ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
+     (run)->dense = cardan_##name##_dense, (run)->stages = cardan_##name##_stages,                 \
+     (run)->dense_rows = cardan_##name##_rows)
 int cardan_rk4_init(cardan_run *run);
 int cardan_rk4_step(cardan_run *run);
 int cardan_rk4_dense(cardan_run *run);

@@ -1,0 +1,167 @@
+"""What goes along with exported C: a header of all functions, an example, words for the reader."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from . import header
+from .naming import comment
+
+# files every integrator needs, and those of each
+RUN = ("run.h", "run.c", "control.c", "derivative.c", "memory.c")
+INTEGRATORS = {"rk4": ("rk4.c",), "dop853": ("dop853.c", "dop853_tables.h")}
+
+
+def prototypes(manifest: dict[str, Any]) -> str:
+    """The header of the exported functions, with the sizes a caller must provide."""
+    lines = [
+        "/*",
+        f" * functions.h: what model '{comment(manifest['name'])}' computes.",
+        " *",
+        " * out, work and w are arrays of the caller of at least the sizes given here.",
+        " */",
+        "#ifndef CARDAN_FUNCTIONS_H",
+        "#define CARDAN_FUNCTIONS_H",
+        "",
+        '#include "model.h"',
+        "",
+        "/* model.c: values to start from; speeds start from 0 */",
+        *(f"extern const real {header.array(block)};" for block in "qrp"),
+    ]
+    for name, entry in manifest["functions"].items():
+        reads = ", ".join(entry["inputs"]) or "nothing"
+        lines += ["", f"/* {comment(entry['about'] or name)}; reads {reads} */", "enum {"]
+        lines += [
+            f"    {name}_out_size = {entry['output_size']},",
+            f"    {name}_work_size = {entry['work_size']},",
+            f"    {name}_w_size = {entry['prepared_size']}",
+            "};",
+            f"CARDAN_API int {name}(const cardan_in *in, real *out, real *work);",
+            f"CARDAN_API void prepare_{name}(const real *p, wreal *w);",
+        ]
+    return "\n".join([*lines, "", "#endif"]) + "\n"
+
+
+def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
+    """``example.c``: the first function at the start, and one second of motion if it can."""
+    name = next(iter(manifest["functions"]))
+    lines = [
+        f"/* Try it:  {compile_line} */",
+        '#include "functions.h"',
+        *(['#include "run.h"'] if integrators else []),
+        "#include <stdio.h>",
+        "",
+        "/* so that *.c of this folder links with a main of yours */",
+        "#ifdef CARDAN_EXAMPLE",
+        "",
+        *(_simulation(integrators[0]) if integrators else []),
+        "int main(void)",
+        "{",
+        f"    static real zero[{_zeros(manifest)}], out[{name}_out_size + 1];",
+        f"    static real work[{name}_work_size + 1], w[{name}_w_size + 1];",
+        f"    const cardan_in in = {{{_fields(manifest['functions'][name]['inputs'])}}};",
+        "",
+        f"    prepare_{name}(cardan_default_p, w);",
+        f"    int status = {name}(&in, out, work);",
+        f"    for (int k = 0; k < {name}_out_size; k++)",
+        f'        printf("{name}[%d] = %.17g\\n", k, out[k]);',
+        *(["    status |= simulate();"] if integrators else []),
+        "    return status;",
+        "}",
+        "",
+        "#endif",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _zeros(manifest: dict[str, Any]) -> str:
+    """Length of what stands for everything that is zero."""
+    parts = sum(len(body["parts"]) for body in manifest["bodies"])
+    return f"{max(len(manifest['speeds']), len(manifest['coordinates']), 6 * parts, 1)}"
+
+
+def _fields(inputs: Sequence[str]) -> str:
+    """The input blocks at the start; what the function does not read stays NULL."""
+    known = {"q": "cardan_default_q", "q0": "cardan_default_q", "r": "cardan_default_r"}
+    read = [block for block in inputs if block != "p"]
+    return ", ".join([*(f".{b} = {known.get(b, 'zero')}" for b in read), ".w = w"])
+
+
+def _simulation(method: str) -> list[str]:
+    """A run of one second from the start, printed at its end."""
+    return f"""\
+/* One second of motion from the start, printed at its end. */
+static int simulate(void)
+{{
+    static real memory[100000], w[rhs_w_size + 1];
+    const size_t rest = cardan_nu + 6 * cardan_nparts;
+    const real end = 1.0;
+    cardan_run run = {{0}};
+
+    prepare_rhs(cardan_default_p, w);
+    CARDAN_METHOD(&run, {method});
+    run.rhs = rhs, run.rhs_w = w, run.nr = cardan_nr;
+    run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu;
+    run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
+    run.stops = &end, run.stop_count = 1;
+    if (cardan_run_length(&run, rest, rhs_work_size) > sizeof memory / sizeof *memory)
+        return 1;
+    cardan_run_lay(&run, memory, rest, rhs_work_size);
+    for (int k = 0; k < cardan_nq; k++)
+        run.y[k] = cardan_default_q[k];
+    for (int k = 0; k < cardan_nr; k++)
+        run.r[k] = cardan_default_r[k];
+    int status = cardan_run_start(&run);
+    if (status == CARDAN_DONE)
+        status = cardan_run_drive(&run);
+    for (int k = 0; k < cardan_nq + cardan_nu; k++)
+        printf("x[%d] = %.17g\\n", k, run.y[k]);
+    return status;
+}}
+""".splitlines()
+
+
+def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
+    """``README.md``: what is here, in which units, under which conventions."""
+    lines = [
+        f"# {_words(manifest['name'])}",
+        "",
+        "C functions of a multibody model, written by cardan; nothing here needs cardan.",
+        "",
+        "| file | what it is |",
+        "|---|---|",
+        "| `functions.h`, `model.h` | prototypes and sizes; places of entries by name |",
+        "| `model.c` | values of the scene: parameters, start, inputs |",
+        "| `example.c` | a call from C: `" + compile_line + "` |",
+        "| `manifest.json` | all names, units, shapes and hashes, for programs |",
+    ]
+    if package:
+        use = f"`pip install .`, then `import {package}`"
+        lines.append(f"| `{package}.pyx`, `setup.py` | a package for NumPy: {use} |")
+    lines += ["", "| function | reads | gives |", "|---|---|---|"]
+    for name, entry in manifest["functions"].items():
+        shape = ", ".join(f"{o['name']} {tuple(o['shape'])}" for o in entry["outputs"])
+        lines.append(
+            f"| `{name}` | {', '.join(entry['inputs'])} | {_words(entry['about'])}: {shape} |"
+        )
+    for title, key in (("q", "coordinates"), ("u", "speeds"), ("r", "inputs")):
+        rows = [f"{_words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]
+        lines += ["", f"**{title}** ({key}, {len(rows)}): {', '.join(rows) or 'none'}"]
+    lines += [
+        "",
+        "Conventions: M udot + h = f + tau, where the bias h holds velocity products and gravity;",
+        "u are speeds (v of robotics); quaternions are w x y z and of unit length; speeds of",
+        "spherical and free joints are the angular velocity in body axes; 6-vectors have the",
+        "angular part first; SI units, radians. Call `prepare_<function>` once per set of",
+        "parameters.",
+        "",
+        "Compile only what you trust: C runs with all your rights.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _words(text: str) -> str:
+    """Words of the user in Markdown."""
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    return "".join(f"\\{c}" if c in "\\`*_{}[]<>|#&" else c for c in plain)

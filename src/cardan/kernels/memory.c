@@ -1,0 +1,58 @@
+/* Memory of a run out of one block, for programs that lay none out themselves.
+ *
+ * Part of cardan. The caller owns the block. To simulate from C:
+ *
+ *     cardan_run run = {0};
+ *     CARDAN_METHOD(&run, dop853);
+ *     run.rhs = rhs, run.rhs_w = w;
+ *     run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu, run.nr = cardan_nr;
+ *     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = INFINITY, run.budget = 1000000;
+ *     run.stops = &end, run.stop_count = 1;
+ *     cardan_run_lay(&run, memory, rest, rhs_work_size);
+ *     run.y[q_hinge] = 0.5;
+ *     status = cardan_run_start(&run);
+ *     if (status == 0)
+ *         status = cardan_run_drive(&run);
+ *
+ * with cardan_run_length(&run, rest, rhs_work_size) numbers of memory. `rest` is how many zeros
+ * stand for outer forces: at least the number of speeds, and 6 per body where wrenches are read.
+ */
+#include "run.h"
+
+/* How many numbers cardan_run_lay needs. */
+size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
+{
+    size_t n = (size_t)run->n, rows = (size_t)(run->stages + run->dense_rows);
+
+    return (4 + rows) * n + (size_t)run->nr + rest + work;
+}
+
+/* The next piece of a block. */
+static real *take(real **next, ptrdiff_t size)
+{
+    real *piece = *next;
+
+    *next += size;
+    return piece;
+}
+
+/* Point every array of the run into the block, fill it with zeros, and want no rows. */
+void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
+{
+    size_t length = cardan_run_length(run, rest, work);
+    real *next = memory;
+
+    for (size_t i = 0; i < length; i++)
+        memory[i] = 0;
+    run->y = take(&next, run->n);
+    run->y_old = take(&next, run->n);
+    run->trial = take(&next, run->n);
+    run->f = take(&next, run->n);
+    run->k = take(&next, run->stages * run->n);
+    run->spread = take(&next, run->dense_rows * run->n);
+    run->r = take(&next, run->nr);
+    run->at_rest = take(&next, (ptrdiff_t)rest);
+    run->work = take(&next, (ptrdiff_t)work);
+    run->times = run->stops;
+    run->time_count = 0;
+}
