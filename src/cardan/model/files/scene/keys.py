@@ -58,7 +58,7 @@ PARAMETER = (Key("value", "real", True), Key("unit", "text"))
 INPUT = (Key("default", "real"), Key("unit", "text"))
 TABLE = (Key("x", "column"), Key("y", "column"), Key("file", "text"), Key("kind", "text"))
 BODY = (
-    Key("mass", "value"),
+    Key("mass", "scalar"),
     Key("com", "vector"),
     Key("inertia", "inertia"),
     Key("pose", "pose"),
@@ -89,7 +89,7 @@ JOINT = (
     Key("friction", "real"),
 )
 LIMITS = tuple(Key(name, "bound") for name in ("lower", "upper", "speed", "effort"))
-COUPLE = (Key("leader", "text", True), Key("ratio", "value", True), Key("offset", "value"))
+COUPLE = (Key("leader", "text", True), Key("ratio", "scalar", True), Key("offset", "scalar"))
 FORCE = (Key("type", "text", True),)
 OUTPUT = (Key("expression", "law", True), Key("unit", "text"))
 SIMULATE = (
@@ -118,7 +118,7 @@ _KINDS = {
     "Sequence[float] | None": "numbers",
 }
 # arguments of shapes that mean more than their annotation says
-_SHAPES = {"rotation": "rotation", "file": "mesh"}
+_ARGUMENTS = {"rotation": "rotation", "file": "mesh"}
 
 
 def of_joint(kind: str) -> tuple[Key, ...]:
@@ -144,7 +144,8 @@ def of_function(function: Callable[..., Any]) -> tuple[Key, ...]:
     return tuple(
         Key(
             argument.name,
-            _SHAPES.get(argument.name) or _KINDS[str(argument.annotation)],
+            _ARGUMENTS.get(argument.name)
+            or _KINDS[str(argument.annotation)].replace("value", "scalar"),
             argument.default is inspect.Parameter.empty,
         )
         for argument in inspect.signature(function).parameters.values()

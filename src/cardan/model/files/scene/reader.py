@@ -105,7 +105,7 @@ class _Reader:
 
     def _parameter(self, name: str, item: Item) -> None:
         given = self._short(item, "value", keys.PARAMETER, "a parameter")
-        with item.placed():
+        with item.placed(named=True):
             self.model.parameter(name, given["value"], given.get("unit"))
 
     def _inputs(self, section: Item) -> None:
@@ -113,7 +113,7 @@ class _Reader:
 
     def _input(self, name: str, item: Item) -> None:
         given = {} if item.is_null else self._short(item, "default", keys.INPUT, "an input")
-        with item.placed():
+        with item.placed(named=True):
             self.model.input(name, given.get("default", 0.0), given.get("unit"))
 
     def _short(

@@ -55,6 +55,10 @@ class Values:
         """A number, an expression or rows of them."""
         if item.is_list:
             return tuple(self.value(entry) for entry in item.entries())
+        return self.scalar(item)
+
+    def scalar(self, item: Item) -> Any:
+        """A number or an expression."""
         number = item.number()
         return self._expression(item, self.scope) if number is None else number
 
@@ -128,7 +132,7 @@ class Values:
         entries = item.entries("a list of three")
         if len(entries) != 3:
             raise item.error(f"three entries are wanted, not {len(entries)}")
-        return tuple(self.value(entry) for entry in entries)
+        return tuple(self.scalar(entry) for entry in entries)
 
     # words
 
@@ -204,7 +208,9 @@ class Values:
         entries = item.entries()
         if len(entries) == 2:
             return (self.vector(entries[0]), self.rotation(entries[1])), None
-        return self.value(item), None
+        if len(entries) == 4:
+            return tuple(tuple(map(self.scalar, row.entries())) for row in entries), None
+        return self.vector(item), None
 
     # what bodies and joints have
 
@@ -226,7 +232,7 @@ class Values:
             if name not in INERTIA_ENTRIES:
                 known = [*INERTIA_ENTRIES, *keys.INERTIAS]
                 raise entry.at_key(f"an inertia has no key '{name[:80]}'." + near(name, known))
-        return {name: self.value(entry) for name, entry in given.items()}
+        return {name: self.scalar(entry) for name, entry in given.items()}
 
     def shapes(self, item: Item) -> list[Any]:
         """One shape or a list of them: ``{cylinder: {radius:, length:}}``."""
@@ -261,4 +267,4 @@ class Values:
             given = self.record(keys.COUPLE, item, "a coupling")
             return given["leader"], given["ratio"], given.get("offset", 0)
         first, *rest = item.entries()
-        return (first.text(), *(self.value(entry) for entry in rest))
+        return (first.text(), *(self.scalar(entry) for entry in rest))
