@@ -50,7 +50,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "passes": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
-    "model.files": frozenset({"angles", "document", "meshes"}),
+    "model.files": frozenset({"angles", "document", "expression", "meshes", "options"}),
     "cli": frozenset({"terminal", "tour", "peer", "screen"}),
 }
 

@@ -18,7 +18,7 @@ from ..errors import CardanError
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
-    "simulate": (".simulate", "simulate a robot or mechanism from its URDF"),
+    "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
 }
 
 DESCRIPTION = """\
@@ -28,7 +28,7 @@ become C, the C becomes fast functions and simulations."""
 EPILOG = """\
 start here:
   cardan demo                                a small arm, offline, in seconds
-  cardan simulate arm.urdf --time 10         your own robot
+  cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
   cardan simulate --help                     all that can be said about a run
 
 exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use"""

@@ -1,4 +1,4 @@
-"""``cardan simulate``: a motion from a URDF, as a table, a file, a picture or a page."""
+"""``cardan simulate``: a motion from a scene or URDF, as a table, file, picture or page."""
 
 from __future__ import annotations
 
@@ -9,20 +9,22 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import ModelError
-
 if TYPE_CHECKING:
+    from ..model import Model
     from ..runtime.compiled import CompiledModel
     from ..runtime.trajectory import Trajectory
 
 DESCRIPTION = """\
-Simulate a robot or mechanism described by a URDF.
+Simulate a mechanism described by a scene file, or a robot described by a URDF.
 
 The file becomes equations of motion and compiled C (kept for the next run), and a compiled
-integrator runs them. Damping acts; joint friction and limits are listed and do not act."""
+integrator runs them. A scene may say in simulate: how it wants to be run; options here come
+first. Damping acts; joint friction and limits are listed and do not act."""
 
 EPILOG = """\
 examples:
+  cardan simulate pendulum.yaml
+        as the file says under simulate:
   cardan simulate arm.urdf --time 10
         from rest at q = 0; prints where every joint ends and how well energy was kept
   cardan simulate arm.urdf --time 10 --q elbow=0.3 --q shoulder=-1 --u elbow=2
@@ -35,23 +37,22 @@ examples:
 A smaller --rtol costs little: the integrator has order 8. The energy line tells if it helped."""
 
 
+DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
+
+
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    parser.add_argument("file", metavar="FILE", type=Path, help="a .urdf file")
-    run = parser.add_argument_group("the run")
-    run.add_argument(
-        "--time", metavar="SECONDS", type=_positive, default=10.0, help="end time (default 10)"
+    parser.add_argument(
+        "file", metavar="FILE", type=Path, help="a scene (.yaml) or a robot (.urdf)"
     )
+    run = parser.add_argument_group("the run")
+    run.add_argument("--time", metavar="SECONDS", type=_positive, help="end time (default 10)")
     run.add_argument("--q", metavar="JOINT=VALUE", type=_named, action="append", default=[],
                      help="initial coordinate of a joint; give it again for another")  # fmt: skip
     run.add_argument("--u", metavar="JOINT=VALUE", type=_named, action="append", default=[],
                      help="initial speed of a joint")  # fmt: skip
-    run.add_argument(
-        "--rtol", type=_positive, default=1e-8, help="relative tolerance per step (default 1e-8)"
-    )
-    run.add_argument(
-        "--atol", type=_positive, default=1e-10, help="absolute tolerance per step (default 1e-10)"
-    )
+    run.add_argument("--rtol", type=_positive, help="relative tolerance per step (default 1e-8)")
+    run.add_argument("--atol", type=_positive, help="absolute tolerance per step (default 1e-10)")
     file = parser.add_argument_group("reading the file")
     file.add_argument("--base", choices=("fixed", "free"), default="fixed",
                       help="is the first link fixed to the ground? (default fixed)")  # fmt: skip
@@ -91,10 +92,6 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import compile
     from .terminal import progress
 
-    if options.file.suffix.lower() != ".urdf":
-        raise ModelError(
-            f"{options.file}: only .urdf files can be read, not '{options.file.suffix}'"
-        )
     scene = load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
     for note in scene.notes:
         print(f"note: {note}", file=sys.stderr)
@@ -103,12 +100,7 @@ def run(options: argparse.Namespace) -> int:
         model = compile(scene)
         show("simulating", 0.0)
         motion = model.simulate(
-            options.time,
-            q=dict(options.q),
-            u=dict(options.u),
-            rtol=options.rtol,
-            atol=options.atol,
-            progress=lambda fraction: show("simulating", fraction),
+            **settings(scene, options), progress=lambda fraction: show("simulating", fraction)
         )
     written = write(motion, options)
     if options.json:
@@ -116,6 +108,15 @@ def run(options: argparse.Namespace) -> int:
     else:
         table(model, motion, written)
     return 0 if motion.success else 1
+
+
+def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
+    """Arguments of the run: the defaults, then what the file says, then what was typed."""
+    typed = {"t": options.time, "rtol": options.rtol, "atol": options.atol}
+    found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
+    for block in ("q", "u"):
+        found[block] = {**found.get(block, {}), **dict(getattr(options, block))}
+    return found
 
 
 def write(motion: Trajectory, options: argparse.Namespace) -> list[str]:

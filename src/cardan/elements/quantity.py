@@ -5,6 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+# What the fields of joints and forces hold, by the name in their annotation: readers and writers
+# of files go by it. ``Any`` is a value: a number, an expression or rows of them.
+Direction = Any  # "x", "-z" or three values
+Place = Any  # a frame, a body or its name
+JointName = str  # the name of a joint
+LocalNames = Any  # names of the element's own coordinates
+
 
 @dataclass(frozen=True)
 class Quantity:

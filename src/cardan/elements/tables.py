@@ -55,7 +55,7 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
             )
     # two points determine a straight line, whatever the kind
     pieces = KINDS["linear" if len(breaks) == 2 else kind](breaks, values)
-    return Interpolation(Table(breaks, pieces), kind)
+    return Interpolation(Table(breaks, pieces), kind, values)
 
 
 @dataclass(frozen=True)
@@ -65,15 +65,17 @@ class Interpolation:
     Attributes:
         data: The piecewise polynomial.
         kind: How it goes through the points.
+        y: The values; the abscissae are ``data.breaks``.
     """
 
     data: Table = field(repr=False)
     kind: str
+    y: tuple[float, ...] = field(repr=False)
 
     def __call__(self, x: Any) -> Any:
         """Value at a number or at every entry of an array; expression of an expression."""
         if hasattr(x, "free_symbols"):
-            return _symbolic(self.data, 0)(x)
+            return _symbolic(self, 0)(x)
         if hasattr(x, "__len__"):
             import numpy as np
 
@@ -125,9 +127,11 @@ KINDS: dict[str, Callable[..., tuple[tuple[float, ...], ...]]] = {
 
 
 @cache
-def _symbolic(data: Table, derivative: int) -> Any:
+def _symbolic(points: Interpolation, derivative: int) -> Any:
     """The SymPy function of a table or of one of its derivatives; equal tables share it."""
     import sympy
+
+    data = points.data
 
     def at_number(cls: Any, x: Any) -> Any:
         if x.is_number and x.is_extended_real and x.is_finite:
@@ -136,7 +140,7 @@ def _symbolic(data: Table, derivative: int) -> Any:
 
     def slope(self: Any, argindex: int = 1) -> Any:
         higher = derivative + 1
-        return sympy.Integer(0) if higher >= data.order else _symbolic(data, higher)(self.args[0])
+        return sympy.Integer(0) if higher >= data.order else _symbolic(points, higher)(self.args[0])
 
     # the name orders arguments of sums: it depends on the data, not on the process
     digest = sha256(repr((data.breaks, data.coefficients)).encode()).hexdigest()[:8]
@@ -147,6 +151,7 @@ def _symbolic(data: Table, derivative: int) -> Any:
             "nargs": 1,
             "is_extended_real": True,
             "cardan_table": data,
+            "cardan_points": points,
             "cardan_derivative": derivative,
             "eval": classmethod(at_number),
             "fdiff": slope,

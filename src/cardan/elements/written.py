@@ -12,7 +12,8 @@ from typing import Any
 
 from ..errors import ModelError
 
-_AXES = {
+# directions by their letters
+AXES = {
     sign + letter: tuple(float(sign + "1") * (k == i) + 0.0 for i in range(3))
     for k, letter in enumerate("xyz")
     for sign in ("", "-", "+")
@@ -69,12 +70,12 @@ def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
         ModelError: an unknown letter, a wrong length, NaN, or the zero vector.
     """
     if isinstance(value, str):
-        if value not in _AXES:
+        if value not in AXES:
             raise ModelError(
                 f"{owner}: {name} {value!r} is no direction; give 'x', 'y', 'z', '-x', '-y', '-z' "
                 "or three numbers"
             )
-        return _AXES[value]
+        return AXES[value]
     entries = vector(owner, name, value, 3)
     if any(is_expression(x) for x in entries):
         return entries

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..elements.forces.force import ForceElement
@@ -40,6 +41,7 @@ class Model:
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
         values: Numbers by dotted name that replace those written, such as ``upper.mass``.
+        settings: How its file wants it simulated: arguments for ``simulate(**scene.settings)``.
     """
 
     def __init__(self, name: str, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
@@ -57,6 +59,7 @@ class Model:
         self.notes: list[str] = []
         self.snaps: list[str] = []
         self.values: dict[str, float] = {}
+        self.settings: dict[str, Any] = {}
 
     def __str__(self) -> str:
         return summary(self)
@@ -353,6 +356,21 @@ class Model:
         """
         place = self.ground if at is None else self.place(f"include '{prefix}'", at)
         return include(self, other, checks.name("prefix", prefix), place)
+
+    def save(self, path: str | Path) -> None:
+        """Write the model as a scene file, which :func:`cardan.load` reads; whole or not at all.
+
+        Included models are written out; numbers keep all their digits.
+
+        Args:
+            path: A ``.yaml`` file.
+
+        Raises:
+            ModelError: an expression no file can say, or a file that cannot be written.
+        """
+        from .files.scene.writer import save
+
+        save(self, Path(path))
 
     @property
     def graph(self) -> GraphView:

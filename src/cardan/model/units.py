@@ -107,8 +107,7 @@ def unit(text: str) -> Unit:
         factor *= found.factor**exponent
         a, b = dimension, found.dimension
         dimension = tuple(x + exponent * y for x, y in zip(a, b, strict=True))  # type: ignore[assignment]
-        if found.si:
-            names.append(("/" if sign < 0 else " ") + _raised(found.si, power))
+        names += _named(found.si, sign, power)
         sign = 1
     return Unit(factor, dimension, _joined(names))
 
@@ -125,10 +124,13 @@ def _factor(part: str, text: str) -> tuple[Unit, int]:
     return UNITS[name], power
 
 
-def _raised(name: str, power: int) -> str:
-    if power == 1:
-        return name
-    return f"{name}^{power}" if re.fullmatch(r"\w+", name) else f"({name})^{power}"
+def _named(si: str, sign: int, power: int) -> list[str]:
+    """Parts of an SI text such as ``rad/s``, raised; each with a space or a stroke before it."""
+    above, *below = si.split("/")
+    parts = [(name, sign) for name in above.split() if name != "1"]
+    parts += [(name, -sign) for name in below]
+    raised = "" if power == 1 else f"^{power}"
+    return [(" " if side > 0 else "/") + name + raised for name, side in parts]
 
 
 def _joined(names: list[str]) -> str:

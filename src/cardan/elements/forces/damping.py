@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Motion
 
@@ -30,7 +30,7 @@ class Damping(ForceElement):
     source: ClassVar[str] = (
         "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
     )
-    joint: str
+    joint: JointName
     damping: Any
 
     def __post_init__(self) -> None:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
 
@@ -58,7 +58,7 @@ class Drive(ForceElement):
     source: ClassVar[str] = (
         "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3"
     )
-    joint: str
+    joint: JointName
     inertia: Any
     ratio: Any = 1.0
     torque: Any = 0.0

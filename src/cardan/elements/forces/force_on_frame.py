@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import Place, Quantity
 from ..written import vector
 from .force import Action, ForceElement, Load, Motion
 
@@ -30,9 +30,9 @@ class Force(ForceElement):
 
     kind: ClassVar[str] = "force"
     source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.4"
-    frame: Any
+    frame: Place
     force: Any
-    in_: Any = None
+    in_: Place = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "force", vector("force", "force", self.force, 3))

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from ...errors import ModelError
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import JointName, Quantity
 from ..written import number, vector
 from .force import Action, ForceElement, JointLoad, Motion
 
@@ -31,7 +31,7 @@ class JointForce(ForceElement):
 
     kind: ClassVar[str] = "joint_force"
     source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.6"
-    joint: str
+    joint: JointName
     force: Any
 
     def __post_init__(self) -> None:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar, norm, select
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import Place, Quantity
 from ..written import number
 from .force import Action, ForceElement, Load, Motion, constant
 
@@ -37,8 +37,8 @@ class SpringDamper(ForceElement):
     source: ClassVar[str] = (
         "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
     )
-    frame_a: Any
-    frame_b: Any
+    frame_a: Place
+    frame_b: Place
     stiffness: Any = 0.0
     damping: Any = 0.0
     length: Any = 0.0

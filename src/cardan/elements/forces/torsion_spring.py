@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
 
@@ -34,7 +34,7 @@ class TorsionSpring(ForceElement):
     source: ClassVar[str] = (
         "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
     )
-    joint: str
+    joint: JointName
     stiffness: Any = 0.0
     damping: Any = 0.0
     rest: Any = 0.0

@@ -12,7 +12,7 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ..quantity import Quantity
+from ..quantity import LocalNames, Quantity
 from ..written import vector
 from .joint import Component, Joint
 
@@ -39,7 +39,7 @@ class Custom(Joint):
 
     kind: ClassVar[str] = "custom"
     source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 8.2"
-    symbols: Any
+    symbols: LocalNames
     position: Any = (0.0, 0.0, 0.0)
     rotation: Any = IDENTITY
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Quantity
+from ..quantity import Direction, Quantity
 from ..written import axis
 from .joint import Component, Joint
 
@@ -32,7 +32,7 @@ class Planar(Joint):
 
     kind: ClassVar[str] = "planar"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
-    normal: Any = "z"
+    normal: Direction = "z"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "normal", axis("planar joint", "normal", self.normal))

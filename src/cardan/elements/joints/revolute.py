@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Quantity
+from ..quantity import Direction, Quantity
 from ..written import axis
 from .joint import Component, Joint
 
@@ -28,7 +28,7 @@ class Revolute(Joint):
 
     kind: ClassVar[str] = "revolute"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
-    axis: Any = "z"
+    axis: Direction = "z"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "axis", axis("revolute joint", "axis", self.axis))

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Quantity
+from ..quantity import Direction, Quantity
 from ..written import axis, number
 from .joint import Component, Joint
 
@@ -29,7 +29,7 @@ class Screw(Joint):
 
     kind: ClassVar[str] = "screw"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
-    axis: Any = "z"
+    axis: Direction = "z"
     pitch: Any = 0.0
 
     def __post_init__(self) -> None:

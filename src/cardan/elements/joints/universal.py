@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
-from ..quantity import Quantity
+from ..quantity import Direction, Quantity
 from ..written import axis, parallel
 from .joint import Component, Joint
 
@@ -31,8 +31,8 @@ class Universal(Joint):
 
     kind: ClassVar[str] = "universal"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.4"
-    axis1: Any = "x"
-    axis2: Any = "y"
+    axis1: Direction = "x"
+    axis2: Direction = "y"
 
     def __post_init__(self) -> None:
         for name in ("axis1", "axis2"):

@@ -7,9 +7,10 @@ from pathlib import Path
 
 from ...errors import ModelError
 from ..model import Model
-from . import urdf
+from . import scene, urdf
+from .options import Options
 
-READERS = {".urdf": urdf.read}
+READERS = {".urdf": urdf.read, ".yaml": scene.read, ".yml": scene.read}
 
 
 def load(
@@ -23,9 +24,10 @@ def load(
     """Read a scene from a file.
 
     Args:
-        path: A ``.urdf`` file.
-        base: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
-        mimic: ``"couple"``: a joint that mimics another follows it; ``"free"``: it moves freely.
+        path: A scene (``.yaml``) or a robot (``.urdf``).
+        base: For robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
+        mimic: For robots: ``"couple"``: a joint that mimics another follows it; ``"free"``: it
+            moves freely.
         snap: Replace rounded multiples of a quarter turn by exact ones, within half a unit of the
             last printed digit; all are listed in ``Model.snaps``. With False numbers stay as they
             are printed.
@@ -39,12 +41,18 @@ def load(
         ModelError: the file cannot be read or is at fault.
         TopologyError: links form a loop or nothing joins them.
     """
-    file = Path(path)
+    roots = tuple(Path(root) for root in packages)
+    model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
+    model.values.update(parameters or {})
+    return model
+
+
+def _read(file: Path, options: Options) -> Model:
+    """The model of a file of any known sort."""
     reader = READERS.get(file.suffix.lower())
     if reader is None:
         raise ModelError(
             f"file '{file.name}': cannot read '{file.suffix}' files. Known: {', '.join(READERS)}"
         )
-    model = reader(file, urdf.Options(base, mimic, snap, tuple(Path(root) for root in packages)))
-    model.values.update(parameters or {})
-    return model
+    options.budget.take()
+    return reader(file, options)

@@ -28,16 +28,22 @@ def snapped(word: str, value: float) -> float:
     return exact if near and decimals >= FEWEST_DECIMALS else value
 
 
+def snap(word: str, value: float, who: str, snaps: list[str]) -> float:
+    """An angle with its rounding replaced, which is listed in ``snaps``."""
+    exact = snapped(word, value)
+    if exact != value:
+        turns = round(exact / QUARTER)
+        snaps.append(f"{who}: {word} -> {_NAMES.get(turns, f'{turns} pi/2')}")
+    return exact
+
+
 def snap_all(words: Sequence[str], angles: list[float], who: str, snaps: list[str]) -> list[float]:
     """Roll, pitch and yaw with roundings replaced; each is listed in ``snaps``."""
-    found = []
-    for word, value, name in zip(words, angles, ("roll", "pitch", "yaw"), strict=True):
-        exact = snapped(word, value)
-        if exact != value:
-            turns = round(exact / QUARTER)
-            snaps.append(f"{who} {name}: {word} -> {_NAMES.get(turns, f'{turns} pi/2')}")
-        found.append(exact)
-    return found
+    names = ("roll", "pitch", "yaw")
+    return [
+        snap(word, value, f"{who} {name}", snaps)
+        for word, value, name in zip(words, angles, names, strict=True)
+    ]
 
 
 def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:

@@ -34,23 +34,33 @@ class Meshes:
         Raises:
             ModelError: it leads out of the declared folders.
         """
+        found = self.locate(reference, where, "mesh")
+        if found is None:
+            self.missing.append(reference)
+        return reference if found is None else str(found)
+
+    def locate(self, reference: str, where: str, what: str) -> Path | None:
+        """An existing file below the declared folders, None where there is none.
+
+        Args:
+            what: Such as ``mesh``, for messages.
+
+        Raises:
+            ModelError: it leads out of the declared folders.
+        """
         if "\0" in reference or len(reference) > 4096:
-            raise ModelError(f"{where}: mesh {reference[:60]!r} is no file name")
+            raise ModelError(f"{where}: {what} {reference[:60]!r} is no file name")
         scheme, _, rest = reference.partition("://")
         if not rest:
             scheme, rest = "", reference
         elif scheme not in ("package", "model", "file"):
-            raise ModelError(f"{where}: mesh '{reference[:80]}': '{scheme}' paths are not read")
+            raise ModelError(f"{where}: {what} '{reference[:80]}': '{scheme}' paths are not read")
         parts = PurePosixPath(rest).parts
         if ".." in parts and not self._stays(parts):
             raise ModelError(
-                f"{where}: mesh '{reference[:80]}' leads out of the declared folders (packages=)"
+                f"{where}: {what} '{reference[:80]}' leads out of the declared folders (packages=)"
             )
-        for candidate in self._candidates(rest):
-            if candidate.is_file():
-                return str(candidate)
-        self.missing.append(reference)
-        return reference
+        return next((path for path in self._candidates(rest) if path.is_file()), None)
 
     def _stays(self, parts: tuple[str, ...]) -> bool:
         depth = 0

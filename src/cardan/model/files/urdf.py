@@ -24,25 +24,10 @@ from ..model import Model
 from .angles import snap_all, turned
 from .document import Element, content, parse
 from .meshes import Meshes, shapes
+from .options import Options
 
 TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 MOST_LINKS = 100_000
-
-
-@dataclass(frozen=True)
-class Options:
-    """How to read a file, see :func:`cardan.load`."""
-
-    base: str = "fixed"
-    mimic: str = "couple"
-    snap: bool = True
-    packages: tuple[Path, ...] = ()
-
-    def __post_init__(self) -> None:
-        if self.base not in ("fixed", "free"):
-            raise ModelError(f"base must be 'fixed' or 'free', not {self.base!r}")
-        if self.mimic not in ("couple", "free"):
-            raise ModelError(f"mimic must be 'couple' or 'free', not {self.mimic!r}")
 
 
 @dataclass(frozen=True)

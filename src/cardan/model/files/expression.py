@@ -1,0 +1,352 @@
+"""Expressions in files: arithmetic, declared names and a fixed list of functions.
+
+The text is parsed here, never run as code. Lengths, depths and the sizes of numbers are checked
+before anything is computed with them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from ...errors import ModelError, near
+
+LONGEST = 4000
+DEEPEST = 50
+LONGEST_NUMBER = 60
+LARGEST_EXPONENT = 1000
+MOST_BITS = 2000
+
+# words that take names: coordinates and speeds of joints, motion of frames
+MOTION = ("q", "u", "position", "velocity", "acceleration", "angular_velocity", "rotation")
+RELATIONS = {"<": "Lt", "<=": "Le", ">": "Gt", ">=": "Ge", "==": "Eq", "!=": "Ne"}
+_SAME = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log sqrt sign floor atan2"
+# names in files -> names in SymPy; select is apart
+FUNCTIONS = {name: name for name in _SAME.split()} | {
+    "abs": "Abs",
+    "min": "Min",
+    "max": "Max",
+    "ceil": "ceiling",
+    "step": "Heaviside",
+    "mod": "Mod",
+    "and": "And",
+    "or": "Or",
+    "not": "Not",
+}
+ARGUMENTS = {"atan2": (2, 2), "min": (1, 99), "max": (1, 99), "step": (1, 2), "mod": (2, 2),
+             "and": (1, 99), "or": (1, 99)}  # fmt: skip
+
+_TOKEN = re.compile(
+    r"""\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)
+    |(?P<name>[^\W\d]\w*(?:\.\w+)*)
+    |(?P<quoted>"(?:[^"\\]|\\.)*")
+    |(?P<sign>\*\*|<=|>=|==|!=|[-+*/^(),<>]))""",
+    re.VERBOSE,
+)
+
+
+@dataclass(frozen=True)
+class Token:
+    """A word of the text: its sort, what it says and the column where it begins."""
+
+    sort: str
+    text: str
+    column: int
+
+
+def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> Any:
+    """A SymPy expression.
+
+    Args:
+        text: Such as ``-l/2`` or ``k*sin(q(elbow))``.
+        symbols: What names stand for: symbols, callables for measured functions, and for
+            ``("q", "elbow")`` or ``("velocity", "tip", "x")`` the motion of joints and frames.
+        where: Head of messages.
+
+    Raises:
+        ModelError: no expression, an unknown name, or an absurd size; with the column.
+    """
+    if len(text) > LONGEST:
+        raise ModelError(f"{where}: an expression has at most {LONGEST} characters")
+    return _Parser(_tokens(text, where), symbols, where).whole()
+
+
+def _tokens(text: str, where: str) -> list[Token]:
+    tokens, position = [], 0
+    while text[position:].strip():
+        match = _TOKEN.match(text, position)
+        if match is None:
+            column = len(text) - len(text[position:].lstrip()) + 1
+            wrong = text[column - 1 : column + 9]
+            raise ModelError(f"{where}: column {column}: '{wrong}' is no part of an expression")
+        sort = str(match.lastgroup)
+        tokens.append(Token(sort, match.group(sort), match.start(sort) + 1))
+        position = match.end()
+    return [*tokens, Token("end", "", len(text) + 1)]
+
+
+class _Parser:
+    """Recursive descent; sums and products are made of all their parts at once."""
+
+    def __init__(self, tokens: list[Token], symbols: Mapping[Any, Any], where: str) -> None:
+        self.tokens = tokens
+        self.symbols = symbols
+        self.where = where
+        self.at = 0
+        self.depth = 0
+
+    @property
+    def next(self) -> Token:
+        return self.tokens[self.at]
+
+    def take(self) -> Token:
+        token = self.tokens[self.at]
+        self.at = min(self.at + 1, len(self.tokens) - 1)
+        return token
+
+    def accept(self, *signs: str) -> str:
+        """The sign that comes next, where it is one of these; "" otherwise."""
+        return self.take().text if self.next.sort == "sign" and self.next.text in signs else ""
+
+    def error(self, token: Token, words: str) -> ModelError:
+        return ModelError(f"{self.where}: column {token.column}: {words}")
+
+    def unexpected(self, token: Token) -> ModelError:
+        what = "the expression ends too early" if token.sort == "end" else f"'{token.text[:40]}'"
+        return self.error(token, what if token.sort == "end" else f"{what} is not expected here")
+
+    def whole(self) -> Any:
+        found = self.relation()
+        if self.next.sort != "end":
+            raise self.unexpected(self.next)
+        if _is_condition(found):
+            raise ModelError(f"{self.where}: a condition is no value; use select(condition, a, b)")
+        return found
+
+    def relation(self) -> Any:
+        token, left = self.next, self.sum()
+        sign = self.accept(*RELATIONS)
+        if not sign:
+            return left
+        right = self.value(self.next, self.sum())
+        return getattr(_sympy(), RELATIONS[sign])(self.value(token, left), right)
+
+    def sum(self) -> Any:
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise self.error(self.next, f"parentheses and powers go at most {DEEPEST} deep")
+        terms = [self.product(1)]
+        while sign := self.accept("+", "-"):
+            terms.append(self.product(1 if sign == "+" else -1))
+        self.depth -= 1
+        return terms[0] if len(terms) == 1 else self.sized(_sympy().Add, *terms)
+
+    def product(self, sign: int) -> Any:
+        while unary := self.accept("+", "-"):
+            sign = sign if unary == "+" else -sign
+        factors = [self.power()]
+        while operator := self.accept("*", "/"):
+            token = self.next
+            factor = self.value(token, self.signed())
+            if operator == "/" and factor == 0:
+                raise self.error(token, "division by zero")
+            factors.append(factor if operator == "*" else 1 / factor)
+        factors = [_sympy().Integer(-1), *factors] if sign < 0 else factors
+        return factors[0] if len(factors) == 1 else self.sized(_sympy().Mul, *factors)
+
+    def signed(self) -> Any:
+        """A factor with its own sign, as in ``2*-x``."""
+        sign = 1
+        while unary := self.accept("+", "-"):
+            sign = sign if unary == "+" else -sign
+        token = self.next
+        return self.power() if sign > 0 else -self.value(token, self.power())
+
+    def power(self) -> Any:
+        token, base = self.next, self.operand()
+        if not self.accept("^", "**"):
+            return base
+        self.value(token, base)
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise self.error(token, f"parentheses and powers go at most {DEEPEST} deep")
+        exponent = self.value(self.next, self.signed())
+        self.depth -= 1
+        if exponent.is_number and not abs(exponent) <= LARGEST_EXPONENT:
+            raise self.error(token, f"exponents go up to {LARGEST_EXPONENT}")
+        if exponent.is_number and _bits(base) * abs(float(exponent)) > MOST_BITS:
+            raise self.error(token, "this power is too large a number")
+        if base == 0 and not exponent.is_positive:
+            raise self.error(token, "zero has no such power")
+        return self.checked(token, base**exponent)
+
+    def value(self, token: Token, found: Any) -> Any:
+        if _is_condition(found):
+            raise self.error(token, "a condition is no value; use select(condition, a, b)")
+        return found
+
+    def sized(self, make: Callable[..., Any], *parts: Any) -> Any:
+        """A sum or product, unless its numbers grow beyond all use."""
+        for part in parts:
+            self.value(self.next, part)
+        if sum(map(_bits, parts)) > MOST_BITS * 8:
+            raise self.error(self.next, "the numbers of this expression are too large")
+        return make(*parts)
+
+    def operand(self) -> Any:
+        token = self.take()
+        if token.sort == "number":
+            return self.number(token)
+        if token.text == "(" and token.sort == "sign":
+            found = self.relation()
+            self.close(token)
+            return found
+        if token.sort == "name" and self.accept("("):
+            return self.motion(token) if token.text in MOTION else self.call(token)
+        if token.sort in ("name", "quoted"):
+            return self.named(token)
+        raise self.unexpected(token)
+
+    def number(self, token: Token) -> Any:
+        if len(token.text) > LONGEST_NUMBER:
+            raise self.error(token, f"a number of {len(token.text)} characters is too long")
+        if token.text.isdigit():
+            return _sympy().Integer(int(token.text))
+        value = float(token.text)
+        if abs(value) > 1e300:
+            raise self.error(token, f"{token.text} is too large; numbers go up to 1e300")
+        return _sympy().Float(value)
+
+    def close(self, opened: Token) -> None:
+        if not self.accept(")"):
+            what = "ends" if self.next.sort == "end" else f"has '{self.next.text[:40]}'"
+            raise self.error(
+                self.next, f"the expression {what} before the ) of column {opened.column}"
+            )
+
+    # names and functions
+
+    def named(self, token: Token) -> Any:
+        name = unquoted(token)
+        try:
+            found = self.symbols[name]
+        except KeyError:
+            found = _sympy().pi if token.text == "pi" else None
+        if found is None:
+            hint = near(name, [*map(str, self.symbols), *FUNCTIONS, *MOTION])
+            raise self.error(token, f"'{name[:80]}' is not known here.{hint}")
+        if not hasattr(found, "free_symbols"):
+            raise self.error(token, f"'{name[:80]}' is a function; write {name[:80]}(x)")
+        return found
+
+    def motion(self, token: Token) -> Any:
+        """``q(elbow)``, ``velocity(tip, x)``: the arguments are names."""
+        words = []
+        while True:
+            word = self.take()
+            if word.sort not in ("name", "quoted"):
+                raise self.unexpected(word)
+            words.append(unquoted(word))
+            if not self.accept(","):
+                break
+        self.close(token)
+        return self.symbols[(token.text, *words)]
+
+    def call(self, token: Token) -> Any:
+        arguments = [self.relation()]
+        while self.accept(","):
+            arguments.append(self.relation())
+        self.close(token)
+        name = token.text
+        if name == "select":
+            return self.select(token, arguments)
+        logical = name in ("and", "or", "not")
+        for argument in arguments:
+            if _is_condition(argument) != logical:
+                wanted = "conditions such as t < 1" if logical else "values, no conditions"
+                raise self.error(token, f"{name[:80]} takes {wanted}")
+        if name in self.symbols:
+            return self.table(token, arguments)
+        if name not in FUNCTIONS:
+            known = [*FUNCTIONS, "select"]
+            raise self.error(token, f"there is no function '{name[:80]}'." + near(name, known))
+        least, most = ARGUMENTS.get(name, (1, 1))
+        if not least <= len(arguments) <= most:
+            raise self.error(token, f"{name} does not take {len(arguments)} values")
+        if name == "mod" and arguments[1] == 0:
+            raise self.error(token, "division by zero")
+        plain = [self.plain(token, argument) for argument in arguments]
+        try:
+            return self.checked(token, getattr(_sympy(), FUNCTIONS[name])(*plain))
+        except OverflowError as problem:
+            raise self.error(token, f"{name} is too large here") from problem
+
+    def table(self, token: Token, arguments: list[Any]) -> Any:
+        """The value of a measured function."""
+        function = self.symbols[token.text]
+        if hasattr(function, "free_symbols") or len(arguments) != 1:
+            what = f"'{token.text[:80]}' is no function of {len(arguments)} values"
+            raise self.error(token, what)
+        return function(*arguments)
+
+    def plain(self, token: Token, argument: Any) -> Any:
+        """An argument; a large or unusual number as a float: nothing is worked out exactly."""
+        if not getattr(argument, "is_number", False) or argument.is_Float:
+            return argument
+        if argument.is_Rational and _bits(argument) <= 64:
+            return argument
+        if (argument / _sympy().pi).is_Rational and _bits(argument) <= 64:
+            return argument
+        return _sympy().Float(float(argument))
+
+    def checked(self, token: Token, found: Any) -> Any:
+        """A result that, where it is a number, is real and of sane size."""
+        sympy = _sympy()
+        if found.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):
+            raise self.error(token, f"'{token.text[:40]}' is not finite here")
+        if getattr(found, "is_number", False) and not found.is_Rational:
+            value = found.evalf(17)
+            if not value.is_Float:
+                raise self.error(token, f"'{token.text[:40]}' is no real number here")
+            if abs(value) > 1e300:
+                raise self.error(token, f"'{token.text[:40]}' is too large here")
+        return found
+
+    def select(self, token: Token, arguments: list[Any]) -> Any:
+        """``select(condition, a, condition, b, c)``: the first value whose condition holds."""
+        sympy = _sympy()
+        if len(arguments) < 3 or len(arguments) % 2 == 0:
+            raise self.error(token, "select takes condition, value, ..., and a value otherwise")
+        *cases, otherwise = arguments
+        pieces = list(zip(cases[1::2], cases[::2], strict=True))
+        if not all(_is_condition(condition) for _, condition in pieces):
+            raise self.error(token, "select needs a condition such as t < 1 before each value")
+        if any(map(_is_condition, (otherwise, *cases[1::2]))):
+            raise self.error(token, "select chooses between values, not conditions")
+        return sympy.Piecewise(*pieces, (otherwise, True))
+
+
+def unquoted(token: Token) -> str:
+    """The name a token says."""
+    return re.sub(r"\\(.)", r"\1", token.text[1:-1]) if token.sort == "quoted" else token.text
+
+
+def _bits(e: Any) -> int:
+    """Bits of the largest number in an expression, as far as it is exact."""
+    return max(
+        (max(abs(int(n.p)), int(n.q)).bit_length() for n in e.atoms() if n.is_Rational), default=1
+    )
+
+
+def _is_condition(e: Any) -> bool:
+    return bool(getattr(e, "is_Relational", False) or getattr(e, "is_Boolean", False))
+
+
+@cache
+def _sympy() -> Any:
+    import sympy
+
+    return sympy

@@ -1,0 +1,165 @@
+"""What may stand where in a scene file: names, and the kind of value each takes.
+
+Joints, forces, shapes and inertias are not listed here: their keys are the fields of their classes
+and the arguments of their functions, so that a new one can be read on arrival. The JSON schema is
+made of the same tables.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+from ....elements.forces import FORCES
+from ....elements.joints import JOINTS
+from ... import inertia, shape
+
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a mapping.
+
+    Attributes:
+        name: Its text.
+        kind: Of its value: one of the methods of :class:`.values.Values`.
+        required: It must be there.
+    """
+
+    name: str
+    kind: str
+    required: bool = False
+
+
+TOP = (
+    Key("cardan", "version", True),
+    Key("name", "text"),
+    Key("gravity", "vector"),
+    Key("parameters", "parameters"),
+    Key("inputs", "inputs"),
+    Key("tables", "tables"),
+    Key("bodies", "bodies"),
+    Key("frames", "frames"),
+    Key("include", "include"),
+    Key("joints", "joints"),
+    Key("forces", "forces"),
+    Key("outputs", "outputs"),
+    Key("values", "reals"),
+    Key("simulate", "simulate"),
+    Key("notes", "texts"),
+    Key("snaps", "texts"),
+)
+PARAMETER = (Key("value", "real", True), Key("unit", "text"))
+INPUT = (Key("default", "real"), Key("unit", "text"))
+TABLE = (Key("x", "column"), Key("y", "column"), Key("file", "text"), Key("kind", "text"))
+BODY = (
+    Key("mass", "scalar"),
+    Key("com", "vector"),
+    Key("inertia", "inertia"),
+    Key("pose", "pose"),
+    Key("shape", "shapes"),
+)
+FRAME = (Key("body", "text", True), Key("at", "vector"), Key("rotation", "rotation"))
+INCLUDE = (
+    Key("file", "text", True),
+    Key("prefix", "text"),
+    Key("at", "place"),
+    Key("base", "text"),
+    Key("mimic", "text"),
+    Key("parameters", "reals"),
+)
+POSE = (Key("position", "vector", True), Key("rotation", "rotation"), Key("base", "text"))
+JOINT = (
+    Key("type", "text", True),
+    Key("parent", "place", True),
+    Key("child", "place", True),
+    Key("motion", "motion"),
+    Key("cut", "flag"),
+    Key("q0", "numbers"),
+    Key("u0", "numbers"),
+    Key("limits", "limits"),
+    Key("at", "vector"),
+    Key("base", "text"),
+    Key("couple", "couple"),
+    Key("friction", "real"),
+)
+LIMITS = tuple(Key(name, "bound") for name in ("lower", "upper", "speed", "effort"))
+COUPLE = (Key("leader", "text", True), Key("ratio", "scalar", True), Key("offset", "scalar"))
+FORCE = (Key("type", "text", True),)
+OUTPUT = (Key("expression", "law", True), Key("unit", "text"))
+SIMULATE = (
+    Key("time", "times"),
+    Key("q", "initial"),
+    Key("u", "initial"),
+    Key("method", "text"),
+    Key("rtol", "real"),
+    Key("atol", "real"),
+    Key("step", "real"),
+    Key("max_step", "real"),
+    Key("inputs", "signals"),
+)
+
+# annotation of a field or argument -> kind of its value
+_KINDS = {
+    "Any": "value",
+    "Direction": "direction",
+    "Place": "place",
+    "JointName": "text",
+    "LocalNames": "names",
+    "bool": "flag",
+    "str": "text",
+    "Sequence[Any]": "vector",
+    "Sequence[float]": "numbers",
+    "Sequence[float] | None": "numbers",
+}
+# arguments of shapes that mean more than their annotation says
+_ARGUMENTS = {"rotation": "rotation", "file": "mesh"}
+
+
+def of_joint(kind: str) -> tuple[Key, ...]:
+    """Keys of a joint kind: its fields, then those of every joint."""
+    return (*of_element(JOINTS[kind]), *JOINT)
+
+
+def of_force(kind: str) -> tuple[Key, ...]:
+    """Keys of a force element: its fields and ``type``."""
+    return (*FORCE, *of_element(FORCES[kind]))
+
+
+def of_element(element: Any) -> tuple[Key, ...]:
+    """The fields of a joint or force element."""
+    return tuple(
+        Key(entry.name, _KINDS[str(entry.type)], entry.default is dataclasses.MISSING)
+        for entry in dataclasses.fields(element)
+    )
+
+
+def of_function(function: Callable[..., Any]) -> tuple[Key, ...]:
+    """The arguments of a shape or an inertia."""
+    return tuple(
+        Key(
+            argument.name,
+            _ARGUMENTS.get(argument.name)
+            or _KINDS[str(argument.annotation)].replace("value", "scalar"),
+            argument.default is inspect.Parameter.empty,
+        )
+        for argument in inspect.signature(function).parameters.values()
+    )
+
+
+def functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
+    """The public functions of ``model.inertia`` or ``model.shape``, by name."""
+    return {
+        name: member
+        for name, member in vars(module).items()
+        if inspect.isfunction(member) and member.__module__ == module.__name__ and name[0] != "_"
+    }
+
+
+INERTIAS = functions(inertia)
+SHAPES = functions(shape)

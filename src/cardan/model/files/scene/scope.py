@@ -1,0 +1,101 @@
+"""What expressions of a scene file may speak of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from enum import Enum
+from typing import Any
+
+from ....errors import ModelError
+from ...frame import Place
+from ...model import COMPONENTS, Model
+
+
+class Scope(Enum):
+    """How much an expression may know; each level knows what stands before it."""
+
+    NUMBERS = 0  # numbers only
+    FIXED = 1  # parameters: what bodies weigh and where they are
+    DRIVEN = 2  # inputs and t: prescribed motion
+    MOVING = 3  # coordinates, speeds, frames, tables: forces and outputs
+
+
+FIXED, DRIVEN, MOVING = Scope.FIXED, Scope.DRIVEN, Scope.MOVING
+
+
+class Names(Mapping[str, Any]):
+    """Names of expressions -> what they stand for; motion is looked up when it is asked for."""
+
+    def __init__(
+        self,
+        model: Model,
+        scope: Scope,
+        tables: Mapping[str, Any],
+        local: Sequence[str],
+        where: str,
+    ) -> None:
+        self.model = model
+        self.level = scope.value
+        self.tables = tables
+        self.local = local
+        self.where = where
+
+    def __getitem__(self, name: Any) -> Any:
+        """A symbol, a table, or the motion named by such as ``("q", "elbow")``.
+
+        Raises:
+            KeyError: no such name at this level.
+        """
+        if isinstance(name, tuple):
+            return self._motion(*name)
+        if name in self._plain():
+            from sympy import Symbol
+
+            return Symbol(name)
+        return self.tables[name]
+
+    def _motion(self, quantity: str, name: str = "", *words: str) -> Any:
+        """``q(elbow)``, ``velocity(tip, x)``, ``velocity(tip, x, base, cart)``.
+
+        Raises:
+            ModelError: no such joint, frame or component, or nothing moves here.
+        """
+        call = f"{self.where}: {quantity}({', '.join((name, *words))})"
+        if self.level < MOVING.value:
+            raise ModelError(f"{call}: this value cannot depend on the motion")
+        if quantity in ("q", "u"):
+            if words:
+                raise ModelError(f"{call}: {quantity} takes one name, such as {quantity}(elbow)")
+            try:
+                return self.model.q(name) if quantity == "q" else self.model.u(name)
+            except ModelError as problem:
+                raise ModelError(f"{self.where}: {problem}") from problem
+        return self._of_frame(call, quantity, self.model.place(call, name), words)
+
+    def _of_frame(self, call: str, quantity: str, place: Place, words: Sequence[str]) -> Any:
+        """A component of the motion of a frame."""
+        cells = COMPONENTS[9 if quantity == "rotation" else 3]
+        component, *others = words or ("",)
+        if component not in cells or len(others) > (1 if quantity == "rotation" else 2):
+            known = ", ".join(cells)
+            raise ModelError(f"{call}: write {quantity}(frame, {cells[0]}); components: {known}")
+        found = [self.model.place(call, other) for other in others]
+        against = [None if other is self.model.ground else other for other in found]
+        vector = getattr(place, quantity)(*against)
+        return vector[cells.index(component)]
+
+    def _plain(self) -> Iterator[str]:
+        yield from self.local
+        if self.level >= FIXED.value:
+            yield from self.model.parameters
+        if self.level >= DRIVEN.value:
+            yield from self.model.inputs
+            yield "t"
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._plain()
+        if self.level >= DRIVEN.value:
+            yield from self.tables
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
