@@ -11,11 +11,10 @@ from typing import Any
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near
 from . import companions, header, layout, manifest
-from .languages import cython
+from .languages import LANGUAGES, cython
 from .writing import generate
 
 STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
-LANGUAGES = ("cython", "c")
 # what building an export leaves in its directory
 PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno")

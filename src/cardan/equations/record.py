@@ -14,6 +14,7 @@ from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..topology.system import Named, System
 from . import blocks
+from .counts import Counts
 from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .kinematics import Kinematics
@@ -23,6 +24,8 @@ from .sweeps import LATER, Sweeps
 
 if TYPE_CHECKING:
     import sympy
+
+    from .mechanics import Mechanics
 
 ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
 # bodies above which loops are written, and how often a step must be used at least: measured on
@@ -41,8 +44,6 @@ LOOPS = (
     "momentum",
 )
 FORWARD_LOOPS = ("rhs", "forward_dynamics", "outputs", "power")
-SYMPY_LIMIT = 4000  # operations of a function that is written out
-EXPAND_LIMIT = 200  # operations of an entry that is multiplied out
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,7 @@ class Equations:
     chosen: tuple[Named, ...] = ()
     reason: str = ""
     _made: dict[str, Function] = field(default_factory=dict, repr=False, compare=False)
+    _read: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
     def blocks(self) -> dict[str, Block]:
@@ -231,15 +233,16 @@ class Equations:
     # readable forms
 
     @property
-    def operations(self) -> dict[str, dict[str, int]]:
+    def operations(self) -> dict[str, Counts]:
         """Operators per state-dependent block: M, h, forward and inverse dynamics.
 
-        Forward dynamics is left out where it does not exist.
+        Each counts by operator, and by body, joint and force element in ``.blocks``. Forward
+        dynamics is left out where it does not exist.
         """
         counts = {}
         for name in ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics"):
             try:
-                counts[name] = self.function(name).operations()
+                counts[name] = Counts(self.function(name))
             except DerivationError:
                 # M is singular, or the formalism does not take the joints: the rest can be shown
                 if name != "forward_dynamics":
@@ -258,17 +261,17 @@ class Equations:
         }
 
     def _expanded(self, name: str) -> sympy.Matrix:
-        from ..ir.sympy_bridge import to_sympy
-        from ..passes.trig import trig
+        from ..ir.readable import TooLong, readable
 
-        function = trig(self.function(name))
-        size = len(function.live())
-        if size > SYMPY_LIMIT:
-            raise DerivationError(
-                f"{name} has {size} operations: too many to write out. Use "
-                f"equations.symbolic('{name}'), which keeps shared intermediates"
-            )
-        return to_sympy(function, self.symbols).applyfunc(_shorter)
+        if name not in self._read:
+            try:
+                self._read[name] = readable(self.function(name), self.symbols)
+            except TooLong as problem:
+                raise DerivationError(
+                    f"{name} has an entry of {problem.operations:,} operations: too long to write "
+                    f"out. Use equations.symbolic('{name}'), which keeps shared intermediates"
+                ) from problem
+        return self._read[name].copy()
 
     @property
     def mass_matrix(self) -> sympy.Matrix:
@@ -291,15 +294,33 @@ class Equations:
         return self._expanded("qdot")
 
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
-        """A function with named intermediates, like :func:`sympy.cse`.
+        """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
 
         Returns:
-            (replacements, matrix).
+            (replacements, matrix): (symbol, expression), each in terms of the ones before it. A
+            symbol is called after body or joint and quantity, such as ``lower.omega_y``.
         """
         from ..ir.sympy_bridge import to_sympy_shared
+        from ..passes.trig import trig
 
-        replacements, matrix = to_sympy_shared(self.function(name), self.symbols)
+        replacements, matrix = to_sympy_shared(trig(self.function(name)), self.symbols, named=True)
         return replacements, matrix
+
+    def to_sympy(self) -> Mechanics:
+        """The equations with ``dynamicsymbols``, as ``sympy.physics.mechanics`` has them.
+
+        Raises:
+            DerivationError: they are too long to write out; :meth:`symbolic` is not.
+        """
+        from .mechanics import mechanics
+
+        return mechanics(self)
+
+    def _repr_latex_(self) -> str:
+        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
+        from .formula import latex
+
+        return rf"$\displaystyle {latex(self)}$"
 
     def export(
         self,
@@ -347,17 +368,6 @@ class Equations:
             row = (counts.get("mul", 0), add, counts.get("div", 0), trig, sum(counts.values()))
             lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
         return "\n".join(lines)
-
-
-def _shorter(expression: Any) -> Any:
-    """An entry multiplied out where that makes it shorter; long ones are left alone."""
-    from sympy import expand
-
-    count = expression.count_ops()
-    if count > EXPAND_LIMIT:
-        return expression
-    expanded = expand(expression)
-    return expanded if expanded.count_ops() < count else expression
 
 
 def _row(names: tuple[str, ...]) -> str:

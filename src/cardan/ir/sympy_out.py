@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import chain, count
 from typing import Any
 
 import sympy
 
 from .arithmetic import Scalar
+from .exact import exact, is_fraction
 from .function import Function, live, operands
 from .graph import ZERO, Graph
 from .matrix import Matrix
@@ -27,43 +29,47 @@ def to_sympy(what: What, names: Names | None = None) -> Any:
         what: A Function with one result gives it in its shape, with several a column of all.
         names: (block, k) -> SymPy symbol; by default a Function's names of entries.
     """
-    graph, roots, rows, columns = _expanded(what)
+    graph, roots, rows, columns = written_out(what)
     found: dict[int, Any] = {}
-    leaves = _Leaves(graph, what, names)
+    leaves = Leaves(graph, what, names)
     for i in live(graph, roots):
-        found[i] = _expression(graph, i, found, leaves)
-    return _shaped(what, rows, columns, [found[i] for i in roots])
+        found[i] = expression_of(graph, i, found, leaves)
+    return shaped(what, rows, columns, [found[i] for i in roots])
 
 
-def to_sympy_shared(what: What, names: Names | None = None) -> tuple[list[tuple[Any, Any]], Any]:
+def to_sympy_shared(
+    what: What, names: Names | None = None, named: bool = False
+) -> tuple[list[tuple[Any, Any]], Any]:
     """Expressions with what is used several times named, like :func:`sympy.cse`.
 
     Args:
         what, names: As for :func:`to_sympy`.
+        named: Call what is named after its owner and quantity, as the graph's labels say; else,
+            and without a label, it is x0, x1, ...
 
     Returns:
         (replacements, matrix): the replacements (symbol, expression), each in terms of the ones
         before it.
     """
-    graph, roots, rows, columns = _expanded(what)
+    graph, roots, rows, columns = written_out(what)
     found: dict[int, Any] = {}
-    leaves = _Leaves(graph, what, names)
+    leaves = Leaves(graph, what, names)
     order = live(graph, roots)
     uses = dict.fromkeys(order, 0)
     for i in order:
         for k in operands(graph.nodes[i]):
             uses[k] += 1
-    fresh = leaves.fresh(order)
+    symbols = leaves.fresh(order, named)
     replacements: list[tuple[Any, Any]] = []
     for i in order:
-        found[i] = _expression(graph, i, found, leaves)
+        found[i] = expression_of(graph, i, found, leaves)
         if uses[i] > 1 and graph.nodes[i][0] not in (*LEAVES, "neg", "solve"):
-            replacements.append((next(fresh), found[i]))
+            replacements.append((symbols(i), found[i]))
             found[i] = replacements[-1][0]
-    return replacements, _shaped(what, rows, columns, [found[i] for i in roots])
+    return replacements, shaped(what, rows, columns, [found[i] for i in roots])
 
 
-def _expanded(what: What) -> tuple[Graph, list[int], int, int]:
+def written_out(what: What) -> tuple[Graph, list[int], int, int]:
     """Graph, roots and shape, with positive definite systems written out."""
     if isinstance(what, Scalar):
         roots, rows, columns = [what.node], 1, 1
@@ -90,11 +96,11 @@ def _expanded(what: What) -> tuple[Graph, list[int], int, int]:
     return graph, roots, rows, columns
 
 
-def _shaped(what: What, rows: int, columns: int, entries: Sequence[Any]) -> Any:
+def shaped(what: What, rows: int, columns: int, entries: Sequence[Any]) -> Any:
     return entries[0] if isinstance(what, Scalar) else sympy.Matrix(rows, columns, list(entries))
 
 
-class _Leaves:
+class Leaves:
     """Symbols of input entries and placeholders."""
 
     def __init__(self, graph: Graph, what: What, names: Names | None) -> None:
@@ -111,32 +117,40 @@ class _Leaves:
             return sympy.Symbol(name)
         return self.names.get((name, rest[0])) or sympy.Symbol(f"{name}{rest[0]}")
 
-    def fresh(self, order: Sequence[int]) -> Iterator[Any]:
-        """Symbols x0, x1, ... that no leaf has."""
+    def fresh(self, order: Sequence[int], named: bool) -> Callable[[int], Any]:
+        """Gives nodes symbols that no leaf has: by label, else x0, x1, ..."""
         nodes = self.graph.nodes
-        used = {self.symbol(i).name for i in order if nodes[i][0] in ("var", "atom")}
-        taken = {sympy.Symbol(name) for name in used}
-        yield from sympy.numbered_symbols("x", exclude=taken)
+        taken = {self.symbol(i).name for i in order if nodes[i][0] in ("var", "atom")}
+
+        def symbol(i: int) -> Any:
+            owner, quantity = self.graph.labels.get(i, ("", "")) if named else ("", "")
+            words = ".".join(filter(None, (owner, quantity)))
+            forms = (f"{words}_{n}" for n in count(2)) if words else (f"x{n}" for n in count())
+            name = next(name for name in chain([words], forms) if name and name not in taken)
+            taken.add(name)
+            return sympy.Symbol(name)
+
+        return symbol
 
 
-def _number(value: float) -> Any:
-    """Short dyadic fractions and multiples of pi as such, other numbers as floats."""
-    if value == int(value) and abs(value) < 1e15:
-        return sympy.Integer(int(value))
-    if value * 1024 == int(value * 1024):
-        return sympy.Rational(int(value * 1024), 1024)
-    for divisor in (1, 2, 3, 4, 6):
-        if abs(value) == math.pi / divisor:
-            return sympy.pi / divisor if value > 0 else -sympy.pi / divisor
+def sympy_number(value: float) -> Any:
+    """Fractions and multiples of pi as such, other numbers as floats."""
+    if abs(value) < 1e15:
+        for divisor in (1, 2, 3, 4, 6):
+            if abs(value) == math.pi / divisor:
+                return sympy.pi / divisor if value > 0 else -sympy.pi / divisor
+        fraction = exact(value)
+        if is_fraction(fraction):
+            return sympy.Rational(fraction.numerator, fraction.denominator)
     return sympy.Float(value)
 
 
-def _expression(graph: Graph, i: int, found: Mapping[int, Any], leaves: _Leaves) -> Any:
+def expression_of(graph: Graph, i: int, found: Mapping[int, Any], leaves: Leaves) -> Any:
     """A node in terms of its operands' expressions; solve nodes give matrices."""
     node = graph.nodes[i]
     op = node[0]
     if op == "const":
-        return _number(node[1])
+        return sympy_number(node[1])
     if op in LEAVES:
         return leaves.symbol(i)
     if op == "solve":

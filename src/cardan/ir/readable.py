@@ -1,0 +1,226 @@
+"""Functions as SymPy matrices in the form of a textbook. Loads SymPy: import it on demand.
+
+Every entry becomes a Fourier sum (:mod:`.fourier`), its waves short products again
+(:mod:`.sum_to_product`), and common factors are taken out (:mod:`.nesting`). Of the forms found the
+one with fewest terms is kept, and of these the one with fewest operations. An entry never gets
+more operations than it came with, unless it has fewer terms then: I1 sin² + I3 cos² replaces
+I3 + (I1 - I3) sin².
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import prod
+from typing import Any
+
+import sympy
+
+from .exact import is_fraction
+from .fourier import COS, WHOLE, Budget, Expansion, Mono, Poly, Wave
+from .function import live, operands
+from .graph import Graph
+from .nesting import Bracket, Nested, Rank, Term, flat, nested
+from .ops import LEAVES
+from .sum_to_product import Sum, shortest, split
+from .sympy_out import OPERATIONS, Leaves, Names, What, expression_of, shaped, written_out
+
+# elementary steps for all entries together: about two seconds
+STEPS = 1_000_000
+# operations of an entry that is written out; terms whose common factors are looked for in every way
+LONGEST, NESTED = 4000, 120
+
+
+class TooLong(Exception):
+    """An entry has too many operations to be read: ``operations`` of them, at least."""
+
+    def __init__(self, operations: int) -> None:
+        super().__init__(operations)
+        self.operations = operations
+
+
+def readable(what: What, names: Names | None = None, budget: Budget | None = None) -> Any:
+    """Expressions written out as people write them.
+
+    Args:
+        what, names: As for :func:`cardan.ir.sympy_out.to_sympy`.
+        budget: Steps that simplification may take; what is over budget stays as it came.
+
+    Returns:
+        A SymPy matrix, or an expression for a Scalar.
+
+    Raises:
+        TooLong: an entry is too long to be read, simplified or not.
+    """
+    graph, roots, rows, columns = written_out(what)
+    writer = Writer(graph, roots, Leaves(graph, what, names), budget or Budget(STEPS))
+    entries = {root: writer.entry(root) for root in dict.fromkeys(roots)}
+    return shaped(what, rows, columns, [entries[root] for root in roots])
+
+
+class Writer:
+    """Writes nodes of a graph.
+
+    Args:
+        graph: The graph.
+        roots: Nodes that will be asked for.
+        leaves: Symbols of inputs.
+        budget: Steps for all of them.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        roots: Sequence[int],
+        leaves: Leaves,
+        budget: Budget,
+    ) -> None:
+        order = live(graph, roots)
+        self.sizes, self.terms = _sizes(graph, order)
+        long = frozenset(i for i in order if self.sizes[i] > LONGEST)
+        self.expansion = Expansion(graph, budget, long=long)
+        # what is taken as a whole must be short enough to be written
+        wholes = [i for i in order if graph.nodes[i][0] in (*WHOLE, "var", "atom")]
+        short = [i for i in (*roots, *wholes) if i not in long]
+        self.plain: dict[int, Any] = {}
+        for i in live(graph, short):
+            self.plain[i] = expression_of(graph, i, self.plain, leaves)
+        self.expansion.made.update((i, None) for i in wholes if i not in self.plain)
+        self.expansion.expand(order)
+        self._written: dict[tuple[Any, ...], Any] = {}
+
+    def entry(self, root: int) -> Any:
+        """The best form of a node that is found.
+
+        Raises:
+            TooLong: none is short enough.
+        """
+        given = self.plain.get(root)
+        poly = self.expansion.made[root]
+        found = [] if poly is None else self.forms(poly)
+        if given is None:
+            short = [form for form in found if form[1] <= LONGEST]
+            if not short:
+                raise TooLong(self.sizes[root])
+            return min(short, key=_measure)[2]
+        operations, terms = given.count_ops(), self._given_terms(root)
+        better = [form for form in found if form[1] <= operations or form[0] < terms]
+        return min(better, key=_measure)[2] if better else given
+
+    def _given_terms(self, root: int) -> int:
+        """Terms of an entry as it came, multiplied out; 0 where they are many."""
+        if self.terms[root] > NESTED:
+            return 0
+        return len(sympy.Add.make_args(sympy.expand(self.plain[root])))
+
+    def forms(self, poly: Poly) -> list[tuple[int, int, Any]]:
+        """Ways to write a polynomial: terms, operations, expression."""
+        found: list[tuple[int, int, Any]] = [] if poly else [(0, 0, sympy.Integer(0))]
+        for terms in self._sums(poly):
+            nests = [flat(terms)]
+            for rank in RANKS if len(terms) <= NESTED else RANKS[:1]:
+                if self.expansion.budget.spend(len(terms) ** 2):
+                    nests.append(nested(terms, rank))
+            written = [self._write(nest) for nest in nests]
+            found += [(len(terms), made.count_ops(), made) for made in written]
+        return found
+
+    def _sums(self, poly: Poly) -> list[list[Term]]:
+        """The terms of a polynomial, with short products of waves in two variants."""
+        units, budget = self.expansion.units, self.expansion.budget
+        monos: dict[Mono, dict[Wave, Fraction]] = {}
+        for (mono, wave), c in poly.items():
+            monos.setdefault(mono, {})[wave] = c
+        short = {mono: shortest(waves, units, budget) for mono, waves in monos.items()}
+        halved = {mono: split(terms, units) for mono, terms in short.items()}
+        variants = [short] if halved == short else [halved, short]
+        variants = variants if poly else []
+        return [_terms(variant) for variant in variants]
+
+    def _poly(self, key: tuple[Any, ...]) -> Any:
+        """A polynomial inside a generator."""
+        if key not in self._written:
+            self._written[key] = min(self.forms(dict(key)), key=_measure)[2]
+        return self._written[key]
+
+    def _write(self, form: Nested) -> Any:
+        factors = [_number(form.number), *(self._factor(key) ** n for key, n in form.powers)]
+        if form.inside:
+            factors.append(sympy.Add(*(self._write(part) for part in form.inside)))
+        return sympy.Mul(*factors)
+
+    def _factor(self, key: Any) -> Any:
+        """A generator by its number, a wave, or a sum in brackets."""
+        if isinstance(key, Bracket):
+            return sympy.Add(*(self._write(part) for part in key.parts))
+        if isinstance(key, tuple):
+            kind, angle = key
+            argument = sympy.Add(*(_number(c) * self._mono(mono) for mono, c in angle))
+            return sympy.cos(argument) if kind == COS else sympy.sin(argument)
+        op, *given = self.expansion.generators[key]
+        if op == "leaf":
+            return self.plain[given[0]]
+        if op == "pi":
+            return sympy.pi
+        written = [self._poly(poly) for poly in given]
+        if op == "inverse":
+            return 1 / written[0]
+        return written[0] if op == "whole" else OPERATIONS[op](*written)
+
+    def _mono(self, mono: Mono) -> Any:
+        return sympy.Mul(*(self._factor(g) ** n for g, n in mono))
+
+
+def _terms(sums: Mapping[Mono, Sum]) -> list[Term]:
+    """Monomials times products of waves as terms with powers of both."""
+    terms: list[Term] = []
+    for mono, products in sorted(sums.items()):
+        for product, c in sorted(products.items()):
+            powers: dict[Any, int] = dict(mono)
+            for wave in product:
+                powers[wave] = powers.get(wave, 0) + 1
+            terms.append((c, powers))
+    return terms
+
+
+def _number(c: Fraction) -> Any:
+    if is_fraction(c):
+        return sympy.Rational(c.numerator, c.denominator)
+    return sympy.Float(float(c))
+
+
+def _sizes(graph: Graph, order: Sequence[int]) -> tuple[dict[int, int], dict[int, int]]:
+    """Operations of every node written out in full, and its terms when that is multiplied out."""
+    sizes: dict[int, int] = {}
+    terms: dict[int, int] = {}
+    for i in order:
+        node = graph.nodes[i]
+        read = operands(node)
+        sizes[i] = sum(sizes[k] for k in read) + (node[0] not in LEAVES)
+        own = [terms[k] for k in read]
+        if node[0] in ("add", "sub"):
+            terms[i] = sum(own)
+        else:
+            terms[i] = prod(own) if node[0] == "mul" else own[0] if node[0] in ("neg", "div") else 1
+    return sizes, terms
+
+
+def _measure(form: tuple[int, int, Any]) -> tuple[int, int]:
+    return form[:2]
+
+
+def _frequent(factor: Any, count: int) -> Any:
+    return isinstance(factor, Bracket), count, not isinstance(factor, tuple), str(factor)
+
+
+def _first_declared(factor: Any, count: int) -> Any:
+    declared = -factor if isinstance(factor, int) else 0
+    return isinstance(factor, Bracket), not isinstance(factor, tuple), declared, str(factor)
+
+
+def _waves(factor: Any, count: int) -> Any:
+    return isinstance(factor, Bracket), isinstance(factor, tuple), count, str(factor)
+
+
+# which factor is taken out first
+RANKS: tuple[Rank, ...] = (_frequent, _waves, _first_declared)

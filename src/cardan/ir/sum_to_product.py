@@ -1,0 +1,133 @@
+"""Fourier sums as short sums of products: 1/2 - cos(2a)/2 is sin²a again.
+
+Two terms that differ in one wave meet by the sum-to-product formulas,
+cos a + cos b = 2 cos((a + b)/2) cos((a - b)/2) and its three sisters, as long as that saves
+operations. A constant counts as cos 0, so that squares are found by the same rule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from .fourier import CONSTANT, COS, SIN, Angle, Budget, Mono, Wave, accumulate, canonical, combined
+
+# factors of a term in their order, equal ones repeated
+Product = tuple[Wave, ...]
+Sum = dict[Product, Fraction]
+HALF = Fraction(1, 2)
+# waves of one coefficient beyond which nothing is tried
+MOST = 24
+
+
+def shortest(waves: Mapping[Wave, Fraction], units: Mapping[Mono, Fraction], budget: Budget) -> Sum:
+    """Few short products equal to a sum of waves.
+
+    Args:
+        waves: The sum.
+        units: Angles that occur: no other angle is halved further.
+        budget: Every pair of terms that is compared costs a step.
+    """
+    terms: Sum = {() if wave == CONSTANT else (wave,): c for wave, c in waves.items()}
+    while 1 < len(terms) <= MOST and budget.spend(len(terms) ** 2):
+        best, gain = None, 0
+        items = sorted(terms.items())
+        for i, (p, a) in enumerate(items):
+            for q, b in items[:i]:
+                before = cost(p, a) + cost(q, b) + 1
+                for made in _merged(p, a, q, b, units):
+                    after = sum(cost(x, c) for x, c in made.items()) + len(made) - 1
+                    if before - after > gain:
+                        best, gain = (p, q, made), before - after
+        if best is None:
+            break
+        p, q, made = best
+        del terms[p], terms[q]
+        for product, c in made.items():
+            accumulate(terms, product, c)
+    return terms
+
+
+def cost(product: Product, c: Fraction) -> int:
+    """Operations of a term: functions, their arguments, powers, products, the number in front."""
+    count = sum(1 + _written(angle) for _, angle in set(product))
+    powers = sum(product.count(wave) > 1 for wave in set(product))
+    number = (abs(c.numerator) != 1) + (c.denominator != 1)
+    return count + powers + max(len(set(product)) - 1, 0) + number
+
+
+def _written(angle: Angle) -> int:
+    """Operations of an argument."""
+    return len(angle) - 1 + sum(abs(c) != 1 for _, c in angle)
+
+
+def split(terms: Mapping[Product, Fraction], units: Mapping[Mono, Fraction]) -> Sum:
+    """The sine of a double angle as 2 sin cos."""
+    made: Sum = {}
+    for product, c in terms.items():
+        factors: list[Wave] = []
+        for kind, angle in product:
+            half = tuple((mono, HALF * n) for mono, n in angle)
+            if kind == SIN and _whole(half, units):
+                factors += [(SIN, half), (COS, half)]
+                c = 2 * c
+            else:
+                factors.append((kind, angle))
+        accumulate(made, tuple(sorted(factors)), c)
+    return made
+
+
+def _merged(
+    p: Product, a: Fraction, q: Product, b: Fraction, units: Mapping[Mono, Fraction]
+) -> Iterator[Sum]:
+    """Sums that equal a p + b q."""
+    common, (left, right) = _difference(p, q)
+    if len(left) > 1 or len(right) > 1:
+        return
+    (kind, x), (other, y) = (left or (CONSTANT,))[0], (right or (CONSTANT,))[0]
+    if kind != other:
+        return
+    plus, minus = combined(x, y, 1, HALF), combined(x, y, -1, HALF)
+    if not (_whole(plus, units) and _whole(minus, units)):
+        return
+    if abs(a) == abs(b):
+        yield _pair(common, kind, a, 1 if a == b else -1, plus, minus)
+    elif not (left and right):
+        # c0 + c1 cos 2x, by the square of either
+        (one, c0), (c1, double) = ((p, a), (b, y)) if not left else ((q, b), (a, x))
+        half = tuple((mono, HALF * n) for mono, n in double)
+        for wave, sign in (((COS, half), 1), ((SIN, half), -1)):
+            yield {
+                tuple(sorted((*common, wave, wave))): 2 * sign * c1,
+                one: c0 - sign * c1,
+            }
+
+
+def _pair(common: Product, kind: int, a: Fraction, sign: int, plus: Angle, minus: Angle) -> Sum:
+    """common a (f(x) + sign f(y)) as a product."""
+    if kind == COS:
+        waves = (COS, COS) if sign == 1 else (SIN, SIN)
+        a = a if sign == 1 else -a
+    else:
+        waves = (SIN, COS) if sign == 1 else (COS, SIN)
+    first, s = canonical(waves[0], plus)
+    second, t = canonical(waves[1], minus)
+    # a constant of the formulas disappears: cos 0 = 1
+    factors = [wave for wave in (first, second) if wave != CONSTANT]
+    return {tuple(sorted((*common, *factors))): 2 * a * s * t} if s * t else {}
+
+
+def _difference(p: Product, q: Product) -> tuple[Product, tuple[Product, Product]]:
+    """Common factors of two products, and what is left of each."""
+    left, right, common = list(p), list(q), []
+    for wave in p:
+        if wave in right:
+            left.remove(wave)
+            right.remove(wave)
+            common.append(wave)
+    return tuple(common), (tuple(left), tuple(right))
+
+
+def _whole(angle: Angle, units: Mapping[Mono, Fraction]) -> bool:
+    """Whether an angle is made of whole multiples of what occurs."""
+    return all(mono in units and (c / units[mono]).denominator == 1 for mono, c in angle)
