@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ..runtime.trajectory import FINISHED
 from . import record as abi
+from .plain import PlainRunner
 from .run import Runner
 from .times import Span
 
 
-def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
+def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str, str]:
     """Status and a sentence with time, coordinate and remedy.
 
     Args:
@@ -39,7 +40,7 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
     )
 
 
-def _culprit(runner: Runner) -> str:
+def _culprit(runner: Runner | PlainRunner) -> str:
     """`` of 'elbow.u'``, or nothing when no entry is to blame."""
     k = runner.record.culprit
     names = (*runner.model.coordinates, *runner.model.speeds, *runner.sources)

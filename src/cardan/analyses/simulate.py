@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 import warnings
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import SolveError, SolveWarning
 from ..runtime.compiled import CompiledModel
 from ..runtime.dense import Dense
+from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Conduct, Trajectory
 from . import record as abi
 from .outcome import explain
+from .plain import PlainRunner
 from .progress import showing
 from .run import Runner
 from .settings import Settings, Start, Values, settings, start
@@ -77,8 +80,7 @@ def simulate(
     begin = start(model, x0, q, u)
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
-    runner = Runner(model, how, given, power=powered(model))
-    motion = _run(runner, over, begin, how, given, progress)
+    motion = _run(runner_of(model, how, given), over, begin, given, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -86,23 +88,26 @@ def simulate(
     return motion
 
 
-def powered(model: CompiledModel) -> bool:
-    """Whether the power of sources may be asked for; compiles side by side what is needed."""
-    available = "power" in model.manifest["available"]
-    model.prepare("rhs", *(["power"] if available else []))
-    return available
+def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
+    """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
+    power = "power" in model.manifest["available"]
+    # side by side, as both must be compiled
+    called = model._load([("rhs", None), *([("power", None)] if power else [])])
+    if all(function.code.address for function in called) and model.compiles():
+        return Runner(model, how, given, power)
+    words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
+    return PlainRunner(model, replace(how, words=words), given, power)
 
 
 def _run(
-    runner: Runner,
+    runner: Runner | PlainRunner,
     over: Span,
     begin: Start,
-    how: Settings,
     given: Signals,
     progress: bool | Callable[[float], None] | None,
 ) -> Trajectory:
     """Drive the run to its end and collect what came out."""
-    run, rows, spreads = runner.record, [], []
+    run, how, rows, spreads = runner.record, runner.settings, [], []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
@@ -135,14 +140,14 @@ def _run(
     return _trajectory(runner, table, spreads if over.times is None else None, conduct)
 
 
-def _first_row(runner: Runner, over: Span, begin: Start) -> Array:
+def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
     """The start alone, for a run that broke down there."""
     rest = np.zeros(runner.n - len(begin.x))
     return np.concatenate([[over.start], begin.x, rest, runner.signals.constants])[None, :]
 
 
 def _trajectory(
-    runner: Runner, table: Array, spreads: list[Array] | None, conduct: Conduct
+    runner: Runner | PlainRunner, table: Array, spreads: list[Array] | None, conduct: Conduct
 ) -> Trajectory:
     model, n = runner.model, runner.n
     t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n :].copy()

@@ -139,7 +139,7 @@ class Caller:
                 for b, step in zip(blocks, strides, strict=True)
             ]
             before = time.perf_counter()
-            answer, bad = self._call(here, strides, rows)
+            answer, bad = self.call(here, strides, rows)
             spent = time.perf_counter() - before
             if answer and not status:
                 status, failed = answer, start + bad
@@ -147,7 +147,8 @@ class Caller:
             piece = max(1, min(8 * piece, int(piece * PIECE / max(spent, 1e-6))))
         return status, failed
 
-    def _call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
+    def call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
+        """One loop over states, nothing checked; see :func:`.abi_ctypes.run`."""
         if self.evaluator is not None:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)

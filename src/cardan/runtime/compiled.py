@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ModelError, near
+from ..errors import CompilerMissing, ModelError, near
 from . import kernels
 from .calling import Array, by_name
 from .dynamics import Dynamics
@@ -285,6 +285,14 @@ class CompiledModel(Dynamics):
         from ..ir.serialize import from_dict
 
         return evaluate(from_dict(self._objects.saved()[name]), values, arithmetic)
+
+    def compiles(self) -> bool:
+        """Whether the loops and integrators exist as C here: not without a compiler."""
+        try:
+            self._kernels()
+        except CompilerMissing:
+            return False
+        return True
 
     def _kernels(self) -> ctypes.CDLL:
         """The library of integrators and loops."""

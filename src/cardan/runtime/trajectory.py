@@ -113,6 +113,12 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.t)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # the arrays, the names and the model's source; what can be computed again stays behind
+        from .pickled import parts, restore
+
+        return restore, parts(self)
+
     # states
 
     @property
