@@ -33,6 +33,10 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: the derivative{who} is not finite. A force or a rotation leaves its "
             "domain there: look at the state motion.x[-1]"
         )
+    if answer == abi.SIZE:
+        return "too_large", (
+            f"not begun: {runner.n} numbers and their output rows are more than memory can address"
+        )
     status = runner.record.model_status
     return "model_failed", (
         f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "

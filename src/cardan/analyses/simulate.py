@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import SolveError, SolveWarning
+from ..errors import CompilerMissing, SolveError, SolveWarning
 from ..runtime.compiled import CompiledModel
 from ..runtime.dense import Dense
 from ..runtime.interpreted import CURE
@@ -73,7 +73,7 @@ def simulate(
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
-        ValueError: wrong shapes.
+        ArgumentError: wrong shapes.
         SolveError: a number that is not finite; with ``check``, an early end.
     """
     over = span(t)
@@ -91,12 +91,22 @@ def simulate(
 def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
     power = "power" in model.manifest["available"]
+    called = ["rhs", *(["power"] if power else [])]
     # side by side, as both must be compiled
-    called = model._load([("rhs", None), *([("power", None)] if power else [])])
-    if all(function.code.address for function in called) and model.compiles():
+    model.prepare(*called)
+    if all(model._function(name).address for name in called) and _integrators(model):
         return Runner(model, how, given, power)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
     return PlainRunner(model, replace(how, words=words), given, power)
+
+
+def _integrators(model: CompiledModel) -> bool:
+    """Whether the integrators exist as C here: not without a compiler."""
+    try:
+        model._kernels()
+    except CompilerMissing:
+        return False
+    return True
 
 
 def _run(

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, SolveError, near
+from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from .outcome import explain
 from .plain import PlainRunner
@@ -135,7 +136,7 @@ def stepper(
         inputs: Constants by name; later values go to :meth:`Stepper.step`.
 
     Raises:
-        ModelError, ValueError, SolveError: as for ``simulate``.
+        ModelError, ArgumentError, SolveError: as for ``simulate``.
     """
     from .simulate import runner_of
 
@@ -165,9 +166,9 @@ def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array
         (..., nx).
 
     Raises:
-        ModelError, ValueError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
+        ModelError, ArgumentError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
     """
-    states = np.asarray(x, dtype=np.float64)
+    states = numbers("x", x)
     result = np.empty_like(states)
     for place in np.ndindex(states.shape[:-1]):
         result[place] = stepper(model, x0=states[place], **options).step(dt)

@@ -32,8 +32,8 @@ class Conduct:
         settings: Its tolerances or step, as words to print.
         initial: Named initial value of every coordinate and speed.
         defaulted: Those that the caller did not give.
-        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite`` or
-            ``model_failed``.
+        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite``,
+            ``model_failed`` or ``too_large``.
         message: The same as a sentence, with time and coordinate.
         statistics: steps, rejections, evaluations, milliseconds.
     """
