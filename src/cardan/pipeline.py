@@ -126,6 +126,7 @@ def compile(
         # no room in the cache: for this process then
         folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
         layout.write_model(folder, base)
+    cache.used(folder)
 
     def provide(name: str, of: str | None) -> str:
         """Write the C of one function unless it is there."""

@@ -60,7 +60,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options"}),
-    "cli": frozenset({"terminal", "tour", "peer", "screen"}),
+    "cli": frozenset({"terminal", "tour", "peer", "screen", "health"}),
 }
 
 FILE_LINES = 400

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from cardan.errors import ModelError, SolveError, SolveWarning
+from cardan.errors import ArgumentError, CardanError, ModelError, SolveError, SolveWarning
 from cardan.runtime import calling
 from cardan.runtime.compiled import CompiledModel
 from runtime import pendulum
@@ -242,3 +242,41 @@ def test_ctypes_and_extension_give_equal_bits(directory, monkeypatch):
         results.append([*rows, model.forward_dynamics(q, u, tau=tau), model.pose("bob", q)])
     for a, b in zip(*results, strict=True):
         assert a.tobytes() == b.tobytes()
+
+
+MISTAKES = [
+    (lambda m: m.rhs(0.0, [1.0]), r"rhs: x has shape \(1,\), expected \(\.\.\., 2\)"),
+    (lambda m: m.rhs(0.0, None), r"rhs needs x="),
+    (lambda m: m.rhs(0.0, ["a", "b"]), r"rhs: x must be real numbers"),
+    (lambda m: m.rhs(0.0, [[1.0], [1.0, 2.0]]), r"rhs: x: its rows have different lengths"),
+    (lambda m: m.rhs(0.0, [1j, 0]), r"x must be real numbers, not complex"),
+    (
+        lambda m: m.rhs(np.zeros(3), np.zeros((2, 2))),
+        r"rhs: leading axes do not broadcast together: t \(3,\), x \(2,\)",
+    ),
+    (lambda m: m.rhs(0.0, [1.0, 2.0], out=np.zeros(3)), r"rhs: out has shape \(3,\)"),
+    (lambda m: m.split(3.0), r"x has shape \(\), expected \(\.\.\., 2\)"),
+    (lambda m: m.split("x"), r"x must be real numbers"),
+    (lambda m: m.with_parameters(m="heavy"), r"parameter 'm' must be real numbers"),
+    (
+        lambda m: m.energy([0.1], [0.1], parameters={"m": [1, 2], "l": [1, 2, 3]}),
+        r"parameters: leading axes do not broadcast",
+    ),
+    (
+        lambda m: m.mass_matrix(np.broadcast_to(0.0, (2**59, 1))),
+        r"mass_matrix: so many states do not fit into memory",
+    ),
+    (lambda m: m.simulate("soon"), r"t is 'soon'"),
+    (lambda m: m.simulate(1.0, x0=[1.0]), r"x0 has shape \(1,\), expected \(2,\)"),
+    (lambda m: m.simulate(1.0, x0="rest"), r"x0 must be real numbers"),
+]
+
+
+@pytest.mark.parametrize(("call", "text"), MISTAKES)
+def test_mistakes_are_our_errors_and_those_of_numpy_users(model, call, text):
+    """One of ours, and still what code written for NumPy catches."""
+    with pytest.raises(ArgumentError, match=text) as told:
+        call(model)
+    assert isinstance(told.value, CardanError)
+    assert isinstance(told.value, ValueError)
+    assert isinstance(told.value, TypeError)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ..runtime.trajectory import FINISHED
 from . import record as abi
+from .plain import PlainRunner
 from .run import Runner
 from .times import Span
 
 
-def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
+def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str, str]:
     """Status and a sentence with time, coordinate and remedy.
 
     Args:
@@ -32,6 +33,10 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
             f"stopped {at}: the derivative{who} is not finite. A force or a rotation leaves its "
             "domain there: look at the state motion.x[-1]"
         )
+    if answer == abi.SIZE:
+        return "too_large", (
+            f"not begun: {runner.n} numbers and their output rows are more than memory can address"
+        )
     status = runner.record.model_status
     return "model_failed", (
         f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
@@ -39,7 +44,7 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
     )
 
 
-def _culprit(runner: Runner) -> str:
+def _culprit(runner: Runner | PlainRunner) -> str:
     """`` of 'elbow.u'``, or nothing when no entry is to blame."""
     k = runner.record.culprit
     names = (*runner.model.coordinates, *runner.model.speeds, *runner.sources)

@@ -10,7 +10,7 @@ from ..errors import BuildError
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
-NOT_FINITE, TOO_SMALL, MODEL, INPUT = -1, -2, -3, -4
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE = -1, -2, -3, -4, -5
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(

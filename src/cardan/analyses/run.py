@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import signal
 import threading
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from . import record as abi
 from .record import INPUTS, Run, Signal
@@ -20,8 +23,18 @@ from .settings import Settings
 from .signals import Signals
 
 Array = NDArray[np.float64]
+SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A checkpoint of a run: its record and memory, to the bit, and whose they are."""
+
+    record: Any
+    memory: bytes
+    owner: int
 
 
 class Runner:
@@ -173,6 +186,39 @@ class Runner:
         answer = int(self.library.cardan_run_drive(self.record))
         self.check()
         return answer
+
+    def advance(self, end: float) -> int:
+        """Go on to a time, in any direction. Returns the answer of the kernels."""
+        run = self.record
+        run.h = math.copysign(run.h, end - run.t)
+        self.aim([end])
+        run.t_start = run.t
+        # inputs may have jumped: the derivative at the start is new
+        answer = int(self.library.cardan_segment(run))
+        while answer in (abi.DONE, abi.MORE, abi.FULL) and run.t != end:
+            run.count = 0
+            answer = self.drive(SOME_STEPS)
+        self.check()
+        return answer
+
+    def save(self) -> Saved:
+        """A checkpoint."""
+        return Saved(bytes(self.record), self.memory.tobytes(), id(self))
+
+    def restore(self, saved: Saved) -> None:
+        """Go back to a checkpoint of this run.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        run, memory = self.record, self.memory
+        if saved.owner != id(self) or len(saved.memory) != memory.nbytes:
+            raise ModelError("this checkpoint was made by another stepper")
+        stops = run.stops
+        ctypes.memmove(ctypes.addressof(run), saved.record, ctypes.sizeof(run))
+        # the stops were those of a step that is over
+        run.stops, run.stop_count, run.next_stop = stops, 1, 0
+        memory[:] = np.frombuffer(saved.memory)
 
     def check(self) -> None:
         """Raise what an input function raised."""

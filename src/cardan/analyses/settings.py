@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import initial_state
 from .integrators import INTEGRATORS, Integrator
@@ -123,7 +124,7 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any) -> Start:
     """The initial state from ``x0`` or from ``q`` and ``u``, each by names or as an array.
 
     Raises:
-        ModelError: both given, or an unknown name. ValueError: wrong shape.
+        ModelError: both given, or an unknown name. ArgumentError: wrong shape.
         SolveError: a value that is not finite.
     """
     if x0 is not None and (q is not None or u is not None):
@@ -146,9 +147,9 @@ def _by_entry(letter: str, value: Any, entries: tuple[str, ...]) -> Values:
 
 
 def _array(name: str, value: Any, entries: tuple[str, ...]) -> Array:
-    array = np.asarray(value, dtype=np.float64)
+    array = numbers(name, value)
     if array.shape != (len(entries),):
-        raise ValueError(
+        raise ArgumentError(
             f"{name} has shape {array.shape}, expected ({len(entries)},): {', '.join(entries)}"
         )
     bad = np.flatnonzero(~np.isfinite(array))

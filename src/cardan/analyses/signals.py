@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.calling import numbers
 
 Array = NDArray[np.float64]
 InputFunction = Callable[[float, Array], float]
@@ -125,7 +126,7 @@ def signals(
     Raises:
         ModelError: an unknown name; a function for a prescribed motion; values that do not cover
             the run; a sampling time without functions.
-        ValueError: wrong shape. SolveError: a value that is not finite.
+        ArgumentError: wrong shape. SolveError: a value that is not finite.
     """
     names = [str(row["name"]) for row in rows]
     own = [n for n in names if not _derived(n, names)]
@@ -170,7 +171,7 @@ def _number(name: str, value: Any) -> float:
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise ValueError(
+        raise ArgumentError(
             f"inputs: '{name}' is {value!r}; give a number, (times, values) or a function f(t, x)"
         ) from None
     if not math.isfinite(number):
@@ -183,8 +184,8 @@ def _table(
 ) -> list[Pieces]:
     """Pieces through values at times: straight lines, or a smooth curve for a motion."""
     if len(value) != 2:
-        raise ValueError(f"inputs: '{name}' has {len(value)} parts, expected (times, values)")
-    times, values = (np.array(v, dtype=np.float64) for v in value)
+        raise ArgumentError(f"inputs: '{name}' has {len(value)} parts, expected (times, values)")
+    times, values = (numbers(f"inputs: '{name}'", v) for v in value)
     _check_table(name, times, values, span)
     if moves:
         return _motion(name, k, times, values)
@@ -216,14 +217,14 @@ def _motion(name: str, k: int, times: Array, values: Array) -> list[Pieces]:
 
 def _check_table(name: str, times: Array, values: Array, span: tuple[float, float]) -> None:
     if times.ndim != 1 or times.shape != values.shape or len(times) < 2:
-        raise ValueError(
+        raise ArgumentError(
             f"inputs: '{name}' has times of shape {times.shape} and values of shape "
             f"{values.shape}; expected two equal lengths of at least 2"
         )
-    for what, numbers in (("time", times), ("value", values)):
-        bad = np.flatnonzero(~np.isfinite(numbers))
+    for what, row in (("time", times), ("value", values)):
+        bad = np.flatnonzero(~np.isfinite(row))
         if len(bad):
-            raise SolveError(f"inputs: '{name}': {what} {bad[0]} is {numbers[bad[0]]}")
+            raise SolveError(f"inputs: '{name}': {what} {bad[0]} is {row[bad[0]]}")
     if (np.diff(times) < 0).any():
         raise ModelError(f"inputs: the times of '{name}' must ascend; a time twice is a jump")
     if times[0] > min(span) or times[-1] < max(span):

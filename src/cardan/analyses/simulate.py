@@ -5,17 +5,20 @@ from __future__ import annotations
 import time
 import warnings
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import SolveError, SolveWarning
+from ..errors import CompilerMissing, SolveError, SolveWarning
 from ..runtime.compiled import CompiledModel
 from ..runtime.dense import Dense
+from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Conduct, Trajectory
 from . import record as abi
 from .outcome import explain
+from .plain import PlainRunner
 from .progress import showing
 from .run import Runner
 from .settings import Settings, Start, Values, settings, start
@@ -70,15 +73,14 @@ def simulate(
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
-        ValueError: wrong shapes.
+        ArgumentError: wrong shapes.
         SolveError: a number that is not finite; with ``check``, an early end.
     """
     over = span(t)
     begin = start(model, x0, q, u)
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
-    runner = Runner(model, how, given, power=powered(model))
-    motion = _run(runner, over, begin, how, given, progress)
+    motion = _run(runner_of(model, how, given), over, begin, given, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -86,23 +88,36 @@ def simulate(
     return motion
 
 
-def powered(model: CompiledModel) -> bool:
-    """Whether the power of sources may be asked for; compiles side by side what is needed."""
-    available = "power" in model.manifest["available"]
-    model.prepare("rhs", *(["power"] if available else []))
-    return available
+def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
+    """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
+    power = "power" in model.manifest["available"]
+    called = ["rhs", *(["power"] if power else [])]
+    # side by side, as both must be compiled
+    model.prepare(*called)
+    if all(model._function(name).address for name in called) and _integrators(model):
+        return Runner(model, how, given, power)
+    words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
+    return PlainRunner(model, replace(how, words=words), given, power)
+
+
+def _integrators(model: CompiledModel) -> bool:
+    """Whether the integrators exist as C here: not without a compiler."""
+    try:
+        model._kernels()
+    except CompilerMissing:
+        return False
+    return True
 
 
 def _run(
-    runner: Runner,
+    runner: Runner | PlainRunner,
     over: Span,
     begin: Start,
-    how: Settings,
     given: Signals,
     progress: bool | Callable[[float], None] | None,
 ) -> Trajectory:
     """Drive the run to its end and collect what came out."""
-    run, rows, spreads = runner.record, [], []
+    run, how, rows, spreads = runner.record, runner.settings, [], []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
@@ -135,14 +150,14 @@ def _run(
     return _trajectory(runner, table, spreads if over.times is None else None, conduct)
 
 
-def _first_row(runner: Runner, over: Span, begin: Start) -> Array:
+def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
     """The start alone, for a run that broke down there."""
     rest = np.zeros(runner.n - len(begin.x))
     return np.concatenate([[over.start], begin.x, rest, runner.signals.constants])[None, :]
 
 
 def _trajectory(
-    runner: Runner, table: Array, spreads: list[Array] | None, conduct: Conduct
+    runner: Runner | PlainRunner, table: Array, spreads: list[Array] | None, conduct: Conduct
 ) -> Trajectory:
     model, n = runner.model, runner.n
     t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n :].copy()

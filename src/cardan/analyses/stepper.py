@@ -2,34 +2,24 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, SolveError, near
+from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
-from . import record as abi
 from .outcome import explain
-from .run import Runner
+from .plain import PlainRunner
+from .run import Runner, Saved
 from .settings import Settings, Values, settings, start
 from .signals import signals
 from .times import Span
 
 Array = NDArray[np.float64]
-SOME_STEPS = 1 << 20
-
-
-@dataclass(frozen=True)
-class Saved:
-    """A checkpoint of a stepper: its record and memory, to the bit."""
-
-    record: bytes
-    memory: bytes
 
 
 @final
@@ -43,7 +33,7 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner, begin: Array, t: float) -> None:
+    def __init__(self, runner: Runner | PlainRunner, begin: Array, t: float) -> None:
         self._runner, self._model = runner, runner.model
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         answer = runner.start(t, begin, [t + 1.0])
@@ -94,16 +84,9 @@ class Stepper:
         if not (math.isfinite(dt) and dt != 0):
             raise ModelError(f"dt={dt:g}: a step takes some time [s]")
         self._set(inputs or {})
-        run, end = self._runner.record, self.t + dt
-        run.h = math.copysign(run.h, dt)
-        self._runner.aim([end])
-        run.t_start = run.t
-        # inputs may have jumped: the derivative at the start is new
-        answer = int(self._runner.library.cardan_segment(run))
-        while answer in (abi.DONE, abi.MORE, abi.FULL) and run.t != end:
-            run.count = 0
-            answer = self._runner.drive(SOME_STEPS)
-        self._runner.check()
+        end = self.t + dt
+        answer = self._runner.advance(end)
+        run = self._runner.record
         if run.t != end:
             raise SolveError(explain(self._runner, answer, Span(run.t_start, end))[1])
         return self.state
@@ -118,7 +101,7 @@ class Stepper:
 
     def save(self) -> Saved:
         """A checkpoint; :meth:`restore` goes back to it bit for bit."""
-        return Saved(bytes(self._runner.record), self._runner.memory.tobytes())
+        return self._runner.save()
 
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this stepper.
@@ -126,15 +109,7 @@ class Stepper:
         Raises:
             ModelError: it belongs to another one.
         """
-        run, memory = self._runner.record, self._runner.memory
-        other = abi.Run.from_buffer_copy(saved.record) if len(saved.record) else None
-        if other is None or other.y != run.y or len(saved.memory) != memory.nbytes:
-            raise ModelError("this checkpoint was made by another stepper")
-        stops = run.stops
-        ctypes.memmove(ctypes.addressof(run), saved.record, len(saved.record))
-        # the stops were those of a step that is over
-        run.stops, run.stop_count, run.next_stop = stops, 1, 0
-        memory[:] = np.frombuffer(saved.memory)
+        self._runner.restore(saved)
 
 
 def stepper(
@@ -161,9 +136,9 @@ def stepper(
         inputs: Constants by name; later values go to :meth:`Stepper.step`.
 
     Raises:
-        ModelError, ValueError, SolveError: as for ``simulate``.
+        ModelError, ArgumentError, SolveError: as for ``simulate``.
     """
-    from .simulate import powered
+    from .simulate import runner_of
 
     how: Settings = settings(method, rtol, atol, step, max_step, None)
     for name, value in (inputs or {}).items():
@@ -173,7 +148,7 @@ def stepper(
             )
     given = signals(model.manifest["inputs"], inputs, None, (t, t))
     begin = start(model, x0, q, u)
-    runner = Runner(model, how, given, power=powered(model))
+    runner = runner_of(model, how, given)
     runner.want(None, dense=False)
     return Stepper(runner, begin.x, t)
 
@@ -191,9 +166,9 @@ def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array
         (..., nx).
 
     Raises:
-        ModelError, ValueError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
+        ModelError, ArgumentError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
     """
-    states = np.asarray(x, dtype=np.float64)
+    states = numbers("x", x)
     result = np.empty_like(states)
     for place in np.ndindex(states.shape[:-1]):
         result[place] = stepper(model, x0=states[place], **options).step(dt)

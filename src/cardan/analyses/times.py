@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, SolveError
+from ..errors import ArgumentError, ModelError, SolveError
 
 
 @dataclass(frozen=True)
@@ -35,14 +35,14 @@ def span(t: Any) -> Span:
     Raises:
         ModelError: an empty or negative span, times that do not go one way.
         SolveError: a time that is not finite.
-        ValueError: nothing of the three.
+        ArgumentError: nothing of the three.
     """
     try:
         array = np.array(t, dtype=np.float64)
     except (TypeError, ValueError):
-        raise ValueError(_shape(repr(t))) from None
+        raise ArgumentError(_shape(repr(t))) from None
     if array.ndim > 1 or array.size == 0:
-        raise ValueError(_shape(f"an array of shape {array.shape}"))
+        raise ArgumentError(_shape(f"an array of shape {array.shape}"))
     bad = np.flatnonzero(~np.isfinite(np.atleast_1d(array)))
     if len(bad):
         raise SolveError(

@@ -19,6 +19,7 @@ from ..errors import CardanError
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "doctor": (".doctor", "compiler, cache, versions: what works here, what to do about the rest"),
 }
 
 DESCRIPTION = """\
@@ -30,6 +31,7 @@ start here:
   cardan demo                                a small arm, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
   cardan simulate --help                     all that can be said about a run
+  cardan doctor                              what works on this machine
 
 exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use"""
 

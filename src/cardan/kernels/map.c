@@ -4,11 +4,12 @@
  */
 #include "map.h"
 #include <math.h>
+#include <stdint.h>
 
 enum { BLOCKS = 15 };
 
 int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real *const *blocks,
-               const ptrdiff_t *strides, ptrdiff_t n, real *out, ptrdiff_t out_stride, real *work,
+               const size_t *strides, size_t n, real *out, size_t out_stride, real *work,
                ptrdiff_t *failed)
 {
     cardan_in in = {0};
@@ -16,27 +17,31 @@ int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real 
                                   &in.r,    &in.p,    &in.w,   &in.udot, &in.zdot,
                                   &in.lam,  &in.tau,  &in.wrench, &in.du, &in.q0};
     const real **moving[BLOCKS];
-    ptrdiff_t step[BLOCKS];
+    size_t step[BLOCKS];
     int movers = 0, status = 0;
 
+    *failed = -1;
+    if (cardan_too_large(n, out_stride))
+        return CARDAN_TOO_LARGE;
     /* the record of the first state, and the blocks that differ from state to state */
     for (int k = 0; k < BLOCKS; k++) {
         *field[k] = blocks[k];
         if (blocks[k] && strides[k]) {
+            if (cardan_too_large(n, strides[k]))
+                return CARDAN_TOO_LARGE;
             moving[movers] = field[k];
             step[movers++] = strides[k];
         }
     }
-    *failed = -1;
-    for (ptrdiff_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         int answer = f(&in, out + i * out_stride, work);
         if (answer != 0) {
             /* no result: NaN; the first status speaks for all */
-            for (ptrdiff_t k = 0; k < out_stride; k++)
+            for (size_t k = 0; k < out_stride; k++)
                 out[i * out_stride + k] = NAN;
             if (status == 0) {
                 status = answer;
-                *failed = i;
+                *failed = (ptrdiff_t)i;
             }
         }
         for (int k = 0; k < movers; k++)
@@ -45,12 +50,17 @@ int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real 
     return status;
 }
 
-ptrdiff_t cardan_first_bad(const real *x, ptrdiff_t n)
+int cardan_too_large(size_t rows, size_t size)
 {
-    ptrdiff_t i = 0;
+    return size != 0 && rows > (size_t)PTRDIFF_MAX / sizeof(real) / size;
+}
+
+ptrdiff_t cardan_first_bad(const real *x, size_t n)
+{
+    size_t i = 0;
 
     /* blocks of 8: x - x is 0 for every finite number and NaN otherwise */
-    for (; i + 8 <= n; i += 8) {
+    for (; n - i >= 8; i += 8) {
         real a = (x[i] - x[i]) + (x[i + 1] - x[i + 1]);
         real b = (x[i + 2] - x[i + 2]) + (x[i + 3] - x[i + 3]);
         real c = (x[i + 4] - x[i + 4]) + (x[i + 5] - x[i + 5]);
@@ -61,6 +71,6 @@ ptrdiff_t cardan_first_bad(const real *x, ptrdiff_t n)
     /* the rest, or the block that holds the culprit */
     for (; i < n; i++)
         if (!(x[i] - x[i] == 0))
-            return i;
+            return (ptrdiff_t)i;
     return -1;
 }

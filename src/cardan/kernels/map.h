@@ -13,13 +13,19 @@
  * work     work memory of f
  * failed   index of the first state at which f returned a status other than 0, else -1
  *
- * Every state is evaluated; the result is NaN where f returned a status. Returns the first status that is not 0.
+ * Every state is evaluated; the result is NaN where f returned a status. Returns the first status
+ * that is not 0; CARDAN_TOO_LARGE, and evaluates nothing, for sizes that no array can have.
  */
+enum { CARDAN_TOO_LARGE = -1 };
+
 int cardan_map(int (*f)(const cardan_in *in, real *out, real *work), const real *const *blocks,
-               const ptrdiff_t *strides, ptrdiff_t n, real *out, ptrdiff_t out_stride, real *work,
+               const size_t *strides, size_t n, real *out, size_t out_stride, real *work,
                ptrdiff_t *failed);
 
+/* Whether no array can hold so many rows of so many numbers. */
+int cardan_too_large(size_t rows, size_t size);
+
 /* Index of the first entry that is NaN or infinite, -1 if all n are finite. */
-ptrdiff_t cardan_first_bad(const real *x, ptrdiff_t n);
+ptrdiff_t cardan_first_bad(const real *x, size_t n);
 
 #endif

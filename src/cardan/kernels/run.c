@@ -4,6 +4,7 @@
  */
 #include "run.h"
 #include <math.h>
+#include <stdint.h>
 
 /* For bindings: the size they must agree with. */
 size_t cardan_run_size(void)
@@ -96,11 +97,34 @@ static int write_rows(cardan_run *run)
     return status;
 }
 
+/* Whether an array may have so many rows of so many numbers. */
+static int fits(ptrdiff_t rows, ptrdiff_t size)
+{
+    const ptrdiff_t most = PTRDIFF_MAX / (ptrdiff_t)sizeof(real);
+
+    return rows >= 0 && size >= 0 && (size == 0 || rows <= most / size);
+}
+
+/* Whether every array of the run may have the size that the record speaks of. */
+static int sizes_fit(const cardan_run *run)
+{
+    /* one by one before their sums */
+    if (!fits(run->n, 4) || !fits(run->nr, 4) || !fits(run->nx, 1) || !fits(run->nq, 1))
+        return 0;
+    return run->nq <= run->nx && run->nx <= run->n && run->stop_count > 0
+           && fits(run->stages, run->n) && fits(run->dense_rows, run->n)
+           && fits(run->capacity, 1 + run->n + run->nr)
+           && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
+           && fits(run->signal_count, 1) && fits(run->quaternion_count, 4);
+}
+
 /* Begin at t, y: the first segment, the derivative, the first step size, the first row. */
 int cardan_run_start(cardan_run *run)
 {
     int status;
 
+    if (!sizes_fit(run))
+        return CARDAN_SIZE;
     run->t_start = run->t_old = run->t;
     cardan_normalize(run, run->y);
     run->culprit = cardan_not_finite(run->y, run->n);

@@ -1,7 +1,8 @@
 /* One run of an integrator: the record that init, step and interpolate work on.
  *
  * Part of cardan. The caller owns the record and every array it points to; nothing here allocates
- * or keeps state elsewhere, so that copying record and arrays is a checkpoint.
+ * or keeps state elsewhere, so that copying record and arrays is a checkpoint. Sizes are signed;
+ * cardan_run_start looks at them once, and no product of them overflows after that.
  *
  * The integrated vector is y = [x, e], n = nx + sources long: the state x = [q, u] and the energy e
  * [J] that every source has given since the start. e is a quadrature: it takes no part in the error
@@ -25,7 +26,8 @@ enum {
     CARDAN_NOT_FINITE = -1,
     CARDAN_TOO_SMALL = -2, /* the step size fell below what t can resolve */
     CARDAN_MODEL = -3,     /* a generated function returned a status */
-    CARDAN_INPUT = -4      /* the callback of the inputs returned a status */
+    CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
+    CARDAN_SIZE = -5       /* a size is negative, or no array can have it */
 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */

@@ -25,9 +25,10 @@ cdef extern from "map.h" nogil:
     ctypedef struct cardan_in:
         const double *t
     int cardan_map(int (*f)(const cardan_in *, double *, double *) noexcept nogil,
-                   const double *const *blocks, const Py_ssize_t *strides, Py_ssize_t n,
-                   double *out, Py_ssize_t out_stride, double *work, Py_ssize_t *failed)
-    Py_ssize_t cardan_first_bad(const double *x, Py_ssize_t n)
+                   const double *const *blocks, const size_t *strides, size_t n,
+                   double *out, size_t out_stride, double *work, Py_ssize_t *failed)
+    int cardan_too_large(size_t rows, size_t size)
+    Py_ssize_t cardan_first_bad(const double *x, size_t n)
 
 ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
 ctypedef void (*preparation)(const double *, double *) noexcept nogil
@@ -48,11 +49,21 @@ cdef inline bint is_double(const Py_buffer *view) noexcept:
     return view.itemsize == 8 and view.format[0] == c"d" and view.format[1] == 0
 
 
+cdef double *memory(Py_ssize_t size) except NULL:
+    """Work memory of so many numbers, to be freed by the caller."""
+    cdef double *work = NULL
+    if size >= 0 and not cardan_too_large(<size_t>size + 1, 1):
+        work = <double *>malloc((<size_t>size + 1) * sizeof(double))
+    if work == NULL:
+        raise MemoryError(f"{size} numbers of work memory")
+    return work
+
+
 def run(address, blocks, strides, Py_ssize_t count, out, Py_ssize_t work_size):
     """Call a function at ``count`` states; see :func:`abi_ctypes.run`."""
     cdef function f = <function><uintptr_t>address
     cdef const double *at[BLOCKS]
-    cdef Py_ssize_t step[BLOCKS]
+    cdef size_t step[BLOCKS]
     cdef Py_ssize_t failed = -1, width
     cdef int status, k
     cdef const double[::1] flat
@@ -65,12 +76,12 @@ def run(address, blocks, strides, Py_ssize_t count, out, Py_ssize_t work_size):
             held.append(flat)
             at[k] = &flat[0] if flat.shape[0] else NULL
     width = result.shape[1]
-    cdef double *work = <double *>malloc((work_size + 1) * sizeof(double))
-    if work == NULL:
-        raise MemoryError(f"{work_size} numbers of work memory")
+    if count < 0 or count > result.shape[0]:
+        raise ValueError(f"{count} states do not fit into {result.shape[0]} rows")
+    cdef double *work = memory(work_size)
     cdef double *first = &result[0, 0] if width else work
     with nogil:
-        status = cardan_map(f, at, step, count, first, width, work, &failed)
+        status = cardan_map(f, at, step, <size_t>count, first, <size_t>width, work, &failed)
     free(work)
     return status, failed
 
@@ -90,7 +101,7 @@ def first_bad(x):
     if n == 0:
         return -1
     with nogil:
-        answer = cardan_first_bad(&flat[0], n)
+        answer = cardan_first_bad(&flat[0], <size_t>n)
     return answer
 
 
@@ -198,7 +209,7 @@ cdef class Fast:
         """Whether a buffer is a vector of so many finite doubles."""
         if view.ndim != 1 or view.shape[0] != size or not is_double(view):
             return False
-        return cardan_first_bad(<const double *>view.buf, size) < 0
+        return cardan_first_bad(<const double *>view.buf, <size_t>size) < 0
 
     cdef object evaluate(self, const double **at, out):
         """The result as an array; None where ``out`` or the numbers want a closer look."""
@@ -218,16 +229,17 @@ cdef class Fast:
             PyBuffer_Release(&view)
             return None
         if self.work_size > SMALL_WORK:
-            work = <double *>malloc(self.work_size * sizeof(double))
-            if work == NULL:
+            try:
+                work = memory(self.work_size)
+            except MemoryError:
                 PyBuffer_Release(&view)
-                raise MemoryError(f"{self.work_size} numbers of work memory")
+                raise
         if self.is_long:
             with nogil:
                 status = self.f(<const cardan_in *>at, <double *>view.buf, work)
         else:
             status = self.f(<const cardan_in *>at, <double *>view.buf, work)
-        bad = cardan_first_bad(<const double *>view.buf, self.out_size)
+        bad = cardan_first_bad(<const double *>view.buf, <size_t>self.out_size)
         if work != small:
             free(work)
         PyBuffer_Release(&view)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 NAME = "ctypes"
 SLOTS = 15
 Pointers = ctypes.c_void_p * SLOTS
-Strides = ctypes.c_ssize_t * SLOTS
+Strides = ctypes.c_size_t * SLOTS
 FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
 PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
@@ -62,9 +62,9 @@ def run(
         ctypes.c_void_p(address),
         pointers,
         Strides(*strides),
-        ctypes.c_ssize_t(count),
+        ctypes.c_size_t(count),
         ctypes.c_void_p(out.ctypes.data),
-        ctypes.c_ssize_t(out.strides[0] // 8),
+        ctypes.c_size_t(out.strides[0] // 8),
         ctypes.c_void_p(work.ctypes.data),
         ctypes.byref(failed),
     )

@@ -170,9 +170,7 @@ def compiled(
         raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
     for place in (cache / name, *(other / name for other in folder.temporary())):
         if intact(place):
-            # the time of the last use, for those who prune
-            with suppress(OSError):
-                os.utime(place)
+            folder.used(place)
             return Object(place, fresh=False)
     try:
         return _made(cache / name, sources, include, by, reproducible)

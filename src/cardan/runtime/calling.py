@@ -20,6 +20,7 @@ from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
 SHOWN = 12
+LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 FIRST = 256  # states before the time of one is known
 PIECE = 0.03  # seconds between two looks at signals
 
@@ -107,6 +108,14 @@ class Caller:
             ArgumentError: missing, wrong kind or shape.
             SolveError: a number given is NaN or infinite, or the result for one state is.
         """
+        try:
+            return self._results(out, values, w)
+        except MemoryError as error:
+            raise ArgumentError(
+                f"{self.name}: so many states do not fit into memory ({error}). Give fewer at once"
+            ) from None
+
+    def _results(self, out: Array | None, values: Sequence[Any], w: Array | None) -> Array:
         arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
         lead = self._lead(arrays, w)
         count = prod(lead)
@@ -121,6 +130,8 @@ class Caller:
                 blocks[slot], strides[slot] = flat[first:], stride
         prepared = self.w if w is None else w
         blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
+        if count * max(1, self.size) > LARGEST:
+            raise MemoryError(f"{count} states of {self.size} numbers")
         result = np.empty((count, self.size))
         if count:
             status, failed = self._run(blocks, strides, result)
@@ -139,7 +150,7 @@ class Caller:
                 for b, step in zip(blocks, strides, strict=True)
             ]
             before = time.perf_counter()
-            answer, bad = self._call(here, strides, rows)
+            answer, bad = self.call(here, strides, rows)
             spent = time.perf_counter() - before
             if answer and not status:
                 status, failed = answer, start + bad
@@ -147,7 +158,8 @@ class Caller:
             piece = max(1, min(8 * piece, int(piece * PIECE / max(spent, 1e-6))))
         return status, failed
 
-    def _call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
+    def call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
+        """One loop over states, nothing checked; see :func:`.abi_ctypes.run`."""
         if self.evaluator is not None:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
@@ -160,12 +172,7 @@ class Caller:
             return argument.default
         if isinstance(value, Mapping) and argument.start is not None:
             return by_name(f"{self.name}, {argument.name}", argument, value)
-        array = np.asarray(value)
-        if array.dtype.kind not in "fiub":
-            raise ArgumentError(
-                f"{self.name}: {argument.name} must be real numbers, not {array.dtype}"
-            )
-        array = np.asarray(array, dtype=np.float64)
+        array = numbers(f"{self.name}: {argument.name}", value)
         n = len(argument.shape)
         if array.ndim < n or array.shape[array.ndim - n :] != argument.shape:
             raise ArgumentError(
@@ -183,13 +190,7 @@ class Caller:
         }
         if w is not None:
             shapes["parameters"] = w.shape[:-1]
-        try:
-            return np.broadcast_shapes(*shapes.values())
-        except ValueError:
-            text = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-            raise ArgumentError(
-                f"{self.name}: leading axes do not broadcast together: {text}"
-            ) from None
+        return common(self.name, shapes)
 
     def _check_finite(self, argument: Argument, flat: Array) -> None:
         bad = abi.first_bad(flat)
@@ -270,6 +271,34 @@ def _listed(argument: Argument) -> str:
     return f": {argument.what} {shown}{more}"
 
 
+def numbers(where: str, value: Any) -> Array:
+    """A value as an array of float64.
+
+    Raises:
+        ArgumentError: it holds other things than real numbers, or rows of different lengths.
+    """
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise ArgumentError(f"{where}: its rows have different lengths") from None
+    if array.dtype.kind not in "fiub":
+        raise ArgumentError(f"{where} must be real numbers, not {array.dtype}")
+    return np.asarray(array, dtype=np.float64)
+
+
+def common(where: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The leading axes that several arguments broadcast to.
+
+    Raises:
+        ArgumentError: there are none.
+    """
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        text = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise ArgumentError(f"{where}: leading axes do not broadcast together: {text}") from None
+
+
 def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> Array:
     """A vector from named values, the rest as it starts.
 
@@ -285,7 +314,7 @@ def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> 
     for name, given in values.items():
         if name not in argument.places:
             raise ModelError(f"{where}: '{name}' does not exist.{near(name, argument.places)}")
-        value, place = np.asarray(given, dtype=np.float64), argument.places[name]
+        value, place = numbers(f"{where}: '{name}'", given), argument.places[name]
         size = place.stop - place.start
         if size == 1:
             value = value[..., None]
@@ -294,7 +323,8 @@ def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> 
                 f"{where}: '{name}' has shape {value.shape}, expected (..., {size}): "
                 f"{', '.join(argument.entries[place])}"
             )
-        read[name], lead = value, np.broadcast_shapes(lead, value.shape[:-1])
+        read[name] = value
+        lead = common(where, {"the others": lead, f"'{name}'": value.shape[:-1]})
     result: Array = np.broadcast_to(
         np.zeros(argument.size) if argument.start is None else argument.start,
         (*lead, argument.size),

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ModelError, near
+from ..errors import ArgumentError, ModelError, near
 from . import kernels
-from .calling import Array, by_name
+from .calling import Array, by_name, numbers
 from .dynamics import Dynamics
 from .evaluation import Values
 from .layout import NAMED, READS, Layout
@@ -52,7 +52,7 @@ class CompiledModel(Dynamics):
     have length 1; 6-vectors have the angular part first. SI units, radians.
 
     Raises (every function):
-        ValueError: wrong shape. ModelError: unknown name, or a function that was not compiled.
+        ArgumentError: wrong shape. ModelError: unknown name, or a function that was not compiled.
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
@@ -195,7 +195,7 @@ class CompiledModel(Dynamics):
         """
         vector = self._parameters.changed({**(values or {}), **named})
         if vector.ndim != 1:
-            raise ValueError(
+            raise ArgumentError(
                 "with_parameters takes one number per name; a batch of parameter sets goes into "
                 "parameters= of a function"
             )
@@ -302,16 +302,16 @@ class CompiledModel(Dynamics):
 
     def _vector(self, block: str, value: Any) -> Any:
         if not isinstance(value, Mapping):
-            return np.asarray(value, dtype=np.float64)
+            return numbers(block, value)
         return by_name(block, self._layout.arguments[block], value)
 
     # states
 
     def split(self, x: ArrayLike) -> tuple[Array, Array]:
         """q (..., nq) and u (..., nu) of a state x (..., nx): views where x is an array."""
-        array = np.asarray(x, dtype=np.float64)
+        array = numbers("x", x)
         if array.ndim == 0 or array.shape[-1] != self.nx:
-            raise ValueError(f"x has shape {array.shape}, expected (..., {self.nx}): [q, u]")
+            raise ArgumentError(f"x has shape {array.shape}, expected (..., {self.nx}): [q, u]")
         return array[..., : self.nq], array[..., self.nq :]
 
     def initial(self, q: Values | None = None, u: Values | None = None) -> Array:

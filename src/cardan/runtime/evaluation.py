@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..errors import ArgumentError
 from .calling import Array
 from .objects import Key
 
@@ -70,6 +71,6 @@ def into(result: Array, out: Array | None) -> Array:
     if out is None:
         return result
     if out.shape != np.shape(result):
-        raise ValueError(f"out has shape {out.shape}, expected {np.shape(result)}")
+        raise ArgumentError(f"out has shape {out.shape}, expected {np.shape(result)}")
     out[...] = result
     return out

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import atexit
 import os
+import re
 import shutil
 import stat
 import tempfile
 import warnings
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
@@ -20,6 +22,7 @@ from ..errors import BuildError, BuildWarning
 
 # others may not even list it: it shows what somebody works on
 PRIVATE = 0o700
+OURS = re.compile(r"[0-9a-f]{64}\.so\Z|models\Z|zig\Z|compilers\.json\Z|\.new-")
 
 
 def wanted() -> Path:
@@ -51,6 +54,9 @@ def refusal(path: Path) -> str:
         return f"it cannot be made ({error.strerror}). {_ELSEWHERE}"
     if status.st_uid != os.geteuid():
         return f"it belongs to another user. {_ELSEWHERE}"
+    foreign = _foreign(path)
+    if foreign:
+        return f"it holds other things ({foreign}). {_ELSEWHERE}"
     # what others may have written cannot be trusted any more; what they may read is closed
     if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
         return f"it is not private: others may write to it. Run: rm -r {path}"
@@ -62,7 +68,23 @@ def refusal(path: Path) -> str:
     return ""
 
 
+def _foreign(path: Path) -> str:
+    """The first thing in a folder that no cache holds: it is not ours to change or to sweep."""
+    try:
+        with os.scandir(path) as entries:
+            return next((e.name for e in entries if not OURS.match(e.name)), "")
+    except OSError:
+        return ""
+
+
 _ELSEWHERE = "Set CARDAN_CACHE to a folder of your own"
+
+
+def used(path: Path) -> None:
+    """Note the time of the last use of something in the cache, for those who prune."""
+    # where nothing may be written, nothing is pruned
+    with suppress(OSError):
+        os.utime(path)
 
 
 def instead(path: Path, reason: str) -> Path:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near
 from .calling import Array
 
 Rows = list[dict[str, Any]]
@@ -31,7 +31,7 @@ def initial_state(
 
     Raises:
         ModelError: an unknown name, a joint without coordinates of its own, a value given twice.
-        ValueError: the wrong number of values.
+        ArgumentError: the wrong number of values.
         SolveError: a value that is not finite, or a quaternion of length 0.
     """
     joints: Rows = manifest["joints"]
@@ -110,10 +110,10 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
     """The values of some entries, checked."""
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise ValueError(f"{where}: {value!r} is not a number")
+        raise ArgumentError(f"{where}: {value!r} is not a number")
     array = np.atleast_1d(array.astype(np.float64))
     if array.shape != (len(entries),):
-        raise ValueError(
+        raise ArgumentError(
             f"{where}: {array.size} values, expected {len(entries)}: {', '.join(entries)}"
         )
     for entry, number in zip(entries, array, strict=True):

@@ -8,6 +8,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..errors import ArgumentError
 from .calling import Array
 from .evaluation import Evaluation, State, Values, into
 from .objects import Key
@@ -109,7 +110,7 @@ class Kinematics(Evaluation, ABC):
     ) -> Array:
         """A 6-vector of a frame in its own axes."""
         if in_ != "frame":
-            raise ValueError(f"in_ must be 'ground' or 'frame', not {in_!r}")
+            raise ArgumentError(f"in_ must be 'ground' or 'frame', not {in_!r}")
         ground = self._evaluate(key, values, parameters, None)
         t, q, r = values[0], values[1], values[-1]
         axes = self._evaluate(("pose", key[1]), (t, q, r), parameters, None)[..., :3, :3]

@@ -210,7 +210,7 @@ class Objects:
         interpreted.announce(missing)
         try:
             return from_dict(saved[symbol])
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise ModelError(f"{self.directory / 'functions.json'}: {symbol}: {error}") from None
 
     def text_path(self, symbol: str) -> Path:

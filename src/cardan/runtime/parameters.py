@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
-from .calling import Array
+from .calling import Array, common, numbers
 
 
 class Parameters(Mapping[str, float]):
@@ -56,7 +56,7 @@ class Parameters(Mapping[str, float]):
             ModelError: unknown or structural name; a value that is not finite; a negative mass.
         """
         read = {name: self._check(name, value) for name, value in values.items()}
-        lead = np.broadcast_shapes(*(value.shape for value in read.values()))
+        lead = common("parameters", {name: value.shape for name, value in read.items()})
         result = np.broadcast_to(self._values, (*lead, len(self))).copy()
         for name, value in read.items():
             result[..., self._place[name]] = value
@@ -71,7 +71,7 @@ class Parameters(Mapping[str, float]):
         if name not in self._place:
             known = [*self._place, *self._structural]
             raise ModelError(f"parameter '{name}' does not exist.{near(name, known)}")
-        array = np.asarray(value, dtype=np.float64)
+        array = numbers(f"parameter '{name}'", value)
         if not np.isfinite(array).all():
             raise ModelError(f"parameter '{name}' must be finite, not {value!r}")
         # the number written as the mass of a body, under the name the model gave it

@@ -130,4 +130,5 @@ def _written(place: Path, files: Mapping[str, str]) -> Path:
         # what is there already is left alone: other processes may be reading it
         if not (place / name).is_file() or (place / name).read_bytes() != content:
             cache.publish(place / name, content)
+    folder.used(place)
     return place

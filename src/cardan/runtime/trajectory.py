@@ -32,8 +32,8 @@ class Conduct:
         settings: Its tolerances or step, as words to print.
         initial: Named initial value of every coordinate and speed.
         defaulted: Those that the caller did not give.
-        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite`` or
-            ``model_failed``.
+        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite``,
+            ``model_failed`` or ``too_large``.
         message: The same as a sentence, with time and coordinate.
         statistics: steps, rejections, evaluations, milliseconds.
     """
@@ -112,6 +112,12 @@ class Trajectory:
 
     def __len__(self) -> int:
         return len(self.t)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # the arrays, the names and the model's source; what can be computed again stays behind
+        from .pickled import parts, restore
+
+        return restore, parts(self)
 
     # states
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ModelError, near
-from .calling import Array
+from ..errors import ArgumentError, ModelError, near
+from .calling import Array, numbers
 
 if TYPE_CHECKING:
     from .kinematics import Kinematics
@@ -23,9 +23,9 @@ def _read(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Arr
             raise ModelError(
                 f"wrenches: frame '{frame}' does not exist.{near(frame, model.frames)}"
             )
-        array = np.asarray(value, dtype=np.float64)
+        array = numbers(f"wrenches: '{frame}'", value)
         if array.ndim == 0 or array.shape[-1] != 6:
-            raise ValueError(
+            raise ArgumentError(
                 f"wrenches: '{frame}' has shape {array.shape}, "
                 "expected (..., 6): moment, then force"
             )

@@ -1,0 +1,277 @@
+"""A run where there is no C compiler: the same loop, over SciPy's method of that name."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ModelError
+from ..runtime.compiled import CompiledModel
+from ..runtime.dense import Dense
+from ..runtime.loaded import LoadedFunction
+from ..runtime.slots import ORDER, SLOT
+from . import record as abi
+from .plain_methods import METHODS, Broken, Step
+from .run import SLICE, Saved
+from .settings import Settings
+from .signals import Signals
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Progress:
+    """How far a run is: the fields of ``cardan_run`` that others read."""
+
+    t: float = 0.0
+    t_start: float = 0.0
+    h: float = 0.0
+    steps: int = 0
+    rejections: int = 0
+    evaluations: int = 0
+    count: int = 0
+    nr: int = 0
+    culprit: int = -1
+    model_status: int = 0
+
+
+class PlainRunner:
+    """A run from a state over segments of time; used as :class:`.run.Runner` is."""
+
+    def __init__(
+        self, model: CompiledModel, settings: Settings, given: Signals, power: bool = True
+    ) -> None:
+        """Args: as of :class:`.run.Runner`.
+
+        Raises:
+            ModelError: the method exists in C only.
+        """
+        if settings.method.name not in METHODS:
+            raise ModelError(
+                f"method '{settings.method.name}' needs a C compiler: pip install "
+                f"'cardan[compiler]'. Without one there are {', '.join(METHODS)}"
+            )
+        self.model, self.settings, self.signals = model, settings, given
+        self.functions = [model._function("rhs"), *([model._function("power")] if power else [])]
+        self.powered = power
+        outputs = self.functions[-1].outputs if power else []
+        self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
+        self.nx, self.n = model.nx, model.nx + len(self.sources)
+        self.error: BaseException | None = None
+        self.record = Progress(nr=model.nr, h=settings.step)
+        self.views = {"y": np.zeros(self.n), "r": given.constants.copy()}
+        self._rest = np.zeros(max(model.nu, 6 * len(model.bodies)))
+        self.quaternions = tuple(model.manifest["quaternions"])
+        self._kept: list[tuple[Array, Array]] = []
+        self._times: Array | None = None
+        self._where: dict[int, int] = {}
+
+    # the derivative
+
+    def derivative(self, t: float, y: Array) -> Array:
+        """dy/dt (n,) at t, y.
+
+        Raises:
+            Broken: a function has no result.
+        """
+        self._inputs(t, y, not self._sampled)
+        self.record.evaluations += 1
+        result = np.empty(self.n)
+        self._call(self.functions[0], t, y, result[: self.nx])
+        if self.sources:
+            self._call(self.functions[1], t, y, result[self.nx :])
+        return result
+
+    def _call(self, function: LoadedFunction, t: float, y: Array, out: Array) -> None:
+        nq, caller = self.model.nq, function.caller
+        given = {"t": np.array([t]), "q": y[:nq], "u": y[nq : self.nx], "r": self.views["r"]}
+        given |= {"tau": self._rest, "wrench": self._rest}
+        blocks: list[Array | None] = [given.get(name) for name in ORDER]
+        blocks[SLOT["w"]] = function.w
+        status, _ = caller.call(blocks, [0] * len(ORDER), out[None, :])
+        if status:
+            self.record.model_status = status
+            raise Broken(abi.MODEL)
+
+    @property
+    def _sampled(self) -> bool:
+        return self.signals.sample is not None
+
+    def _inputs(self, t: float, y: Array, asked: bool) -> None:
+        """Fill r at t: values at times, then functions of the user; constants stay."""
+        r = self.views["r"]
+        for k, piece in enumerate(self.signals.pieces):
+            where = self._where[k]
+            d, c = t - piece.breaks[where], piece.coefficients[where]
+            r[piece.input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0]
+        for k, function in self.signals.functions.items() if asked else ():
+            r[k] = float(function(t, y[: self.nx].copy()))
+
+    # running
+
+    def start(self, t: float, x: Array, stops: Sequence[float]) -> int:
+        """Set the state and evaluate there. Returns the answer the kernels would give."""
+        self.record.t = self.record.t_start = t
+        y = self.views["y"]
+        y[: self.nx] = x
+        self.normalize(y)
+        self.aim(stops)
+        if self._blamed(y):
+            return abi.NOT_FINITE
+        try:
+            self._segment()
+            if self._blamed(self.derivative(t, y)):
+                return abi.NOT_FINITE
+        except Broken as broken:
+            return broken.answer
+        if self._times is None or self._times[0] == t:
+            self._keep(t, y, np.zeros((self.settings.method.dense_rows, self.n)))
+        return abi.DONE
+
+    def aim(self, stops: Sequence[float]) -> None:
+        """Set the times at which steps must end; the last one is the end."""
+        self._stops, self._next = list(stops), 0
+        self._method: Iterator[Step] | None = None
+
+    def want(self, times: Array | None, dense: bool) -> None:
+        """Say which rows to write, as :meth:`.run.Runner.want`; dense output is always kept."""
+        self._times, self._all = times, dense
+        self._kept, self._next_time = [], 1
+
+    @property
+    def rows(self) -> Array:
+        """Rows so far (count, 1 + n + nr)."""
+        rows = [row for row, _ in self._kept]
+        return np.stack(rows) if rows else np.empty((0, 1 + self.n + self.record.nr))
+
+    @property
+    def spreads(self) -> Array:
+        """Dense output so far (count, dense_rows, n)."""
+        size = (0, self.settings.method.dense_rows, self.n)
+        return np.stack([s for _, s in self._kept]) if self._kept else np.empty(size)
+
+    def slices(self) -> Iterator[int]:
+        """Run to the end; yields the answer about every 10 ms."""
+        answer = abi.MORE
+        while answer == abi.MORE:
+            answer = self._drive(time.perf_counter() + SLICE)
+            yield answer
+
+    def advance(self, end: float) -> int:
+        """Go on to a time, as :meth:`.run.Runner.advance`."""
+        self.aim([end])
+        self.record.t_start = self.record.t
+        try:
+            self._segment()
+        except Broken as broken:
+            return broken.answer
+        answer = self._drive(math.inf)
+        if answer == abi.STOPPED:
+            raise KeyboardInterrupt
+        return answer
+
+    def _drive(self, deadline: float) -> int:
+        """Step until the run is over or the time is up."""
+        try:
+            while time.perf_counter() < deadline:
+                if self.record.t == self._stops[self._next]:
+                    if self._next + 1 == len(self._stops):
+                        return abi.DONE
+                    self._next += 1
+                    self._segment()
+                self._step()
+        except Broken as broken:
+            return broken.answer
+        except KeyboardInterrupt:
+            return abi.STOPPED
+        return abi.MORE
+
+    def _segment(self) -> None:
+        """Begin the segment ahead of t: the pieces of its inputs, a method that starts there."""
+        t, stop = self.record.t, self._stops[self._next]
+        middle = 0.5 * (t + stop)
+        for k, piece in enumerate(self.signals.pieces):
+            where = int(np.searchsorted(piece.breaks, middle, side="right")) - 1
+            self._where[k] = min(max(where, 0), len(piece.coefficients) - 1)
+        self._inputs(t, self.views["y"], True)
+        self._method = None
+
+    def _step(self) -> None:
+        run, y = self.record, self.views["y"]
+        if self._method is None:
+            self._method = METHODS[self.settings.method.name](self, self._stops[self._next])
+        before, old = run.t, y.copy()
+        step = next(self._method)
+        if self._blamed(step.y):
+            raise Broken(abi.NOT_FINITE)
+        run.t, y[:] = step.t, step.y
+        run.steps += 1
+        if self._times is not None:
+            self._at_times(before, old, step)
+        elif self._all:
+            self._keep(step.t, y, step.spread())
+
+    def _at_times(self, before: float, old: Array, step: Step) -> None:
+        """Rows for the wanted times inside a step."""
+        times, sign = self._times, 1.0 if step.t > before else -1.0
+        assert times is not None
+        first = self._next_time
+        while self._next_time < len(times) and (times[self._next_time] - step.t) * sign <= 0:
+            self._next_time += 1
+        inside = times[first : self._next_time]
+        if len(inside):
+            spread = step.spread()
+            ends, values = np.array([before, step.t]), np.stack([old, step.y])
+            for t, y in zip(
+                inside, Dense(ends, values, spread[None], self.quaternions).at(inside), strict=True
+            ):
+                self._keep(float(t), y, spread)
+
+    def _keep(self, t: float, y: Array, spread: Array) -> None:
+        self._inputs(t, y, not self._sampled)
+        self._kept.append((np.concatenate([[t], y, self.views["r"]]), spread))
+        self.record.count = len(self._kept)
+
+    def normalize(self, y: Array) -> None:
+        """Scale every quaternion to unit length."""
+        for start in self.quaternions:
+            y[start : start + 4] /= np.linalg.norm(y[start : start + 4])
+
+    def _blamed(self, numbers: Array) -> bool:
+        """Whether a number is not finite; the first one is to blame."""
+        bad = np.flatnonzero(~np.isfinite(numbers))
+        self.record.culprit = int(bad[0]) if len(bad) else -1
+        return len(bad) > 0
+
+    def check(self) -> None:
+        """Nothing is left to raise: no C frames lie between the user's functions and us."""
+
+    @contextmanager
+    def interruptible(self) -> Iterator[None]:
+        """Ctrl-C is heard everywhere here."""
+        yield
+
+    # checkpoints
+
+    def save(self) -> Saved:
+        """State, inputs and counters."""
+        memory = np.concatenate([self.views["y"], self.views["r"]])
+        return Saved(replace(self.record), memory.tobytes(), id(self))
+
+    def restore(self, saved: Saved) -> None:
+        """Go back to a checkpoint of this run.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        if saved.owner != id(self) or not isinstance(saved.record, Progress):
+            raise ModelError("this checkpoint was made by another stepper")
+        self.record = replace(saved.record)
+        memory = np.frombuffer(saved.memory)
+        self.views["y"][:], self.views["r"][:] = memory[: self.n], memory[self.n :]

@@ -1,0 +1,120 @@
+"""The methods of runs without a compiler: SciPy's, and the classical one of fixed step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import record as abi
+
+if TYPE_CHECKING:
+    from .plain import PlainRunner
+
+Array = NDArray[np.float64]
+STAGES = 12  # derivatives of a step of DOP853
+LEAST = 2.3e-14  # SciPy takes no smaller rtol
+
+
+class Broken(Exception):
+    """The run cannot go on.
+
+    Attributes:
+        answer: What the kernels would say.
+    """
+
+    def __init__(self, answer: int) -> None:
+        super().__init__(answer)
+        self.answer = answer
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step that succeeded.
+
+    Attributes:
+        t, y: Where it ends.
+        spread: Its dense output (dense_rows, n), computed when asked for.
+    """
+
+    t: float
+    y: Array
+    spread: Callable[[], Array]
+
+
+def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of the classical Runge-Kutta method on a grid from here to a stop.
+
+    Source: as of the record ``RK4``.
+    """
+    run, f = runner.record, runner.derivative
+    begin, t, y, k = run.t, run.t, runner.views["y"].copy(), 0
+    h = math.copysign(runner.settings.step, stop - begin)
+    first = f(t, y)
+    while t != stop:
+        k += 1
+        end = begin + k * h
+        if (stop - end) / h < 1e-9:
+            end = stop
+        d = end - t
+        second = f(t + d / 2, y + d / 2 * first)
+        third = f(t + d / 2, y + d / 2 * second)
+        fourth = f(end, y + d * third)
+        new = y + d / 6 * (first + 2 * (second + third) + fourth)
+        runner.normalize(new)
+        last = f(end, new)
+
+        def spread(
+            y: Array = y, new: Array = new, a: Array = d * first, b: Array = d * last
+        ) -> Array:
+            rise = new - y
+            return np.stack([rise, a - rise, 2 * rise - a - b])
+
+        yield Step(end, new, spread)
+        t, y, first = end, new, last
+
+
+def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of SciPy's DOP853 from here to a stop.
+
+    The energies of the sources take no part in the error control: their tolerance is infinite,
+    and the mean over all entries is made one over the state.
+    """
+    from scipy.integrate import DOP853
+
+    run, how = runner.record, runner.settings
+    share = math.sqrt(max(runner.nx, 1) / runner.n) if runner.n else 1.0
+    atol = np.full(runner.n, how.atol * share)
+    atol[runner.nx :] = math.inf
+    wanted = abs(run.h)
+    length = abs(stop - run.t)
+    solver = DOP853(
+        runner.derivative,
+        run.t,
+        runner.views["y"].copy(),
+        stop,
+        max_step=how.max_step,
+        rtol=max(how.rtol * share, LEAST) if how.rtol else LEAST,
+        atol=atol,
+        first_step=min(wanted, length) if wanted else None,
+    )
+    while solver.status == "running":
+        spent = solver.nfev
+        solver.step()
+        if solver.status == "failed":
+            raise Broken(abi.TOO_SMALL)
+        run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
+        # a step cut at the stop does not shrink the next one
+        wanted = max(wanted, solver.h_abs) if solver.t == stop else solver.h_abs
+        run.h = math.copysign(wanted, solver.direction)
+        if runner.quaternions:
+            runner.normalize(solver.y)
+            solver.f = runner.derivative(solver.t, solver.y)
+        yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+
+
+METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {"DOP853": dop853, "RK4": rk4}

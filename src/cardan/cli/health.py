@@ -1,0 +1,156 @@
+"""What ``cardan doctor`` looks at."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import shlex
+import shutil
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
+from pathlib import Path
+
+from .. import __version__
+from ..errors import BuildError
+from ..runtime import abi, bounded, cache, folder, prune, toolchain
+
+NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
+# what may be missing: module -> what it is for, and the extra that brings it
+OPTIONAL = {
+    "matplotlib": ("pictures: motion.plot()", "plot"),
+    "xarray": ("data sets: motion.to_xarray()", "data"),
+    "mpmath": ("errors in model.report(), against 40 digits", "test"),
+    "example_robot_data": ("robots for cardan demo", "demo"),
+    "ziglang": ("a C compiler from the package index", "compiler"),
+}
+# instruction set -> numbers it works on at once
+WIDTHS = {"avx512f": 8, "avx2": 4, "avx": 4, "sse2": 2, "asimd": 2}
+PROBE = "double cardan_probe(double x);\ndouble cardan_probe(double x) { return 2 * x; }\n"
+PIP = "pip install"
+LITTLE = 100e6  # bytes
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line of the report.
+
+    Attributes:
+        name: What was looked at.
+        ok: Whether nothing needs doing.
+        says: What was found.
+        cure: What to do about it, or what could be had; "" if nothing.
+    """
+
+    name: str
+    ok: bool
+    says: str
+    cure: str = ""
+
+
+def findings() -> list[Finding]:
+    """Everything there is to say about this machine."""
+    return [
+        Finding("cardan", True, f"{__version__}, Python {platform.python_version()}"),
+        *map(_needed, NEEDED),
+        _extension(),
+        _compiler(),
+        _limits(),
+        _cache(),
+        _processor(),
+        *(_optional(name, what, extra) for name, (what, extra) in OPTIONAL.items()),
+    ]
+
+
+def _needed(name: str) -> Finding:
+    try:
+        return Finding(name, True, version(name))
+    except PackageNotFoundError:
+        return Finding(name, False, "not installed", f"{PIP} {name}")
+
+
+def _optional(name: str, what: str, extra: str) -> Finding:
+    if find_spec(name) is None:
+        return Finding(name, True, f"not installed; {what}", f"to have it: {PIP} 'cardan[{extra}]'")
+    return Finding(name, True, f"installed; {what}")
+
+
+def _extension() -> Finding:
+    if abi.NAME == "cython":
+        return Finding("calls", True, "through the compiled extension")
+    cure = f"for quicker single calls: {PIP} --force-reinstall --no-binary cardan cardan"
+    return Finding("calls", True, "through ctypes; batches and simulations are as fast", cure)
+
+
+def _compiler() -> Finding:
+    """The compiler in use, tried on a few lines."""
+    try:
+        chosen = cache.compiler()
+        found = [candidate.name for candidate in toolchain.candidates()]
+        with tempfile.TemporaryDirectory() as place:
+            source, made = Path(place) / "probe.c", Path(place) / "probe.so"
+            source.write_text(PROBE)
+            start = time.perf_counter()
+            toolchain.compile_shared(chosen, [source], [], made, scratch=folder.directory() / "zig")
+            spent = time.perf_counter() - start
+            probe = cache.Object(made, True).load().cardan_probe
+            probe.argtypes, probe.restype = [ctypes.c_double], ctypes.c_double
+            if probe(21.0) != 42.0:
+                raise BuildError(f"{chosen.command[0]} compiles wrong code: 2 x 21 is not 42")
+    except BuildError as error:
+        cure = f"{PIP} 'cardan[compiler]'; until then functions run in NumPy, slower"
+        return Finding("compiler", False, str(error), cure)
+    except OSError as error:
+        cure = "make room, or set TMPDIR to another folder"
+        return Finding("compiler", False, f"it could not be tried: {error}", cure)
+    first = chosen.identity.splitlines()[0] if chosen.identity else "says nothing of itself"
+    others = f" (found: {', '.join(found)})" if len(found) > 1 else ""
+    flags = " ".join(chosen.flags())
+    text = f"{shlex.join(chosen.command)}: {first}{others}; works, {spent:.2f} s; flags {flags}"
+    return Finding("compiler", True, text)
+
+
+def _limits() -> Finding:
+    try:
+        limits = bounded.Limits.of_environment()
+    except BuildError as error:
+        return Finding("limits", False, str(error), "correct or unset it")
+    text = f"a compiler may take {limits.seconds} s (CARDAN_COMPILE_SECONDS) and "
+    return Finding("limits", True, f"{text}{limits.memory} MiB (CARDAN_COMPILE_MEMORY)")
+
+
+def _cache() -> Finding:
+    place = folder.wanted()
+    reason = folder.refusal(place)
+    if reason:
+        return Finding("cache", False, f"{place} cannot be used", reason)
+    held, free = prune.content(place), shutil.disk_usage(place).free
+    text = (
+        f"{place}: yours alone, {held.objects} objects and {held.models} models, "
+        f"{held.size / 1e6:.1f} MB, {free / 1e9:.1f} GB free"
+    )
+    try:
+        with tempfile.TemporaryFile(dir=place) as file:
+            file.write(bytes(4096))
+    except OSError as error:
+        cure = "cardan doctor --prune, or set CARDAN_CACHE to another folder"
+        return Finding("cache", False, f"{text}; cannot be written to ({error.strerror})", cure)
+    if free < LITTLE:
+        return Finding("cache", False, text, "little room is left: cardan doctor --prune")
+    left = held.leftovers and f"{held.leftovers} leftovers: cardan doctor --prune"
+    return Finding("cache", True, text, left or "")
+
+
+def _processor() -> Finding:
+    """Cores, and what one instruction works on."""
+    lines = toolchain.processor().splitlines()
+    words = {word for line in lines for word in line.split()}
+    sets = [name for name in WIDTHS if name in words]
+    model = next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), "")
+    width = max((WIDTHS[name] for name in sets), default=1)
+    text = f"{os.cpu_count()} x {model or lines[0]} ({sys.platform}); {', '.join(sets) or 'plain'}"
+    return Finding("processor", True, f"{text}: up to {width} numbers at once")

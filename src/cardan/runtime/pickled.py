@@ -1,0 +1,87 @@
+"""Motions in pickles: what they are made of, checked before it is used."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from ..errors import ModelError
+from . import schema
+from .dense import Dense
+from .trajectory import Conduct, Trajectory
+
+ARRAYS = ("t", "x", "r", "given")
+
+
+def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
+    """The fields of a motion, and their hash; its model takes along what draws the motion."""
+    model = motion.model
+    if model is not None and "pose" in model.manifest["available"]:
+        for body in model.bodies:
+            model._objects.symbol("pose", body)
+    values = {field.name: getattr(motion, field.name) for field in fields(motion)}
+    # histories are computed again; those of a file cannot be
+    values["stored"] = {} if motion.model is not None else dict(motion.stored)
+    return values, digest(values)
+
+
+def digest(values: Mapping[str, Any]) -> str:
+    """Hash of the numbers and names of a motion."""
+    found = hashlib.sha256(json.dumps(values["manifest"], sort_keys=True).encode())
+    found.update(repr((values["sources"], values["conduct"])).encode())
+    arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"])]
+    if values["dense"] is not None:
+        arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
+    for array in (*arrays, *_sorted(values["numbers"])):
+        found.update(repr(np.shape(array)).encode())
+        found.update(np.ascontiguousarray(array, dtype=np.float64).tobytes())
+    return found.hexdigest()
+
+
+def _sorted(values: Mapping[str, Any]) -> list[Any]:
+    return [values[name] for name in sorted(values)]
+
+
+def restore(values: dict[str, Any], stated: str) -> Trajectory:
+    """The motion of a pickle.
+
+    Raises:
+        ModelError: it was damaged or changed.
+    """
+    try:
+        whole = digest(values) == stated and set(values) == {f.name for f in fields(Trajectory)}
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise _damaged(f"a part is missing or of another kind ({error})") from None
+    if not whole:
+        raise _damaged("its content is not what it was made of")
+    if values["model"] is not None:
+        schema.check(values["manifest"], "a pickled motion")
+    _check(values)
+    return Trajectory(**values)
+
+
+def _check(values: Mapping[str, Any]) -> None:
+    """Shapes that fit each other and the manifest."""
+    manifest, count = values["manifest"], len(values["t"])
+    width = len(manifest["coordinates"]) + len(manifest["speeds"])
+    given = len(values["sources"] or ())
+    for name, size in (("x", width), ("r", len(manifest["inputs"])), ("given", given)):
+        if np.shape(values[name]) != (count, size):
+            raise _damaged(f"{name} has shape {np.shape(values[name])}, not ({count}, {size})")
+    dense = values["dense"]
+    if not isinstance(values["conduct"], Conduct) or not isinstance(dense, Dense | None):
+        raise _damaged("it does not say how it went")
+    if dense is not None and (
+        np.shape(dense.y) != (len(dense.t), width + given)
+        or np.shape(dense.spreads)[::2] != (len(dense.t) - 1, width + given)
+    ):
+        raise _damaged("what lies between its times does not fit them")
+
+
+def _damaged(why: str) -> ModelError:
+    return ModelError(f"this pickle holds no motion of cardan: {why}. Pickle the motion again")

@@ -1,0 +1,102 @@
+"""What lies in the compile cache, and how to get rid of it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import cache
+
+DAY = 86400.0
+OBJECT = re.compile(r"[0-9a-f]{64}\.so\Z")
+MODEL = re.compile(r"[0-9a-f]{32,64}\Z")
+REST = ("zig", "compilers.json")
+
+
+@dataclass(frozen=True)
+class Content:
+    """Things in the cache: how many of each kind, and the bytes of all."""
+
+    objects: int
+    models: int
+    leftovers: int
+    size: int
+
+
+def content(place: Path) -> Content:
+    """What a cache holds."""
+    found = list(_things(place))
+    left = list(place.glob(f"{cache.NEW}*")) if place.is_dir() else []
+    return Content(
+        objects=sum(path.suffix == ".so" for path in found),
+        models=sum(path.parent != place for path in found),
+        leftovers=len(left),
+        size=sum(map(_size, [*found, *left])),
+    )
+
+
+def prune(place: Path, days: float) -> Content:
+    """Remove what dead processes left, damaged objects, and what was not used for some days.
+
+    Args:
+        place: The cache.
+        days: 0 removes everything.
+
+    Returns:
+        What was removed.
+    """
+    before, limit = content(place), time.time() - days * DAY
+    cache.sweep(place)
+    for path in _things(place):
+        old = days <= 0 or _used(path) < limit
+        if old or (path.suffix == ".so" and not cache.intact(path)):
+            # what somebody else removes, or holds, is not our business
+            with suppress(OSError):
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+    after = content(place)
+    return Content(
+        before.objects - after.objects,
+        before.models - after.models,
+        before.leftovers - after.leftovers,
+        before.size - after.size,
+    )
+
+
+def _things(place: Path) -> Iterator[Path]:
+    """Objects, models and what compilers keep; nothing else is ever touched."""
+    if not place.is_dir():
+        return
+    for path in sorted(place.iterdir()):
+        if OBJECT.match(path.name) or path.name in REST:
+            yield path
+    models = place / "models"
+    if models.is_dir():
+        yield from (path for path in sorted(models.iterdir()) if MODEL.match(path.name))
+
+
+def _used(path: Path) -> float:
+    """When something was used last [s]."""
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return time.time()
+
+
+def _size(path: Path) -> int:
+    """Bytes of a file, or of all files below a folder."""
+    if not path.is_dir():
+        with suppress(OSError):
+            return path.stat().st_size
+        return 0
+    total = 0
+    for folder, _, names in os.walk(path):
+        for name in names:
+            with suppress(OSError):
+                total += os.lstat(os.path.join(folder, name)).st_size
+    return total

@@ -1,0 +1,143 @@
+"""Runs without a compiler: the same motion as the compiled ones, and how to get speed."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.runtime import interpreted, toolchain
+
+# two routes to one solution: each is right to some multiple of its tolerance
+FINE = {"rtol": 1e-11, "atol": 1e-12}
+AGREE = {"rtol": 0, "atol": 1e-8}
+
+
+@pytest.fixture
+def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.CompiledModel]:
+    """A model as it is opened on a machine without any compiler."""
+
+    def opened(model: cd.CompiledModel) -> cd.CompiledModel:
+        monkeypatch.setenv("PATH", "/nonexistent")
+        monkeypatch.delenv("CC", raising=False)
+        monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+        interpreted._warn.cache_clear()
+        other = pickle.loads(pickle.dumps(model))
+        with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
+            other.prepare("rhs")
+        assert other._function("rhs").code.function is not None
+        return other
+
+    return opened
+
+
+CASES: dict[str, tuple[str, Any, dict[str, Any]]] = {
+    "adaptive": ("double", 1.0, {"q": {"elbow": 0.4}, **FINE}),
+    "fixed step": ("double", 0.3, {"q": {"elbow": 0.4}, "method": "RK4", "step": 1e-3}),
+    "backward": ("double", (1.0, 0.2), {"u": {"elbow": 0.4}, **FINE}),
+    "at times": ("double", np.linspace(0, 1, 13), {"q": {"elbow": 0.4}, **FINE}),
+    "corners": (
+        "double",
+        1.0,
+        {"inputs": {"torque": ([0, 0.3, 0.3, 1], [0, 1, -1, 0.5])}, **FINE},
+    ),
+    "function": ("double", 0.5, {"inputs": {"torque": lambda t, x: np.sin(t) - x[0]}, **FINE}),
+    "sampled": (
+        "double",
+        0.5,
+        {"inputs": {"torque": lambda t, x: np.sin(t) - x[0]}, "sample": 0.1, **FINE},
+    ),
+    "quaternion": ("ball", 1.0, {"u": {"base": [1, 2, 3, 0, 1, 2]}, **FINE}),
+    "quaternion at times": (
+        "ball",
+        np.linspace(0, 1, 7),
+        {"u": {"base": [1, 2, 3, 0, 1, 2]}, **FINE},
+    ),
+    "moved": (
+        "crank",
+        1.0,
+        {"inputs": {"angle": (np.linspace(0, 1, 6), np.sin(np.linspace(0, 1, 6)))}, **FINE},
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_same_motion_as_compiled(case: str, bare: Any, request: pytest.FixtureRequest) -> None:
+    name, t, options = CASES[case]
+    model = request.getfixturevalue(name)
+    compiled = model.simulate(t, **options)
+    plain = bare(model).simulate(t, **options)
+    assert plain.success
+    assert "pip install 'cardan[compiler]'" in repr(plain)
+    assert "pip install" not in repr(compiled)
+    assert plain.t[-1] == compiled.t[-1]
+    np.testing.assert_allclose(plain.x[-1], compiled.x[-1], **AGREE)
+    np.testing.assert_allclose(plain.given[-1], compiled.given[-1], **AGREE)
+    np.testing.assert_allclose(plain.r[-1], compiled.r[-1], **AGREE)
+    assert plain.conduct.defaulted == compiled.conduct.defaulted
+    assert plain.sources == compiled.sources
+    np.testing.assert_allclose(plain.drift[-1], compiled.drift[-1], **AGREE)
+    if np.ndim(t) == 1 and not isinstance(t, tuple):
+        np.testing.assert_array_equal(plain.t, compiled.t)
+        np.testing.assert_allclose(plain.x, compiled.x, **AGREE)
+        return
+    # dense output means the same: between the steps too
+    inside = np.linspace(*sorted((compiled.t[0], compiled.t[-1])), 40)
+    np.testing.assert_allclose(plain.at(inside), compiled.at(inside), **AGREE)
+    resampled = plain.resample(inside)
+    np.testing.assert_allclose(resampled.r, compiled.resample(inside).r, rtol=0, atol=1e-3)
+
+
+@pytest.mark.parametrize("options", [FINE, {"method": "RK4", "step": 1e-3}], ids=str)
+def test_stepper(double: cd.CompiledModel, bare: Any, options: dict[str, Any]) -> None:
+    motion = double.simulate(0.4, q={"elbow": 0.4}, inputs={"torque": 0.3}, **options)
+    stepper = bare(double).stepper(q={"elbow": 0.4}, inputs={"torque": 0.3}, **options)
+    stepper.step(0.2)
+    saved = stepper.save()
+    state = stepper.step(0.2)
+    np.testing.assert_allclose(state, motion.x[-1], **AGREE)
+    stepper.restore(saved)
+    assert stepper.t == pytest.approx(0.2)
+    np.testing.assert_array_equal(stepper.step(0.2), state)
+    stepper.step(-0.4)
+    np.testing.assert_allclose(stepper.state, motion.x[0], **AGREE)
+    with pytest.raises(cd.ModelError, match="another stepper"):
+        stepper.restore(double.stepper().save())
+
+
+def test_interrupt_keeps_what_was_computed(double: cd.CompiledModel, bare: Any) -> None:
+    def torque(t: float, x: np.ndarray) -> float:
+        if t > 0.3:
+            raise KeyboardInterrupt
+        return 0.0
+
+    model = bare(double)
+    with pytest.warns(cd.SolveWarning, match="interrupted at"):
+        motion = model.simulate(1.0, q={"elbow": 0.4}, inputs={"torque": torque})
+    assert motion.status == "interrupted"
+    assert 0.0 < motion.t[-1] <= 0.3
+
+
+def test_error_of_an_input_is_the_users(double: cd.CompiledModel, bare: Any) -> None:
+    def torque(t: float, x: np.ndarray) -> float:
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        bare(double).simulate(1.0, inputs={"torque": torque})
+
+
+def test_breakdown_is_told(bare: Any) -> None:
+    """A force that grows without bound in finite time: u' = u^2 ends at t = 1."""
+    scene = cd.Model("burst", gravity=(0, 0, 0))
+    body = scene.body("body", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, body, u0=1.0)
+    scene.force("push", cd.JointForce("rail", scene.u("rail") ** 2))
+    model = bare(cd.compile(scene))
+    with pytest.warns(cd.SolveWarning, match="stopped at t = "):
+        motion = model.simulate(2.0)
+    assert motion.status in ("step_too_small", "not_finite")
+    assert motion.t[-1] == pytest.approx(1.0, abs=1e-3)

@@ -1,0 +1,190 @@
+"""One model in many places: threads, forks, spawned processes, pickles; and Ctrl-C in C loops."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.runtime import pickled
+
+START = {"q": {"elbow": 0.4}}
+
+
+@pytest.fixture
+def double() -> cd.CompiledModel:
+    """A double pendulum, nothing of it compiled yet."""
+    scene = cd.Model("shared", gravity=(0, 0, -9.81))
+    rod = cd.inertia.rod(1.0, 0.5, axis="z")
+    upper = scene.body("upper", mass=1.0, com=(0, 0, -0.25), inertia=rod)
+    lower = scene.body("lower", mass=1.0, com=(0, 0, -0.25), inertia=rod)
+    scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("elbow", cd.Revolute("y"), upper.at(0, 0, -0.5), lower)
+    torque = scene.input("torque")
+    scene.force("motor", cd.JointForce("shoulder", torque))
+    return cd.compile(scene)
+
+
+def work(model: cd.CompiledModel) -> list[np.ndarray]:
+    """Some of everything."""
+    x = model.random_state(1, (500,))
+    q, u = model.split(x)
+    motion = model.simulate(0.3, **START)
+    return [model.rhs(0.0, x), model.mass_matrix(q), model.pose("lower", q), motion.x,
+            model.with_parameters({"upper.mass": 2.0}).forward_dynamics(q, u)]  # fmt: skip
+
+
+def same(found: list[np.ndarray], known: list[np.ndarray]) -> bool:
+    return all(np.array_equal(a, b) for a, b in zip(found, known, strict=True))
+
+
+def test_threads_share_a_model_from_its_first_use(double):
+    """Sixteen at once, nothing compiled before: every one gets the same bits."""
+    ready = threading.Barrier(16)
+
+    def run() -> list[np.ndarray]:
+        ready.wait(60)
+        return work(double)
+
+    with ThreadPoolExecutor(16) as pool:
+        found = [task.result(120) for task in [pool.submit(run) for _ in range(16)]]
+    known = work(double)
+    assert all(same(one, known) for one in found)
+
+
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_forked_child_may_use_the_model(double, tmp_path):
+    known = work(double)
+    child = os.fork()
+    if not child:
+        # whatever happens, the child never returns into pytest
+        try:
+            found = work(double)
+            double.pose("upper", [0.1, 0.2])  # compiled in the child
+            (tmp_path / "told").write_text(str(same(found, known)))
+        finally:
+            os._exit(0)
+    os.waitpid(child, 0)
+    assert (tmp_path / "told").read_text() == "True"
+    assert same(work(double), known)
+
+
+def test_spawned_process_gets_model_and_motion(double):
+    motion, known = double.simulate(0.3, **START), work(double)
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(1, mp_context=context) as pool:
+        assert same(pool.submit(work, double).result(120), known)
+        ends = pool.submit(ends_of, motion).result(120)
+        again = pool.submit(double.simulate, 0.3, **START).result(120)
+    np.testing.assert_array_equal(ends, [motion.at(0.123), motion.x[-1]])
+    np.testing.assert_array_equal(again.x, motion.x)
+    np.testing.assert_array_equal(again.drift, motion.drift)
+
+
+def ends_of(motion: cd.Trajectory) -> list[np.ndarray]:
+    return [motion.at(0.123), motion.x[-1]]
+
+
+def test_motion_pickles_with_everything_it_shows(double):
+    inputs = {"torque": lambda t, x: np.sin(t)}
+    motion = double.simulate(0.5, **START, inputs=inputs)
+    reaction = motion.reaction("elbow")
+    content = pickle.dumps(motion)
+    assert b"\x7fELF" not in content
+    again = pickle.loads(content)
+    for name in ("t", "x", "r", "given", "drift"):
+        np.testing.assert_array_equal(getattr(again, name), getattr(motion, name))
+    assert again.conduct == motion.conduct
+    np.testing.assert_array_equal(again.at(0.21), motion.at(0.21))
+    np.testing.assert_array_equal(again.resample([0.1, 0.2]).r, motion.resample([0.1, 0.2]).r)
+    np.testing.assert_array_equal(again.pose("lower"), motion.pose("lower"))
+    np.testing.assert_array_equal(again.reaction("elbow"), reaction)
+    assert repr(again) == repr(motion)
+
+
+def test_motion_of_a_file_pickles(double, tmp_path):
+    stored = cd.load_motion(double.simulate(0.5, **START).save(tmp_path / "run.nc"))
+    again = pickle.loads(pickle.dumps(stored))
+    np.testing.assert_array_equal(again.pose("lower"), stored.pose("lower"))
+    np.testing.assert_array_equal(again.at(0.21), stored.at(0.21))
+
+
+def test_harmed_motion_is_refused(double):
+    motion = double.simulate(0.5, **START)
+    values, stated = pickled.parts(motion)
+    x = values["x"].copy()
+    x[0, 0] += 1
+    with pytest.raises(cd.ModelError, match="not what it was made of"):
+        pickled.restore({**values, "x": x}, stated)
+    with pytest.raises(cd.ModelError, match="a part is missing"):
+        pickled.restore({"t": values["t"]}, stated)
+    short = {**values, "x": values["x"][:, 1:]}
+    with pytest.raises(cd.ModelError, match=r"x has shape"):
+        pickled.restore(short, pickled.digest(short))
+    lost = {**values, "dense": replace(motion.dense, spreads=motion.dense.spreads[1:])}
+    with pytest.raises(cd.ModelError, match="between its times"):
+        pickled.restore(lost, pickled.digest(lost))
+
+
+INTERRUPTED = """\
+import sys, threading, time, warnings
+import numpy as np
+import cardan as cd
+
+model = cd.load_model(sys.argv[1])
+model.prepare()
+x = np.zeros((10_000_000, model.nx)) if sys.argv[2] == "batch" else None
+model.simulate(0.01)
+warnings.simplefilter("ignore")
+# an answer with the time it was given, so that the other side can send its signal then
+print("ready", flush=True)
+try:
+    if x is None:
+        motion = model.simulate(1e9, q={"elbow": 0.4}, rtol=1e-13)
+        ended = time.time()
+        print(ended, motion.status, len(motion), float(motion.t[-1]) > 0)
+    else:
+        while True:
+            model.rhs(0.0, x)
+except KeyboardInterrupt:
+    print(time.time(), "KeyboardInterrupt")
+"""
+
+
+@pytest.mark.parametrize("what", ["batch", "simulate"])
+def test_ctrl_c_stops_a_long_loop_in_c(double, what):
+    """Wanted are 0.1 s; the bound leaves room for a busy machine, a deaf loop takes minutes."""
+    double.prepare("rhs", "power", "energy")
+    process = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, str(double.directory), what],
+        stdout=subprocess.PIPE,
+        text=True,
+        cwd=Path(__file__).parent,
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(0.5)
+    sent = time.time()
+    process.send_signal(signal.SIGINT)
+    ended, *said = process.communicate(timeout=120)[0].split()
+    assert process.returncode == 0
+    assert float(ended) - sent < 5.0
+    if what == "batch":
+        assert said == ["KeyboardInterrupt"]
+    else:
+        assert said[0] == "interrupted"
+        assert int(said[1]) > 100
+        assert said[2] == "True"
+    print(f"{what}: stopped {float(ended) - sent:.3f} s after the signal")
