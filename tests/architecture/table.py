@@ -61,7 +61,9 @@ FAMILIES: dict[str, frozenset[str]] = {
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options"}),
-    "cli": frozenset({"terminal", "tour", "peer", "screen", "health"}),
+    "cli": frozenset(
+        {"terminal", "tour", "peer", "screen", "health", "reading", "sheet", "sheet_page"}
+    ),
 }
 
 FILE_LINES = 400

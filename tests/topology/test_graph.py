@@ -99,6 +99,12 @@ def test_dot_quotes_names():
     assert text.count("\\\\") == 1
 
 
+def test_notebooks_show_summary_and_graph():
+    text = hostile()._repr_html_()
+    assert "<svg" in text
+    assert "<script>" not in text
+
+
 def test_svg_is_well_formed_and_escaped():
     root = ElementTree.fromstring(hostile().graph.svg())
     texts = [e.text for e in root.iter() if e.tag.endswith("text")]

@@ -18,6 +18,7 @@ from ..errors import CardanError
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
+    "inspect": (".inspect", "graph, coordinates, equations and operation counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "doctor": (".doctor", "compiler, cache, versions: what works here, what to do about the rest"),
 }
@@ -30,6 +31,7 @@ EPILOG = """\
 start here:
   cardan demo                                a small arm, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
+  cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan simulate --help                     all that can be said about a run
   cardan doctor                              what works on this machine
 

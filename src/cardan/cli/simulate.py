@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import reading
+
 if TYPE_CHECKING:
     from ..model import Model
     from ..runtime.compiled import CompiledModel
@@ -42,9 +44,7 @@ DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    parser.add_argument(
-        "file", metavar="FILE", type=Path, help="a scene (.yaml) or a robot (.urdf)"
-    )
+    reading.arguments(parser)
     run = parser.add_argument_group("the run")
     run.add_argument("--time", metavar="SECONDS", type=_positive, help="end time (default 10)")
     run.add_argument("--q", metavar="JOINT=VALUE", type=_named, action="append", default=[],
@@ -53,13 +53,6 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                      help="initial speed of a joint")  # fmt: skip
     run.add_argument("--rtol", type=_positive, help="relative tolerance per step (default 1e-8)")
     run.add_argument("--atol", type=_positive, help="absolute tolerance per step (default 1e-10)")
-    file = parser.add_argument_group("reading the file")
-    file.add_argument("--base", choices=("fixed", "free"), default="fixed",
-                      help="is the first link fixed to the ground? (default fixed)")  # fmt: skip
-    file.add_argument("--mimic", choices=("couple", "free"), default="couple",
-                      help="do mimic joints follow their leader? (default couple)")  # fmt: skip
-    file.add_argument("--no-snap", action="store_true",
-                      help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="RUN.nc", type=Path, help="netCDF file")
     results.add_argument("--view", metavar="RUN.html", type=Path, help="animated page")
@@ -88,13 +81,10 @@ def _named(text: str) -> tuple[str, float | list[float]]:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, simulate, report."""
-    from ..model import load
     from ..pipeline import compile
     from .terminal import progress
 
-    scene = load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
-    for note in scene.notes:
-        print(f"note: {note}", file=sys.stderr)
+    scene = reading.read(options)
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)

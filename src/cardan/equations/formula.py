@@ -38,10 +38,14 @@ def _lines(equations: Equations) -> list[tuple[str, str]]:
     parts = [of_matrix(equations, x) for x in (equations.mass_matrix, udot, equations.bias)]
     lines = [(f"{parts[0]}{parts[1]} + {parts[2]}", right)]
     kinematics = equations.kinematics
-    known = {sympy.Symbol(name) for name in equations.speeds}
-    if any(entry not in known for entry in kinematics):
+    if not rates_are_speeds(equations, kinematics):
         lines.append((r"\dot q", of_matrix(equations, kinematics)))
     return lines
+
+
+def rates_are_speeds(equations: Equations, kinematics: sympy.Matrix) -> bool:
+    """Whether qdot = u says nothing that needs to be written."""
+    return [str(entry) for entry in kinematics] == list(equations.speeds)
 
 
 def of_matrix(equations: Equations, matrix: sympy.Matrix) -> str:
@@ -51,11 +55,16 @@ def of_matrix(equations: Equations, matrix: sympy.Matrix) -> str:
     names = {sympy.Symbol(key): value.latex() for key, value in symbols(equations).items()}
     others = matrix.free_symbols - set(names)
     names |= {s: Notation(s.name).latex() for s in others}
-    return str(sympy.latex(matrix, symbol_names=names, mat_str="matrix", mat_delim="["))
+    return str(sympy.latex(matrix, symbol_names=names, mat_str="matrix", mul_symbol=r" \, "))
 
 
-def mathml(equations: Equations, expression: Any) -> str:
-    """An expression or matrix of these equations as MathML, which browsers set by themselves."""
+def mathml(equations: Equations, expression: Any, lines: bool = False) -> str:
+    """An expression or matrix of these equations as MathML, which browsers set by themselves.
+
+    Args:
+        lines: Break a long sum into several lines.
+    """
     from .mathml import Printer
 
-    return str(Printer(symbols(equations)).doprint(expression))
+    printer = Printer(symbols(equations))
+    return printer.lines(expression) if lines else printer.written(expression)

@@ -6,11 +6,16 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
+import sympy
 from sympy.printing.mathml import MathMLPresentationPrinter
 
 from .notation import Notation
 
-DOTS = {1: "˙", 2: "¨"}
+# combining characters would need a font that has them
+DOTS = {1: ".", 2: ".."}
+# summands of a long expression go on lines of about so many characters
+LINE = 100
+PRODUCT = "<mo>&InvisibleTimes;</mo>"
 
 
 class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
@@ -21,18 +26,51 @@ class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
     """
 
     def __init__(self, symbols: Mapping[str, Notation]) -> None:
-        super().__init__({"mat_delim": "["})
+        super().__init__({"mat_delim": ""})
         self._symbols = symbols
 
+    def written(self, expression: Any) -> str:
+        """MathML without names of entities; factors stand apart, since some of them are words."""
+        return str(self.doprint(expression)).replace(PRODUCT, '<mspace width="0.2em"/>')
+
+    def lines(self, expression: Any) -> str:
+        """A long sum broken into rows of a table."""
+        rows: list[list[Any]] = [[]]
+        used = 0
+        for summand in expression.as_ordered_terms():
+            length = len(str(summand))
+            if rows[-1] and used + length > LINE:
+                rows, used = [*rows, []], 0
+            rows[-1].append(summand)
+            used += length
+        written = []
+        for number, row in enumerate(rows):
+            total = sympy.Add(*row)
+            minus = total.as_ordered_terms()[0].could_extract_minus_sign()
+            sign = "<mo>+</mo>" if number and not minus else ""
+            written.append(f"<mtr><mtd>{sign}{self.written(total)}</mtd></mtr>")
+        return f'<mtable class="lines">{"".join(written)}</mtable>'
+
     def _print_Symbol(self, sym: Any, style: str = "plain") -> Any:
-        sign = self._symbols.get(sym.name) or Notation(sym.name)
+        base, index = self._parts(sym)
+        return self._of("msub", base, index) if index is not None else base
+
+    def _print_Pow(self, expr: Any) -> Any:
+        if expr.base.is_Symbol and expr.exp.is_Integer and expr.exp > 1:
+            base, index = self._parts(expr.base)
+            if index is not None:
+                return self._of("msubsup", base, index, self._print(expr.exp))
+        return super()._print_Pow(expr)
+
+    def _parts(self, symbol: Any) -> tuple[Any, Any]:
+        """The letter with its dots, and its index or None."""
+        sign = self._symbols.get(symbol.name) or Notation(symbol.name)
         base = self._text("mi", sign.character)
         if len(sign.character) > 1:
             base.setAttribute("mathvariant", "normal")
         if sign.dots:
             base = self._of("mover", base, self._text("mo", DOTS[sign.dots]))
-            base.setAttribute("accent", "true")
-        return self._of("msub", base, self._text("mi", sign.index)) if sign.index else base
+        return base, self._text("mi", sign.index) if sign.index else None
 
     def _text(self, tag: str, text: str) -> Any:
         node = self.dom.createElement(tag)

@@ -18,6 +18,8 @@ _GREEK = """
     upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
 """
 GREEK = frozenset(_GREEK.split())
+# numbers of a body by their dotted names: upper.mass is m with the index upper
+NUMBERS = {"mass": "m", "com": "c", "inertia": "I"}
 # what TeX takes for commands or layout
 _TEX = {
     "\\": r"\backslash{}",
@@ -79,12 +81,15 @@ def notation(name: str, dots: int = 0) -> Notation:
     letters = re.fullmatch(r"([^\W\d_]+)_?(\d+)", name)
     if letters:
         return Notation(letters[1], letters[2], dots)
+    number = re.fullmatch(r"(.+)\.(mass|com|inertia)(?:\.([xyz]+))?", name)
+    if number:
+        return Notation(NUMBERS[number[2]], ",".join(filter(None, (number[1], number[3]))), dots)
     head, sign, tail = name.partition("_")
     if sign and tail and (head in GREEK or len(head) == 1):
         return Notation(head, tail, dots)
     head, sign, tail = name.partition(".")
     if sign and head and tail:
-        first = notation(head, dots)
+        first = Notation("g") if head == "gravity" else notation(head, dots)
         return Notation(first.letter, ",".join(filter(None, (first.index, tail))), dots)
     return Notation(name, "", dots)
 
@@ -106,7 +111,15 @@ def symbols(equations: Equations) -> Mapping[str, Notation]:
                 found[key] = notation(coordinate, dots + 1)
             else:
                 found[key] = Notation("u", name.replace(".u", "", 1), dots)
-    return found
+    return _distinct(found)
+
+
+def _distinct(found: Mapping[str, Notation]) -> Mapping[str, Notation]:
+    """Names that would look the same are set as they are."""
+    first: dict[Notation, str] = {}
+    for name, sign in found.items():
+        first.setdefault(sign, name)
+    return {n: s if first[s] == n else Notation(n) for n, s in found.items()}
 
 
 def _rates(equations: Equations) -> dict[str, str]:

@@ -260,7 +260,12 @@ class Equations:
             for i, entry in enumerate(b.entries)
         }
 
-    def _expanded(self, name: str) -> sympy.Matrix:
+    def written(self, name: str) -> sympy.Matrix:
+        """A function as a SymPy matrix in readable form.
+
+        Raises:
+            DerivationError: an entry is too long to write out; :meth:`symbolic` is not.
+        """
         from ..ir.readable import TooLong, readable
 
         if name not in self._read:
@@ -276,22 +281,22 @@ class Equations:
     @property
     def mass_matrix(self) -> sympy.Matrix:
         """M (nu, nu) as SymPy."""
-        return self._expanded("mass_matrix")
+        return self.written("mass_matrix")
 
     @property
     def bias(self) -> sympy.Matrix:
         """h (nu, 1) as SymPy: M udot + h = f + tau."""
-        return self._expanded("bias")
+        return self.written("bias")
 
     @property
     def forces(self) -> sympy.Matrix:
         """f (nu, 1) as SymPy: applied forces of the model."""
-        return self._expanded("applied")
+        return self.written("applied")
 
     @property
     def kinematics(self) -> sympy.Matrix:
         """qdot (nq, 1) as SymPy."""
-        return self._expanded("qdot")
+        return self.written("qdot")
 
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.

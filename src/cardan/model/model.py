@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -66,6 +67,10 @@ class Model:
 
     def __repr__(self) -> str:
         return f"Model({self.name!r}, {len(self.bodies)} bodies, {len(self.joints)} joints)"
+
+    def _repr_html_(self) -> str:
+        """Summary and drawn graph in notebooks."""
+        return f"<pre>{escape(str(self))}</pre>{self.graph.svg()}"
 
     # what expressions are made of
 

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from ..model.connections import Joint
 from .tree import Branch
 
-ROW, COLUMN = 64, 132
-BOX = (112, 26)
+ROW, COLUMN = 64, 150
+BOX = (124, 26)
+KIND = 'dx="5" fill="#89a" font-size="9"'
 
 
 def text(branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
@@ -70,20 +71,25 @@ def svg(bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joi
         (x0, y0), (x1, y1) = center(joint.parent.body.name), center(joint.child.body.name)
         parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" stroke="#456"{style}/>')
         at = f'x="{(x0 + x1) / 2 + 4:g}" y="{(y0 + y1) / 2 + 4:g}"'
-        parts.append(f'<text {at} fill="#567">{_escaped(joint.name)}</text>')
+        title = f"<title>{_escaped(f'{joint.name}: {joint.kind.kind}')}</title>"
+        label = f"{_escaped(_short(joint.name))}<tspan {KIND}>{joint.kind.kind}</tspan>"
+        parts.append(f'<text {at} fill="#345">{label}{title}</text>')
     for body in bodies:
         if body in where:
             parts.append(_box(body, *center(body)))
     return "\n".join([*parts, "</svg>"])
 
 
+def _short(name: str) -> str:
+    return name if len(name) <= 18 else name[:17] + "…"
+
+
 def _box(body: str, x: float, y: float) -> str:
     width, height = BOX
-    label = body if len(body) <= 18 else body[:17] + "…"
     return (
         f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
         f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + 4:g}" '
-        f'text-anchor="middle">{_escaped(label)}<title>{_escaped(body)}</title></text>'
+        f'text-anchor="middle">{_escaped(_short(body))}<title>{_escaped(body)}</title></text>'
     )
 
 

@@ -38,7 +38,7 @@ def write_page(
     parts = {"TITLE": headline, "SCRIPT": SCRIPT.read_text(encoding="utf-8"), "DATA": text}
     # in one sweep: what is filled in is never searched for marks
     page = MARK.sub(lambda mark: parts[mark[1]], TEMPLATE.read_text(encoding="utf-8"))
-    return _publish(path, page)
+    return publish(path, page)
 
 
 def _resampled(motion: Trajectory, fps: float) -> Trajectory:
@@ -63,7 +63,8 @@ def _every(motion: Trajectory, step: int) -> Trajectory:
     )
 
 
-def _publish(path: Path, page: str) -> Path:
+def publish(path: Path, page: str) -> Path:
+    """Write a page: it appears complete or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".html")
     try:

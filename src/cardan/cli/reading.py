@@ -1,0 +1,35 @@
+"""What the commands that read a scene share: its file and how it is read."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the file and how it is read."""
+    parser.add_argument(
+        "file", metavar="FILE", type=Path, help="a scene (.yaml) or a robot (.urdf)"
+    )
+    file = parser.add_argument_group("reading a robot")
+    file.add_argument("--base", choices=("fixed", "free"), default="fixed",
+                      help="is the first link fixed to the ground? (default fixed)")  # fmt: skip
+    file.add_argument("--mimic", choices=("couple", "free"), default="couple",
+                      help="do mimic joints follow their leader? (default couple)")  # fmt: skip
+    file.add_argument("--no-snap", action="store_true",
+                      help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
+
+
+def read(options: argparse.Namespace) -> Model:
+    """The scene; its notes go to standard error."""
+    from ..model import load
+
+    scene = load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
+    for note in scene.notes:
+        print(f"note: {note}", file=sys.stderr)
+    return scene
