@@ -18,7 +18,7 @@ from ..errors import CardanError
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
-    "inspect": (".inspect", "graph, coordinates, equations and operation counts of a scene"),
+    "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "doctor": (".doctor", "compiler, cache, versions: what works here, what to do about the rest"),
 }

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ..ir.function import Function, count
+
+if TYPE_CHECKING:
+    from .record import Equations
 
 
 class Counts(dict[str, int]):
@@ -30,3 +35,28 @@ class Counts(dict[str, int]):
     def total(self) -> int:
         """Number of all operations."""
         return sum(self.values())
+
+
+def overview(equations: Equations) -> str:
+    """Formalism, sizes, names and counts on one screen."""
+    s = equations.system
+    lines = [
+        f"equations of '{s.name}' by {equations.method}"
+        + (f" ({equations.reason})" if equations.reason else ""),
+        f"  {len(s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
+        f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
+        "  q: " + _row(equations.coordinates),
+        "  u: " + _row(equations.speeds),
+        f"  {'':18}  mul   add   div  trig  all",
+    ]
+    for name, counts in equations.operations.items():
+        trig = counts.get("sin", 0) + counts.get("cos", 0)
+        add = counts.get("add", 0) + counts.get("sub", 0)
+        row = (counts.get("mul", 0), add, counts.get("div", 0), trig, counts.total)
+        lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
+    return "\n".join(lines)
+
+
+def _row(names: tuple[str, ...]) -> str:
+    shown = ", ".join(names[:10])
+    return shown + (f", ... ({len(names)})" if len(names) > 10 else "")

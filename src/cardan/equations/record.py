@@ -14,7 +14,7 @@ from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..topology.system import Named, System
 from . import blocks
-from .counts import Counts
+from .counts import Counts, overview
 from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .kinematics import Kinematics
@@ -357,27 +357,7 @@ class Equations:
         return export(self, directory, functions, language, integrators, reproducible, loops)
 
     def __str__(self) -> str:
-        s = self.system
-        lines = [
-            f"equations of '{s.name}' by {self.method}"
-            + (f" ({self.reason})" if self.reason else ""),
-            f"  {len(s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
-            f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
-            "  q: " + _row(self.coordinates),
-            "  u: " + _row(self.speeds),
-            f"  {'':18}  mul   add   div  trig  all",
-        ]
-        for name, counts in self.operations.items():
-            trig = counts.get("sin", 0) + counts.get("cos", 0)
-            add = counts.get("add", 0) + counts.get("sub", 0)
-            row = (counts.get("mul", 0), add, counts.get("div", 0), trig, sum(counts.values()))
-            lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
-        return "\n".join(lines)
-
-
-def _row(names: tuple[str, ...]) -> str:
-    shown = ", ".join(names[:10])
-    return shown + (f", ... ({len(names)})" if len(names) > 10 else "")
+        return overview(self)
 
 
 def choose(system: System, method: str) -> tuple[str, str]:
