@@ -7,6 +7,8 @@ error, results to standard output.
 from __future__ import annotations
 
 import argparse
+import os
+import signal
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -18,8 +20,10 @@ from ..errors import CardanError
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
+    "check": (".check", "complaints about a scene, each with its cure"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "export": (".export", "C that needs no cardan, with a package for NumPy"),
     "doctor": (".doctor", "compiler, cache, versions: what works here, what to do about the rest"),
 }
 
@@ -32,8 +36,12 @@ start here:
   cardan demo                                a small arm, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
+  cardan check arm.urdf                      what is wrong with it, and the cure
+  cardan export arm.urdf -o arm_c            C to take away
   cardan simulate --help                     all that can be said about a run
   cardan doctor                              what works on this machine
+
+completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
 
 exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use"""
 
@@ -50,19 +58,38 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"{self.prog}: {message}\nTry '{self.prog} --help'.\n")
 
 
-def parser(command: str | None = None) -> Parser:
-    """The parser; only the named command is loaded and gets its options."""
+class Completion(argparse.Action):
+    """``--completion SHELL`` prints a script and ends."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[object] | None,
+        option_string: str | None = None,
+    ) -> NoReturn:
+        from .completion import script
+
+        summaries = {name: summary for name, (_, summary) in COMMANDS.items()}
+        print(script(str(values), build_parser(*COMMANDS), summaries))
+        parser.exit(0)
+
+
+def build_parser(*loaded: str) -> Parser:
+    """The parser; only the named commands are loaded and get their options."""
     top = Parser(prog="cardan", description=DESCRIPTION, epilog=EPILOG)
     top.add_argument("--version", action="version", version=f"cardan {__version__}")
+    top.add_argument("--completion", metavar="SHELL", choices=("bash", "zsh", "fish"),
+                     action=Completion, help="print completion for bash, zsh or fish")  # fmt: skip
     commands = top.add_subparsers(dest="command", metavar="COMMAND", parser_class=Parser)
     for name, (module, summary) in COMMANDS.items():
-        if name == command:
-            loaded = import_module(module, __package__)
+        if name in loaded:
+            found = import_module(module, __package__)
             own = commands.add_parser(
-                name, help=summary, description=loaded.DESCRIPTION, epilog=loaded.EPILOG
+                name, help=summary, description=found.DESCRIPTION, epilog=found.EPILOG
             )
-            loaded.arguments(own)
-            own.set_defaults(run=loaded.run)
+            found.arguments(own)
+            own.set_defaults(run=found.run)
         else:
             commands.add_parser(name, help=summary)
     return top
@@ -75,16 +102,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
-    command = next((word for word in words if not word.startswith("-")), None)
-    top = parser(command)
+    command = next((word for word in words if not word.startswith("-")), "")
+    top = build_parser(command)
     options = top.parse_args(words)
     if options.command is None:
         top.print_help(sys.stderr)
         return 2
     try:
-        return int(options.run(options))
+        status = int(options.run(options))
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:
+        # the reader has seen enough; nothing may be written at exit either
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 128 + signal.SIGPIPE
     except (CardanError, OSError) as problem:
         print(f"cardan {options.command}: {problem}", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print(f"cardan {options.command}: interrupted", file=sys.stderr)
-    return 1
+        return 128 + signal.SIGINT

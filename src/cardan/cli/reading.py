@@ -25,11 +25,16 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
 
 
-def read(options: argparse.Namespace) -> Model:
-    """The scene; its notes go to standard error."""
+def load(options: argparse.Namespace) -> Model:
+    """The scene."""
     from ..model import load
 
-    scene = load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
+    return load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
+
+
+def read(options: argparse.Namespace) -> Model:
+    """The scene; its notes go to standard error."""
+    scene = load(options)
     for note in scene.notes:
         print(f"note: {note}", file=sys.stderr)
     return scene

@@ -16,12 +16,13 @@ def announce(system: System, model: Model, convert: Converter) -> System:
     notes = list(model.notes)
     for what, names in (("parameter", model.parameters), ("input", model.inputs)):
         notes += [
-            f"{what} '{name}' is declared but used nowhere"
+            f"{what} '{name}' is declared but used nowhere: use it or remove it"
             for name in names
             if name not in convert.used
         ]
     notes += [
-        f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it"
+        f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it. "
+        "Give it a mass or an inertia, or fix or prescribe the joint"
         for name, joint in massless_tips(system)
     ]
     return dataclasses.replace(system, notes=tuple(notes))

@@ -1,0 +1,78 @@
+"""``cardan check``: everything about a scene that is wrong, or will not act as one may think."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import warnings
+from dataclasses import asdict, dataclass
+
+from ..errors import CardanError, DerivationError
+from . import reading
+
+DESCRIPTION = """\
+Complain about a scene, each complaint with its cure.
+
+An error says why the scene cannot be used, with line and column where a file has them. A warning
+names what is there and does not act, or what cannot be computed. A note tells what was changed on
+the way, such as 1.5708 that became pi/2."""
+
+EPILOG = """\
+examples:
+  cardan check pendulum.yaml
+        complaints, the worst first
+  cardan check arm.urdf --json
+        a list of {"level": "error" | "warning" | "note", "says": "..."}
+
+exit status: 0 no errors, 1 errors."""
+
+LEVELS = ("error", "warning", "note")
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """Something a user should know: its level, and what it is with what to do about it."""
+
+    level: str
+    says: str
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    reading.arguments(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON for another program")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the complaints. Returns the exit status."""
+    found = complaints(options)
+    if options.json:
+        print(json.dumps([asdict(complaint) for complaint in found], indent=1))
+    else:
+        for complaint in found:
+            print(f"{complaint.level}: {complaint.says}")
+        counts = [(sum(c.level == level for c in found), level) for level in LEVELS]
+        words = ", ".join(f"{n} {level}{'s' * (n != 1)}" for n, level in counts)
+        print(f"{options.file}: {words}", file=sys.stderr)
+    return 1 if any(complaint.level == "error" for complaint in found) else 0
+
+
+def complaints(options: argparse.Namespace) -> list[Complaint]:
+    """What there is to say about a scene, the worst first."""
+    from ..pipeline import derive
+
+    try:
+        # warnings say what the notes of the model say too
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            scene = reading.load(options)
+        equations = derive(scene)
+    except (CardanError, OSError) as problem:
+        return [Complaint("error", str(problem))]
+    found = [Complaint("warning", note) for note in equations.system.notes]
+    try:
+        equations.function("forward_dynamics")
+    except DerivationError as problem:
+        found.append(Complaint("warning", f"no forward dynamics: {problem}"))
+    return found + [Complaint("note", str(snap)) for snap in equations.system.snaps]

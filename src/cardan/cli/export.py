@@ -1,0 +1,73 @@
+"""``cardan export``: the functions of a scene as C that needs no cardan."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from . import reading
+
+DESCRIPTION = """\
+Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
+a package for NumPy. What is written needs no cardan."""
+
+EPILOG = """\
+examples:
+  cardan export arm.urdf -o arm_c
+        dynamics, mass matrix and energy; arm_c/README.md says how to build and call them
+  cardan export arm.urdf -o arm_c --functions forward_dynamics pose:hand --language c
+        these two and no package; a frame or joint stands behind the colon
+  cardan export pendulum.yaml -o pendulum_c --integrators dop853
+        with an integrator: arm_c/example.c simulates one second"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    reading.arguments(parser)
+    what = parser.add_argument_group("what is written")
+    what.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
+                      help="a new or empty directory, or an earlier export")  # fmt: skip
+    what.add_argument("--functions", metavar="NAME", nargs="+", type=_function,
+                      help="such as forward_dynamics or pose:hand")  # fmt: skip
+    what.add_argument("--language", choices=("cython", "c"), default="cython",
+                      help="cython adds a package for NumPy (default)")  # fmt: skip
+    what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
+                      help="dop853, rk4: C that simulates")  # fmt: skip
+    what.add_argument("--method", metavar="METHOD", default="auto",
+                      help="kane, newton_euler, composite or articulated")  # fmt: skip
+    what.add_argument("--reproducible", action="store_true",
+                      help="flags under which every compiler gives equal bits")  # fmt: skip
+    parser.add_argument("--json", action="store_true", help="print JSON for another program")
+
+
+def _function(text: str) -> Any:
+    """``bias`` or ``pose:hand``."""
+    name, colon, of = text.partition(":")
+    return (name, of) if colon else name
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, derive, write."""
+    from ..pipeline import derive
+    from .terminal import console, progress
+
+    scene = reading.read(options)
+    with progress() as show:
+        show("deriving and writing")
+        folder = derive(scene, method=options.method).export(
+            options.output,
+            options.functions,
+            language=options.language,
+            integrators=options.integrators,
+            reproducible=options.reproducible,
+        )
+    files = sorted(path.name for path in folder.iterdir())
+    if options.json:
+        print(json.dumps({"directory": str(folder), "files": files}, indent=1))
+        return 0
+    out = console()
+    out.print(f"wrote {folder}: {', '.join(files)}", soft_wrap=True)
+    out.print((folder / "example.c").read_text("utf-8").splitlines()[0], markup=False)
+    return 0

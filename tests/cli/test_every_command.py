@@ -1,0 +1,138 @@
+"""What holds for every command: exit status, streams, JSON, interrupts, completion."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from cardan.cli import COMMANDS, build_parser, main
+from cardan.cli import inspect as inspect_command
+
+ARM = str(Path(__file__).parents[2] / "examples" / "arm.urdf")
+
+# a call that works and prints JSON, of every command that has --json
+WORKING = {
+    "check": (ARM,),
+    "inspect": (ARM,),
+    "simulate": (ARM, "--time", "0.1"),
+    "export": (ARM, "-o", "arm_c", "--functions", "bias"),
+    "doctor": (),
+}
+READING = [name for name in WORKING if name != "doctor"]
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def status(*words: str) -> int:
+    try:
+        return main(words)
+    except SystemExit as stop:
+        return int(stop.code or 0)
+
+
+def test_every_command_is_here() -> None:
+    with_json = {
+        name
+        for name, parser in build_parser(*COMMANDS)._subparsers._group_actions[0].choices.items()
+        if "--json" in parser._option_string_actions
+    }
+    assert with_json == set(WORKING)
+    assert set(COMMANDS) - with_json == {"demo"}
+
+
+@pytest.mark.parametrize("command", WORKING)
+def test_json_alone_goes_to_standard_output(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert status(command, *WORKING[command], "--json") in ((0, 1) if command == "doctor" else (0,))
+    assert json.loads(capsys.readouterr().out)
+
+
+@pytest.mark.parametrize("command", READING)
+def test_a_faulty_scene_is_1_and_says_where(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "bad.yaml"
+    scene.write_text("cardan: 1\nname: bad\nbodies:\n  bob: {mass: 1, con: [0, 0, 1]}\n")
+    words = tuple(str(scene) if word == ARM else word for word in WORKING[command])
+    assert status(command, *words) == 1
+    found = capsys.readouterr()
+    said = found.out if command == "check" else found.err
+    assert "bad.yaml:4" in said
+    assert "com" in said
+    assert not list(tmp_path.glob("arm_c*"))
+
+
+@pytest.mark.parametrize("command", WORKING)
+def test_wrong_use_is_2(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status(command, *WORKING[command], "--no-such-option") == 2
+    assert "usage:" in capsys.readouterr().err
+
+
+def test_an_interrupt_is_130(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(inspect_command, "run", interrupted)
+    assert status("inspect", ARM) == 130
+    assert "interrupted" in capsys.readouterr().err
+
+
+def test_a_reader_that_leaves_is_no_error() -> None:
+    command = f"{sys.executable} -m cardan inspect {ARM} --json | head -c 10"
+    answer = subprocess.run(command, shell=True, capture_output=True, text=True, check=True)
+    assert "Traceback" not in answer.stderr
+    assert "Exception" not in answer.stderr
+
+
+def test_check_lists_the_worst_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = tmp_path / "arm.urdf"
+    text = Path(ARM).read_text("utf-8").replace('rpy="0 0 0"', 'rpy="0 0 1.5708"', 1)
+    robot.write_text(text, "utf-8")
+    assert status("check", str(robot), "--json") == 0
+    levels = [row["level"] for row in json.loads(capsys.readouterr().out)]
+    assert levels == sorted(levels, key=("error", "warning", "note").index)
+    assert "warning" in levels
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("cardan si", {"simulate"}),
+        ("cardan export --rep", {"--reproducible"}),
+        ("cardan --vers", {"--version"}),
+        ("cardan simulate arm", {"arm.urdf"}),
+    ],
+)
+def test_bash_completes(
+    words: str, expected: set[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "arm.urdf").touch()
+    assert status("--completion", "bash") == 0
+    program = (
+        capsys.readouterr().out
+        + f"\nCOMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); _cardan"
+        + '\nprintf "%s\\n" "${COMPREPLY[@]}"'
+    )
+    answer = subprocess.run(
+        ["bash", "-c", program], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert set(answer.stdout.split()) == expected
+
+
+@pytest.mark.parametrize("shell", ["zsh", "fish"])
+def test_other_shells_get_all_words(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("--completion", shell) == 0
+    text = capsys.readouterr().out
+    assert all(name in text for name in (*COMMANDS, "reproducible"))
