@@ -14,6 +14,7 @@ LEAVES = {
     "01_double_pendulum": ("motion.png", "motion.html", "motion.nc"),
     "02_robot_arm": ("arm.html",),
     "03_derive_and_export": ("forward_dynamics.c", "manifest.json"),
+    "04_scene_file": ("mistake.yaml", "arm.yaml"),
 }
 
 

@@ -22,6 +22,7 @@ MOST_BITS = 2000
 
 # words that take names: coordinates and speeds of joints, motion of frames
 MOTION = ("q", "u", "position", "velocity", "acceleration", "angular_velocity", "rotation")
+AGAINST = ("wrt", "in")
 RELATIONS = {"<": "Lt", "<=": "Le", ">": "Gt", ">=": "Ge", "==": "Eq", "!=": "Ne"}
 _SAME = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log sqrt sign floor atan2"
 # names in files -> names in SymPy; select is apart
@@ -43,7 +44,7 @@ _TOKEN = re.compile(
     r"""\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)
     |(?P<name>[^\W\d]\w*(?:\.\w+)*)
     |(?P<quoted>"(?:[^"\\]|\\.)*")
-    |(?P<sign>\*\*|<=|>=|==|!=|[-+*/^(),<>]))""",
+    |(?P<sign>\*\*|<=|>=|==|!=|[-+*/^(),.<>]))""",
     re.VERBOSE,
 )
 
@@ -63,7 +64,8 @@ def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> Any:
     Args:
         text: Such as ``-l/2`` or ``k*sin(q(elbow))``.
         symbols: What names stand for: symbols, callables for measured functions, and for
-            ``("q", "elbow")`` or ``("velocity", "tip", "x")`` the motion of joints and frames.
+            ``("q", "elbow")`` or ``("velocity", "tip", "x", None, "cart")`` the motion of joints
+            and frames.
         where: Head of messages.
 
     Raises:
@@ -222,10 +224,12 @@ class _Parser:
 
     def close(self, opened: Token) -> None:
         if not self.accept(")"):
-            what = "ends" if self.next.sort == "end" else f"has '{self.next.text[:40]}'"
-            raise self.error(
-                self.next, f"the expression {what} before the ) of column {opened.column}"
-            )
+            missing = f"before the ) that belongs to column {opened.column}"
+            if self.next.sort == "end":
+                # a comma ends a plain text inside [] and {}
+                hint = "; in [] and {} an expression with commas needs quotes"
+                raise self.error(self.next, f"the expression ends {missing}{hint}")
+            raise self.error(self.next, f"'{self.next.text[:40]}' stands {missing}")
 
     # names and functions
 
@@ -243,17 +247,32 @@ class _Parser:
         return found
 
     def motion(self, token: Token) -> Any:
-        """``q(elbow)``, ``velocity(tip, x)``: the arguments are names."""
-        words = []
-        while True:
-            word = self.take()
-            if word.sort not in ("name", "quoted"):
-                raise self.unexpected(word)
-            words.append(unquoted(word))
-            if not self.accept(","):
-                break
+        """``q(elbow)``, ``velocity(tip).x``, ``velocity(tip wrt base in cart).x``."""
+        name = self.name()
+        if token.text in ("q", "u"):
+            self.close(token)
+            return self.moving(token, (token.text, name))
+        against: dict[str, str | None] = dict.fromkeys(AGAINST)
+        for word in AGAINST:
+            if self.next.sort == "name" and self.next.text == word:
+                self.take()
+                against[word] = self.name()
         self.close(token)
-        return self.symbols[(token.text, *words)]
+        if not self.accept("."):
+            raise self.error(self.next, f"say which component: {token.text}(...).x")
+        return self.moving(token, (token.text, name, self.name(), *against.values()))
+
+    def moving(self, token: Token, key: tuple[str | None, ...]) -> Any:
+        found = self.symbols.get(key)
+        if found is None:
+            raise self.error(token, f"{token.text}({key[1]}): nothing moves here")
+        return found
+
+    def name(self) -> str:
+        word = self.take()
+        if word.sort not in ("name", "quoted"):
+            raise self.unexpected(word)
+        return unquoted(word)
 
     def call(self, token: Token) -> Any:
         arguments = [self.relation()]

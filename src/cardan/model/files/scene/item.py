@@ -13,6 +13,7 @@ from .tree import Listing, Mapping, Node, Scalar
 
 NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
 LONGEST_NUMBER = 60
+COMMAS = " In [] and {} an expression with commas needs quotes."
 NULL = ("", "~", "null", "Null", "NULL")
 
 
@@ -125,6 +126,19 @@ class Item:
             Item(node, f"{self.path}[{i}]", self.file) for i, node in enumerate(self.node.entries)
         ]
 
+    def three(self) -> list[Item]:
+        """The entries of a list of three.
+
+        Raises:
+            ModelError: no list, or another count.
+        """
+        entries = self.entries("a list of three")
+        if len(entries) != 3:
+            split = any(entry.described().count("(") for entry in entries)
+            hint = "." + COMMAS if split else ""
+            raise self.error(f"three entries are wanted, not {len(entries)}{hint}")
+        return entries
+
     def items(self, what: str = "a mapping of names") -> dict[str, Item]:
         """The values of a mapping by name.
 
@@ -155,6 +169,7 @@ class Item:
         for name, item in found.items():
             if name not in names:
                 listed = near(name, names).replace(" Known:", " Keys:")
+                listed = COMMAS if name.count(")") > name.count("(") else listed
                 raise item.at_key(f"{what} has no key '{name[:80]}'.{listed}")
         missing = [key.name for key in keys if key.required and key.name not in found]
         if missing:

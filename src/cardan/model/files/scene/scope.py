@@ -7,7 +7,6 @@ from enum import Enum
 from typing import Any
 
 from ....errors import ModelError
-from ...frame import Place
 from ...model import COMPONENTS, Model
 
 
@@ -41,7 +40,7 @@ class Names(Mapping[str, Any]):
         self.where = where
 
     def __getitem__(self, name: Any) -> Any:
-        """A symbol, a table, or the motion named by such as ``("q", "elbow")``.
+        """A symbol, a table, or the motion that :func:`..expression.parse` asks for by a tuple.
 
         Raises:
             KeyError: no such name at this level.
@@ -54,35 +53,29 @@ class Names(Mapping[str, Any]):
             return Symbol(name)
         return self.tables[name]
 
-    def _motion(self, quantity: str, name: str = "", *words: str) -> Any:
-        """``q(elbow)``, ``velocity(tip, x)``, ``velocity(tip, x, base, cart)``.
+    def _motion(self, quantity: str, name: str, *words: str | None) -> Any:
+        """Motion of a joint or frame; ``words`` are the component, wrt and in of a frame.
 
         Raises:
             ModelError: no such joint, frame or component, or nothing moves here.
         """
-        call = f"{self.where}: {quantity}({', '.join((name, *words))})"
+        call = f"{self.where}: {quantity}({name[:80]})"
         if self.level < MOVING.value:
             raise ModelError(f"{call}: this value cannot depend on the motion")
         if quantity in ("q", "u"):
-            if words:
-                raise ModelError(f"{call}: {quantity} takes one name, such as {quantity}(elbow)")
             try:
                 return self.model.q(name) if quantity == "q" else self.model.u(name)
             except ModelError as problem:
                 raise ModelError(f"{self.where}: {problem}") from problem
-        return self._of_frame(call, quantity, self.model.place(call, name), words)
-
-    def _of_frame(self, call: str, quantity: str, place: Place, words: Sequence[str]) -> Any:
-        """A component of the motion of a frame."""
+        component, *others = words
         cells = COMPONENTS[9 if quantity == "rotation" else 3]
-        component, *others = words or ("",)
-        if component not in cells or len(others) > (1 if quantity == "rotation" else 2):
-            known = ", ".join(cells)
-            raise ModelError(f"{call}: write {quantity}(frame, {cells[0]}); components: {known}")
-        found = [self.model.place(call, other) for other in others]
-        against = [None if other is self.model.ground else other for other in found]
-        vector = getattr(place, quantity)(*against)
-        return vector[cells.index(component)]
+        if component not in cells:
+            raise ModelError(f"{call}.{component} has no such component: {', '.join(cells)}")
+        against = [None if other is None else self.model.place(call, other) for other in others]
+        if quantity == "rotation" and against.pop() is not None:
+            raise ModelError(f"{call}: a rotation has wrt, but no in")
+        entries = getattr(self.model.place(call, name), quantity)(*against)
+        return entries[cells.index(component)]
 
     def _plain(self) -> Iterator[str]:
         yield from self.local

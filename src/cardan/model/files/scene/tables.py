@@ -47,16 +47,18 @@ def _columns(values: Values, item: Item) -> tuple[list[float], list[float]]:
     lines = decoded(content(path), path.name).splitlines()
     x: list[float] = []
     y: list[float] = []
+    titles = False
     try:
         for number, row in enumerate(csv.reader(lines), 1):
             if not row or row[0].lstrip().startswith("#"):
                 continue
             pair = _pair(row)
-            if pair is None and (x or number > 1):
+            if pair is None and (x or titles):
                 raise ModelError(
                     f"{path.name}:{number}: two numbers with a comma between are wanted, not "
                     f"'{','.join(row)[:60]}'"
                 )
+            titles = titles or pair is None
             if pair is not None:
                 x.append(pair[0])
                 y.append(pair[1])

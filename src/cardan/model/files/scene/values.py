@@ -129,10 +129,7 @@ class Values:
 
     def vector(self, item: Item) -> tuple[Any, ...]:
         """Three numbers or expressions."""
-        entries = item.entries("a list of three")
-        if len(entries) != 3:
-            raise item.error(f"three entries are wanted, not {len(entries)}")
-        return tuple(self.scalar(entry) for entry in entries)
+        return tuple(self.scalar(entry) for entry in item.three())
 
     # words
 
@@ -266,5 +263,8 @@ class Values:
         if not item.is_list:
             given = self.record(keys.COUPLE, item, "a coupling")
             return given["leader"], given["ratio"], given.get("offset", 0)
-        first, *rest = item.entries()
+        entries = item.entries()
+        if len(entries) not in (2, 3):
+            raise item.error("a coupling is [leader, ratio] or [leader, ratio, offset]")
+        first, *rest = entries
         return (first.text(), *(self.scalar(entry) for entry in rest))

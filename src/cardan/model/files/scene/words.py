@@ -7,10 +7,9 @@ from functools import cache
 from typing import Any
 
 from ....errors import ModelError
-from ...frame import Located
 from ...model import COMPONENTS, Model
 from ...parameters import Placeholder
-from ..expression import FUNCTIONS
+from ..expression import AGAINST, FUNCTIONS
 
 PLAIN = re.compile(r"[A-Za-z_]\w*(\.\w+)*", re.ASCII)
 # how tightly text binds: a sum, a product, a power, everything else
@@ -127,17 +126,15 @@ class Words:
         return self._motion(entry)
 
     def _motion(self, entry: Placeholder) -> str:
-        """``q(elbow)``, ``velocity(tip, x, base)``."""
+        """``q(elbow)``, ``velocity(tip wrt base).x``."""
         if entry.quantity in ("q", "u"):
             component = f".{entry.component}" if entry.component else ""
             return f"{entry.quantity}({quoted(entry.place + component)})"
         cells = COMPONENTS[9 if entry.quantity == "rotation" else 3]
-        words = [quoted(entry.place.name), cells[entry.component]]
-        others: list[Located | None] = [entry.wrt, entry.in_]
-        while others and others[-1] is None:
-            others.pop()
-        words += ["ground" if other is None else quoted(other.name) for other in others]
-        return f"{entry.quantity}({', '.join(words)})"
+        others = zip(AGAINST, (entry.wrt, entry.in_), strict=True)
+        against = "".join(f" {word} {quoted(o.name)}" for word, o in others if o is not None)
+        name = quoted(entry.place.name) + against
+        return f"{entry.quantity}({name}).{cells[entry.component]}"
 
     def _table(self, e: Any) -> str:
         if e.cardan_derivative:
@@ -181,7 +178,7 @@ class Words:
 
 def quoted(name: str) -> str:
     """A name as it stands in an expression: in quotes unless it is plain."""
-    if PLAIN.fullmatch(name):
+    if PLAIN.fullmatch(name) and name not in AGAINST:
         return name
     escaped = name.replace("\\", "\\\\").replace('"', '\\"')
     return f'"{escaped}"'

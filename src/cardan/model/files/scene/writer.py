@@ -153,7 +153,8 @@ class _Writer:
         if body.pose is not None:
             made["pose"] = self._pose(body, where)
         if body.shapes:
-            made["shape"] = [self._shape(shape, where) for shape in body.shapes]
+            shapes = [self._shape(shape, where) for shape in body.shapes]
+            made["shape"] = shapes[0] if len(shapes) == 1 else shapes
         return made
 
     def _inertia(self, entries: tuple[Any, ...], where: str) -> Any:
