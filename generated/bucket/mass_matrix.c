@@ -1,0 +1,58 @@
+/*
+ * mass_matrix of bucket
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 4, work 0, w 2
+ * Operations per call: 7 = 4 mul, 1 add, 1 cos, 1 sin
+ * Operations of prepare: 8 = 7 mul, 1 add
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  hang.angle1 [rad]
+ *   q[1]  hang.angle2 [rad]
+ *
+ * Input p (4): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* bucket: mass, inertia */
+    const wreal load = p[0]; /* kg */
+    const wreal rope = p[1]; /* m */
+    const wreal size = p[2]; /* m */
+    const wreal bucket_mass = size * size;
+    w[0] = 0.5 * load * bucket_mass; /* bucket_inertia_zz */
+    w[1] = 0.3333333333333333 * load * bucket_mass + load * rope * rope; /* bucket_inertia_xx */
+}
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* hang: cos, sin, momentum mx, momentum mz */
+    const real hang_angle2 = q[1]; /* rad */
+    const wreal bucket_inertia_zz = w[0];
+    const wreal bucket_inertia_xx = w[1];
+    const real hang_cos = cardan_cos(hang_angle2);
+    const real hang_sin = cardan_sin(hang_angle2);
+    const real hang_momentum_mx = bucket_inertia_xx * hang_cos;
+    const real hang_momentum_mz = bucket_inertia_zz * hang_sin;
+
+    /* M */
+    /* M: hang.u.angle1,hang.u.angle1 */
+    out[0] = hang_cos * hang_momentum_mx + hang_sin * hang_momentum_mz;
+
+    /* results that are numbers or inputs */
+    out[1] = 0.0; /* M: hang.u.angle1,hang.u.angle2 */
+    out[2] = 0.0; /* M: hang.u.angle2,hang.u.angle1 */
+    out[3] = w[1]; /* M: hang.u.angle2,hang.u.angle2 */
+    return CARDAN_OK;
+}

@@ -1,0 +1,128 @@
+/*
+ * mass_matrix of trolley
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * passes: reassociate
+ *
+ * Sizes: out 25, work 0, w 7
+ * Operations per call: 18 = 10 mul, 2 add, 2 cos, 2 neg, 2 sin
+ * Operations of prepare: 26 = 19 mul, 6 add, 1 div
+ *
+ * Input q (5): generalized coordinates
+ *   q[0]  track [m]
+ *   q[1]  left.hang.angle1 [rad]
+ *   q[2]  left.hang.angle2 [rad]
+ *   q[3]  right.hang.angle1 [rad]
+ *   q[4]  right.hang.angle2 [rad]
+ *
+ * Input p (13): parameters, read by prepare_ only
+ *
+ * Output M (5 x 5): out[0 ... 24], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+{
+    /* left.bucket: mass, inertia */
+    const wreal left_load = p[3]; /* kg */
+    const wreal left_rope = p[4]; /* m */
+    const wreal left_size = p[5]; /* m */
+    const wreal left_bucket_mass_2 = left_size * left_size;
+    const wreal left_bucket_mass = left_load * left_rope;
+    w[0] = 0.5 * left_load * left_bucket_mass_2; /* left_bucket_inertia_zz */
+    w[1] = left_bucket_mass; /* left_bucket_mass */
+    /* left_bucket_inertia_xx */
+    w[2] = 0.3333333333333333 * left_load * left_bucket_mass_2 + left_rope * left_bucket_mass;
+
+    /* right.bucket: mass, inertia */
+    const wreal right_load = p[6]; /* kg */
+    const wreal right_rope = p[7]; /* m */
+    const wreal right_size = p[8]; /* m */
+    const wreal right_bucket_mass_2 = right_size * right_size;
+    const wreal right_bucket_mass = right_load * right_rope;
+    w[3] = 0.5 * right_load * right_bucket_mass_2; /* right_bucket_inertia_zz */
+    w[4] = right_bucket_mass; /* right_bucket_mass */
+    /* right_bucket_inertia_xx */
+    w[5] = 0.3333333333333333 * right_load * right_bucket_mass_2 + right_rope * right_bucket_mass;
+
+    /* wheel: inertia */
+    const wreal wheel = p[1]; /* kg */
+    const wreal radius = p[2]; /* m */
+    const wreal wheel_inertia_yy = radius * radius * (0.5 * wheel);
+
+    /* axle: coupling, momentum my */
+    const wreal axle_coupling = 1.0 / radius;
+    const wreal axle_momentum_my = wheel_inertia_yy * axle_coupling;
+
+    /* track: momentum fx */
+    const wreal trolley_mass = p[10]; /* kg */
+    const wreal track_momentum_fx = left_load + right_load + (wheel + trolley_mass);
+
+    /* M */
+    w[6] = track_momentum_fx + axle_coupling * axle_momentum_my; /* M_1_1 */
+}
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* left.hang: cos, sin, momentum mx, momentum mz, momentum fy */
+    const real left_hang_angle2 = q[2]; /* rad */
+    const wreal left_bucket_inertia_zz = w[0];
+    const wreal left_bucket_mass = w[1];
+    const wreal left_bucket_inertia_xx = w[2];
+    const real left_hang_cos = cardan_cos(left_hang_angle2);
+    const real left_hang_sin = cardan_sin(left_hang_angle2);
+    const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos;
+    const real left_hang_momentum_mz = left_bucket_inertia_zz * left_hang_sin;
+    const real left_hang_momentum_fy = left_bucket_mass * left_hang_cos;
+
+    /* right.hang: cos, sin, momentum mx, momentum mz, momentum fy */
+    const real right_hang_angle2 = q[4]; /* rad */
+    const wreal right_bucket_inertia_zz = w[3];
+    const wreal right_bucket_mass = w[4];
+    const wreal right_bucket_inertia_xx = w[5];
+    const real right_hang_cos = cardan_cos(right_hang_angle2);
+    const real right_hang_sin = cardan_sin(right_hang_angle2);
+    const real right_hang_momentum_mx = right_bucket_inertia_xx * right_hang_cos;
+    const real right_hang_momentum_mz = right_bucket_inertia_zz * right_hang_sin;
+    const real right_hang_momentum_fy = right_bucket_mass * right_hang_cos;
+
+    /* M */
+    const real M_5_1 = -right_hang_momentum_fy;
+    const real M_3_1 = -left_hang_momentum_fy;
+    /* M: right.hang.u.angle1,right.hang.u.angle1 */
+    out[18] = right_hang_cos * right_hang_momentum_mx + right_hang_sin * right_hang_momentum_mz;
+    /* M: left.hang.u.angle1,left.hang.u.angle1 */
+    out[6] = left_hang_cos * left_hang_momentum_mx + left_hang_sin * left_hang_momentum_mz;
+    out[4] = M_5_1; /* M: track.u,right.hang.u.angle2 */
+    out[20] = M_5_1; /* M: right.hang.u.angle2,track.u */
+    out[2] = M_3_1; /* M: track.u,left.hang.u.angle2 */
+    out[10] = M_3_1; /* M: left.hang.u.angle2,track.u */
+
+    /* results that are numbers or inputs */
+    out[0] = w[6]; /* M: track.u,track.u */
+    out[1] = 0.0; /* M: track.u,left.hang.u.angle1 */
+    out[3] = 0.0; /* M: track.u,right.hang.u.angle1 */
+    out[5] = 0.0; /* M: left.hang.u.angle1,track.u */
+    out[7] = 0.0; /* M: left.hang.u.angle1,left.hang.u.angle2 */
+    out[8] = 0.0; /* M: left.hang.u.angle1,right.hang.u.angle1 */
+    out[9] = 0.0; /* M: left.hang.u.angle1,right.hang.u.angle2 */
+    out[11] = 0.0; /* M: left.hang.u.angle2,left.hang.u.angle1 */
+    out[12] = w[2]; /* M: left.hang.u.angle2,left.hang.u.angle2 */
+    out[13] = 0.0; /* M: left.hang.u.angle2,right.hang.u.angle1 */
+    out[14] = 0.0; /* M: left.hang.u.angle2,right.hang.u.angle2 */
+    out[15] = 0.0; /* M: right.hang.u.angle1,track.u */
+    out[16] = 0.0; /* M: right.hang.u.angle1,left.hang.u.angle1 */
+    out[17] = 0.0; /* M: right.hang.u.angle1,left.hang.u.angle2 */
+    out[19] = 0.0; /* M: right.hang.u.angle1,right.hang.u.angle2 */
+    out[21] = 0.0; /* M: right.hang.u.angle2,left.hang.u.angle1 */
+    out[22] = 0.0; /* M: right.hang.u.angle2,left.hang.u.angle2 */
+    out[23] = 0.0; /* M: right.hang.u.angle2,right.hang.u.angle1 */
+    out[24] = w[5]; /* M: right.hang.u.angle2,right.hang.u.angle2 */
+    return CARDAN_OK;
+}
