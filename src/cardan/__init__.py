@@ -21,6 +21,7 @@ __version__ = "0.1.0"
 _PUBLIC: dict[str, str] = {
     "Model": "model",
     "load": "model",
+    "from_dh": "model.dh",
     "t": "model",
     "inertia": "model.inertia",
     "shape": "model.shape",
