@@ -11,6 +11,8 @@ from cardan.elements.joints import JOINTS
 from cardan.elements.tables import KINDS as CURVES
 from cardan.elements.written import AXES
 from cardan.model.body import INERTIA_ENTRIES
+from cardan.model.dh import CONVENTIONS
+from cardan.model.dh import KINDS as DH_TYPES
 from cardan.model.files.scene import keys
 from cardan.model.files.scene.keys import Key
 
@@ -150,6 +152,15 @@ KINDS |= {
     "inputs": by_name({"anyOf": [NUMBER, {"type": "null"}, record(keys.INPUT)]}),
     "tables": by_name(record(keys.TABLE, kind={"enum": list(CURVES)})),
     "bodies": by_name(record(keys.BODY)),
+    "links": {
+        "type": "array",
+        "items": {
+            "anyOf": [
+                record(keys.LINK, type={"enum": list(DH_TYPES)}),
+                {"type": "array", "items": EXPRESSION, "minItems": 4, "maxItems": 4},
+            ]
+        },
+    },
     "frames": by_name(record(keys.FRAME)),
     "include": by_name(record(keys.INCLUDE)),
     "joints": members(JOINTS, keys.of_joint),
@@ -157,6 +168,7 @@ KINDS |= {
     "outputs": by_name({"anyOf": [EXPRESSION, record(keys.OUTPUT)]}),
     "simulate": record(keys.SIMULATE, method={"enum": ["auto", *INTEGRATORS]}),
 }
+KINDS["dh"] = by_name(record(keys.DH, convention={"enum": list(CONVENTIONS)}))
 
 
 def schema() -> Schema:

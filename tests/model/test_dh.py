@@ -128,3 +128,27 @@ def test_rows_of_four_numbers() -> None:
     scene = cd.from_dh([(0.1, 0.0, 0.2, 0.3)] * 3)
     assert list(scene.joints) == ["joint1", "joint2", "joint3"]
     assert sp.Symbol("unused") not in scene.parameters
+
+
+def test_the_table_of_a_scene_file_is_the_same_robot() -> None:
+    from cardan.model.dh import Row
+    from cardan.model.files.scene import keys
+    from cardan.model.files.scene.reader import from_text
+
+    rows = ", ".join(
+        "{" + ", ".join(f"{key}: {value}" for key, value in row.items()) + "}"
+        for row in heavy([*ROWS[:2], {"alpha": 1.5708}])
+    ).replace("(0.1, 0.1, 0.1)", "[0.1, 0.1, 0.1]")
+    scene = from_text(f"cardan: 1\nname: arm\ndh: {{arm: {{rows: [{rows}]}}}}\n")
+    assert scene.snaps == ["joint 'arm.joint3' alpha: 1.5708 -> pi/2"]
+    poses = [
+        cd.compile(made).pose(link, Q[:3])
+        for made, link in (
+            (scene, "arm.link3"),
+            (cd.from_dh(heavy([*ROWS[:2], {"alpha": math.pi / 2}])), "link3"),
+        )
+    ]
+    np.testing.assert_allclose(poses[0], poses[1], rtol=0, atol=1e-15)
+    assert {key.name for key in keys.LINK} == set(Row.__dataclass_fields__)
+    with pytest.raises(ModelError, match=r"text:2:\d+: dh.arm.rows\[0\].*'alfa'"):
+        from_text("cardan: 1\ndh: {arm: {rows: [{alfa: 1}]}}\n")

@@ -11,7 +11,7 @@ Matrices, J. Appl. Mech. 22 (1955); J. J. Craig, Introduction to Robotics, chapt
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
@@ -21,7 +21,7 @@ from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..errors import ModelError, near
 from .checks import is_number
-from .files.angles import snap
+from .files.angles import snap as quarter
 from .model import Model
 from .rotation import cosine_sine
 
@@ -99,11 +99,15 @@ def add_dh(
     rows: Iterable[Mapping[str, Any] | Sequence[Any]],
     convention: str = "standard",
     parent: Any = None,
+    prefix: str = "",
+    snap: bool = True,
 ) -> None:
     """Add the links and joints of a table to a scene; see :func:`from_dh`.
 
     Args:
         parent: Frame or body that carries the first joint; the ground by default.
+        prefix: Before the names of all joints and links.
+        snap: Whether printed roundings of quarter turns become exact.
     """
     if convention not in CONVENTIONS:
         raise ModelError(
@@ -112,7 +116,10 @@ def add_dh(
     table = [_row(k, row) for k, row in enumerate(rows, 1)]
     inner = scene.ground if parent is None else parent
     for k, row in enumerate(table, 1):
-        inner = _add(scene, k, row, convention, inner)
+        joint, link = prefix + (row.name or f"joint{k}"), prefix + (row.link or f"link{k}")
+        if snap:
+            row = _snapped(scene, joint, row)
+        inner = _add(scene, joint, link, row, convention, inner)
 
 
 def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
@@ -138,20 +145,29 @@ def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
     return row
 
 
-def _add(scene: Model, k: int, row: Row, convention: str, inner: Any) -> Any:
+def _snapped(scene: Model, joint: str, row: Row) -> Row:
+    """The row with quarter turns in place of their roundings, which are listed."""
+    exact: dict[str, Any] = {}
+    for key in ("alpha", "theta"):
+        value = getattr(row, key)
+        if is_number(value):
+            word, who = repr(float(value)), f"joint '{joint}' {key}"
+            exact[key] = quarter(word, float(value), who, scene.snaps)
+    return replace(row, **exact)
+
+
+def _add(scene: Model, joint: str, link: str, row: Row, convention: str, inner: Any) -> Any:
     """One joint and its link; returns the link."""
-    joint, link = row.name or f"joint{k}", row.link or f"link{k}"
-    angles = {key: _angle(scene, joint, key, getattr(row, key)) for key in ("alpha", "theta")}
     body = scene.body(link, mass=row.mass, com=row.com, inertia=row.inertia)
-    kind, (c, s) = KINDS[row.type]("z"), _cosine_sine(angles["alpha"])
+    kind, (c, s) = KINDS[row.type]("z"), _cosine_sine(row.alpha)
     if convention == "standard":
         # the joint stands where the row begins, the link where it ends
         before, after = (row.d, 0) if row.type == "prismatic" else (0, row.d)
-        on_parent = inner.at(0, 0, before, rotation=("xyz", 0, 0, angles["theta"]))
-        on_child = body.at(-row.a, -s * after, -c * after, rotation=("xyz", -angles["alpha"], 0, 0))
+        on_parent = inner.at(0, 0, before, rotation=("xyz", 0, 0, row.theta))
+        on_child = body.at(-row.a, -s * after, -c * after, rotation=("xyz", -row.alpha, 0, 0))
     else:
         on_parent = inner.at(
-            row.a, -s * row.d, c * row.d, rotation=("XYZ", angles["alpha"], 0, angles["theta"])
+            row.a, -s * row.d, c * row.d, rotation=("XYZ", row.alpha, 0, row.theta)
         )
         on_child = body.at(0, 0, 0)
     scene.joint(joint, kind, on_parent, on_child, q0=row.q0, limits=row.limits)
@@ -161,12 +177,6 @@ def _add(scene: Model, k: int, row: Row, convention: str, inner: Any) -> Any:
     if row.damping is not None:
         scene.force(f"{joint}.damping", Damping(joint, row.damping))
     return body
-
-
-def _angle(scene: Model, joint: str, key: str, value: Any) -> Any:
-    if is_number(value):
-        return snap(repr(float(value)), float(value), f"joint '{joint}' {key}", scene.snaps)
-    return value
 
 
 def _cosine_sine(angle: Any) -> tuple[Any, Any]:

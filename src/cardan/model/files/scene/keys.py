@@ -44,6 +44,7 @@ TOP = (
     Key("inputs", "inputs"),
     Key("tables", "tables"),
     Key("bodies", "bodies"),
+    Key("dh", "dh"),
     Key("frames", "frames"),
     Key("include", "include"),
     Key("joints", "joints"),
@@ -65,6 +66,16 @@ BODY = (
     Key("shape", "shapes"),
 )
 FRAME = (Key("body", "text", True), Key("at", "vector"), Key("rotation", "rotation"))
+DH = (Key("convention", "text"), Key("parent", "place"), Key("rows", "links", True))
+LINK = (
+    *(Key(name, "scalar") for name in ("a", "alpha", "d", "theta", "mass")),
+    *(Key(name, "text") for name in ("type", "name", "link")),
+    Key("com", "vector"),
+    Key("inertia", "inertia"),
+    *(Key(name, "scalar") for name in ("rotor_inertia", "gear_ratio", "friction", "damping")),
+    Key("q0", "numbers"),
+    Key("limits", "limits"),
+)
 INCLUDE = (
     Key("file", "text", True),
     Key("prefix", "text"),

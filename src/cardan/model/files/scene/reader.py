@@ -10,6 +10,7 @@ from typing import Any
 from ....elements.forces import FORCES
 from ....elements.joints import JOINTS
 from ....errors import ModelError, near
+from ...dh import add_dh
 from ...frame import Frame, triple
 from ...model import Model
 from ..document import content
@@ -148,6 +149,14 @@ class _Reader:
                 home = self.model.place(f"body '{name}'", base, "base").body
                 self.model.bodies[name] = dataclasses.replace(made, base=home)
 
+    def _dh(self, section: Item) -> None:
+        self._each(section, self._chain)
+
+    def _chain(self, name: str, item: Item) -> None:
+        given = self.values.record(keys.DH, item, "a table")
+        with item.placed():
+            add_dh(self.model, prefix=f"{name}.", snap=self.options.snap, **given)
+
     def _frames(self, section: Item) -> None:
         """Frames on the bodies that are known by now; the others wait for included bodies."""
         for name, item in section.items().items():
@@ -285,6 +294,7 @@ _ORDER = {
     "tables": FIXED,
     "gravity": FIXED,
     "bodies": FIXED,
+    "dh": FIXED,
     "frames": FIXED,
     "include": FIXED,
     "joints": FIXED,

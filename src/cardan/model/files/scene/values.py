@@ -258,6 +258,18 @@ class Values:
             return tuple(self.bound(entry) for entry in item.entries())
         return self.record(keys.LIMITS, item, "limits")
 
+    def links(self, item: Item) -> list[Any]:
+        """Rows of a Denavit-Hartenberg table: mappings, or [a, alpha, d, theta]."""
+        rows: list[Any] = []
+        for entry in item.entries("a list of rows"):
+            if not entry.is_list:
+                rows.append(self.record(keys.LINK, entry, "a row"))
+                continue
+            if len(entry.entries()) != 4:
+                raise entry.error("a row is [a, alpha, d, theta] or a mapping")
+            rows.append([self.scalar(number) for number in entry.entries()])
+        return rows
+
     def couple(self, item: Item) -> tuple[Any, ...]:
         """(leader, ratio, offset) from a list or a mapping."""
         if not item.is_list:
