@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.cli import parser
+from cardan.cli import build_parser
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -38,7 +38,7 @@ def test_make_targets(target: str) -> None:
 @pytest.mark.parametrize("line", re.findall(r"`cardan ([^`]+)`", TEXT))
 def test_command_lines(line: str) -> None:
     words = shlex.split(line)
-    assert parser(words[0]).parse_args(words).command == words[0]
+    assert build_parser(words[0]).parse_args(words).command == words[0]
 
 
 @pytest.mark.parametrize("link", re.findall(r"\]\(([^)]+)\)", TEXT))
