@@ -155,7 +155,8 @@ def test_one_screen() -> None:
         ("l_c", "l_{c}"),
         ("a$b%{", r"\mathrm{a\$b\%\{}"),
         ("x\\input{y}", r"\mathrm{x\backslash{}input\{y\}}"),
-        ("upper.mass", r"\mathrm{upper}_{\mathrm{mass}}"),
+        ("upper.mass", r"m_{\mathrm{upper}}"),
+        ("gravity.z", "g_{z}"),
         ("θ", "θ"),
     ],
 )

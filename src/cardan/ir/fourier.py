@@ -14,6 +14,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from .exact import exact
@@ -22,16 +23,18 @@ from .graph import Graph
 
 # powers of generators by number: ((3, 2), (5, -1)) is g3²/g5
 Mono = tuple[tuple[int, int], ...]
-# an angle as multiples of monomials
-Angle = tuple[tuple[Mono, Fraction], ...]
+# an angle as multiples of monomials; whole ones are int, which is fast to compare
+Multiple = int | Fraction
+Angle = tuple[tuple[Mono, Multiple], ...]
 # cosine (0) or sine (1) of an angle; cosine of the empty angle is 1
 Wave = tuple[int, Angle]
 Poly = dict[tuple[Mono, Wave], Fraction]
 
 COS, SIN = 0, 1
+HALF = Fraction(1, 2)
 CONSTANT: Wave = (COS, ())
 # terms of a polynomial that somebody reads; products of terms in one step
-TERMS, PRODUCTS = 400, 20_000
+TERMS, PRODUCTS = 2000, 60_000
 
 # operators that are taken as they are, with nothing inside simplified
 WHOLE = frozenset(["select", "lt", "le", "eq", "and", "or", "not", "table", "item", "solve"])
@@ -69,7 +72,7 @@ class Expansion:
     graph: Graph
     budget: Budget
     generators: list[tuple[Any, ...]] = field(default_factory=list)
-    units: dict[Mono, Fraction] = field(default_factory=dict)
+    units: dict[Mono, Multiple] = field(default_factory=dict)
     made: dict[int, Poly | None] = field(default_factory=dict)
     long: frozenset[int] = frozenset()
     _numbers: dict[tuple[Any, ...], int] = field(default_factory=dict)
@@ -103,16 +106,16 @@ class Expansion:
                 return None
             return self.product(values[0], self._inverse(values[1]))
         if op in ("sin", "cos") and _still(values[0]):
-            angle = tuple(sorted((mono, c) for (mono, _), c in values[0].items()))
+            angle = tuple(sorted((mono, lean(c)) for (mono, _), c in values[0].items()))
             for mono, multiple in angle:
-                self.units[mono] = _divisor(self.units.get(mono, Fraction(0)), multiple)
+                self.units[mono] = _divisor(self.units.get(mono, 0), multiple)
             wave, sign = canonical(SIN if op == "sin" else COS, angle)
             return {((), wave): Fraction(sign)} if sign else {}
         if i in self.long:
             return None
         if op in ("sin", "cos"):
             # what moves inside it is one angle as a whole
-            angle = ((self._generator(("whole", _frozen(values[0]))), Fraction(1)),)
+            angle = ((self._generator(("whole", _frozen(values[0]))), 1),)
             return {((), (SIN if op == "sin" else COS, angle)): Fraction(1)}
         return self._alone((op, *(_frozen(value) for value in values)))
 
@@ -139,9 +142,11 @@ class Expansion:
         made: Poly = {}
         for (mono_a, wave_a), c in a.items():
             for (mono_b, wave_b), d in b.items():
-                mono = times(mono_a, mono_b)
-                for wave, factor in beats(wave_a, wave_b):
-                    accumulate(made, (mono, wave), c * d * factor)
+                mono, value = times(mono_a, mono_b), c * d
+                if wave_a != CONSTANT and wave_b != CONSTANT:
+                    value = value * HALF
+                for wave, sign in beats(wave_a, wave_b):
+                    accumulate(made, (mono, wave), value if sign == 1 else -value)
         return made
 
     def _generator(self, key: tuple[Any, ...]) -> Mono:
@@ -164,13 +169,14 @@ class Expansion:
 
 def accumulate(sums: dict[Any, Fraction], key: Any, c: Fraction) -> None:
     """Add to an entry of a sum; what becomes zero goes."""
-    total = sums.get(key, 0) + c
+    total = sums[key] + c if key in sums else c
     if total:
-        sums[key] = Fraction(total)
+        sums[key] = total
     else:
         sums.pop(key, None)
 
 
+@lru_cache(maxsize=65536)
 def times(a: Mono, b: Mono) -> Mono:
     """Product of two monomials."""
     if not a or not b:
@@ -190,18 +196,36 @@ def canonical(kind: int, angle: Angle) -> tuple[Wave, int]:
     return (kind, tuple((mono, -c) for mono, c in angle)), -1 if kind == SIN else 1
 
 
-def combined(a: Angle, b: Angle, sign: int = 1, scale: Fraction = Fraction(1)) -> Angle:
-    """scale (a + sign b)."""
+def lean(value: Multiple) -> Multiple:
+    """Whole numbers as int."""
+    return value.numerator if value.denominator == 1 else value
+
+
+def combined(a: Angle, b: Angle, sign: int = 1) -> Angle:
+    """a + b or a - b."""
     sums = dict(a)
     for mono, c in b:
-        accumulate(sums, mono, sign * c)
-    return tuple(sorted((mono, scale * c) for mono, c in sums.items()))
+        total = sums.get(mono, 0) + sign * c
+        if total:
+            sums[mono] = lean(total)
+        else:
+            del sums[mono]
+    return tuple(sorted(sums.items()))
 
 
-def beats(a: Wave, b: Wave) -> list[tuple[Wave, Fraction]]:
-    """Product of two waves as a sum: cos a cos b = (cos(a - b) + cos(a + b)) / 2."""
+def half(a: Angle) -> Angle:
+    """a / 2."""
+    return tuple((mono, lean(HALF * c)) for mono, c in a)
+
+
+@lru_cache(maxsize=65536)
+def beats(a: Wave, b: Wave) -> tuple[tuple[Wave, int], ...]:
+    """Waves and signs of a product: a b is half their sum, the sum itself where one is constant.
+
+    cos a cos b = (cos(a - b) + cos(a + b)) / 2 and its sisters.
+    """
     if a == CONSTANT or b == CONSTANT:
-        return [(b if a == CONSTANT else a, Fraction(1))]
+        return ((b if a == CONSTANT else a, 1),)
     (kind_a, x), (kind_b, y) = a, b
     if kind_a == COS and kind_b == SIN:
         (kind_a, x), (kind_b, y) = b, a
@@ -211,8 +235,8 @@ def beats(a: Wave, b: Wave) -> list[tuple[Wave, Fraction]]:
         wave, turned = canonical(kind, combined(x, y, sign))
         flip = -1 if kind_a == kind_b == SIN and sign == 1 else 1
         if turned:
-            found.append((wave, Fraction(turned * flip, 2)))
-    return found
+            found.append((wave, turned * flip))
+    return tuple(found)
 
 
 def _still(a: Poly) -> bool:
@@ -226,7 +250,7 @@ def _of_pi(value: float) -> Fraction | None:
     return simple if simple and float(simple) * math.pi == value else None
 
 
-def _divisor(a: Fraction, b: Fraction) -> Fraction:
+def _divisor(a: Multiple, b: Multiple) -> Multiple:
     """Greatest common divisor of two fractions."""
     d = math.lcm(a.denominator, b.denominator)
     return Fraction(math.gcd(int(a * d), int(b * d)), d)

@@ -25,8 +25,8 @@ from .ops import LEAVES
 from .sum_to_product import Sum, shortest, split
 from .sympy_out import OPERATIONS, Leaves, Names, What, expression_of, shaped, written_out
 
-# elementary steps for all entries together: about two seconds
-STEPS = 1_000_000
+# elementary steps for all entries together: a few seconds at most
+STEPS = 500_000
 # operations of an entry that is written out; terms whose common factors are looked for in every way
 LONGEST, NESTED = 4000, 120
 
@@ -119,7 +119,8 @@ class Writer:
         for terms in self._sums(poly):
             nests = [flat(terms)]
             for rank in RANKS if len(terms) <= NESTED else RANKS[:1]:
-                if self.expansion.budget.spend(len(terms) ** 2):
+                # looking at a factor takes a twentieth of the time of a product
+                if self.expansion.budget.spend(len(terms) ** 2 // 20):
                     nests.append(nested(terms, rank))
             written = [self._write(nest) for nest in nests]
             found += [(len(terms), made.count_ops(), made) for made in written]
@@ -155,7 +156,7 @@ class Writer:
             return sympy.Add(*(self._write(part) for part in key.parts))
         if isinstance(key, tuple):
             kind, angle = key
-            argument = sympy.Add(*(_number(c) * self._mono(mono) for mono, c in angle))
+            argument = sympy.Add(*(_number(Fraction(c)) * self._mono(mono) for mono, c in angle))
             return sympy.cos(argument) if kind == COS else sympy.sin(argument)
         op, *given = self.expansion.generators[key]
         if op == "leaf":

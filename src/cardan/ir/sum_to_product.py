@@ -10,17 +10,29 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from .fourier import CONSTANT, COS, SIN, Angle, Budget, Mono, Wave, accumulate, canonical, combined
+from .fourier import (
+    CONSTANT,
+    COS,
+    SIN,
+    Angle,
+    Budget,
+    Mono,
+    Multiple,
+    Wave,
+    accumulate,
+    canonical,
+    combined,
+    half,
+)
 
 # factors of a term in their order, equal ones repeated
 Product = tuple[Wave, ...]
 Sum = dict[Product, Fraction]
-HALF = Fraction(1, 2)
 # waves of one coefficient beyond which nothing is tried
 MOST = 24
 
 
-def shortest(waves: Mapping[Wave, Fraction], units: Mapping[Mono, Fraction], budget: Budget) -> Sum:
+def shortest(waves: Mapping[Wave, Fraction], units: Mapping[Mono, Multiple], budget: Budget) -> Sum:
     """Few short products equal to a sum of waves.
 
     Args:
@@ -61,15 +73,15 @@ def _written(angle: Angle) -> int:
     return len(angle) - 1 + sum(abs(c) != 1 for _, c in angle)
 
 
-def split(terms: Mapping[Product, Fraction], units: Mapping[Mono, Fraction]) -> Sum:
+def split(terms: Mapping[Product, Fraction], units: Mapping[Mono, Multiple]) -> Sum:
     """The sine of a double angle as 2 sin cos."""
     made: Sum = {}
     for product, c in terms.items():
         factors: list[Wave] = []
         for kind, angle in product:
-            half = tuple((mono, HALF * n) for mono, n in angle)
-            if kind == SIN and _whole(half, units):
-                factors += [(SIN, half), (COS, half)]
+            single = half(angle)
+            if kind == SIN and _whole(single, units):
+                factors += [(SIN, single), (COS, single)]
                 c = 2 * c
             else:
                 factors.append((kind, angle))
@@ -78,7 +90,7 @@ def split(terms: Mapping[Product, Fraction], units: Mapping[Mono, Fraction]) -> 
 
 
 def _merged(
-    p: Product, a: Fraction, q: Product, b: Fraction, units: Mapping[Mono, Fraction]
+    p: Product, a: Fraction, q: Product, b: Fraction, units: Mapping[Mono, Multiple]
 ) -> Iterator[Sum]:
     """Sums that equal a p + b q."""
     common, (left, right) = _difference(p, q)
@@ -87,7 +99,7 @@ def _merged(
     (kind, x), (other, y) = (left or (CONSTANT,))[0], (right or (CONSTANT,))[0]
     if kind != other:
         return
-    plus, minus = combined(x, y, 1, HALF), combined(x, y, -1, HALF)
+    plus, minus = half(combined(x, y, 1)), half(combined(x, y, -1))
     if not (_whole(plus, units) and _whole(minus, units)):
         return
     if abs(a) == abs(b):
@@ -95,8 +107,8 @@ def _merged(
     elif not (left and right):
         # c0 + c1 cos 2x, by the square of either
         (one, c0), (c1, double) = ((p, a), (b, y)) if not left else ((q, b), (a, x))
-        half = tuple((mono, HALF * n) for mono, n in double)
-        for wave, sign in (((COS, half), 1), ((SIN, half), -1)):
+        single = half(double)
+        for wave, sign in (((COS, single), 1), ((SIN, single), -1)):
             yield {
                 tuple(sorted((*common, wave, wave))): 2 * sign * c1,
                 one: c0 - sign * c1,
@@ -128,6 +140,6 @@ def _difference(p: Product, q: Product) -> tuple[Product, tuple[Product, Product
     return tuple(common), (tuple(left), tuple(right))
 
 
-def _whole(angle: Angle, units: Mapping[Mono, Fraction]) -> bool:
+def _whole(angle: Angle, units: Mapping[Mono, Multiple]) -> bool:
     """Whether an angle is made of whole multiples of what occurs."""
-    return all(mono in units and (c / units[mono]).denominator == 1 for mono, c in angle)
+    return all(mono in units and (Fraction(c) / units[mono]).denominator == 1 for mono, c in angle)
