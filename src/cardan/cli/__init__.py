@@ -24,7 +24,7 @@ COMMANDS = {
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
-    "doctor": (".doctor", "compiler, cache, versions: what works here, what to do about the rest"),
+    "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }
 
 DESCRIPTION = """\

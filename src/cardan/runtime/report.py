@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import math
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import DerivationError, ModelError
+from ..errors import CompilerMissing, DerivationError, ModelError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache
@@ -41,7 +42,7 @@ class Row:
         function: C name.
         operations: Number of operators.
         python_ns: One call from Python with arrays for one state.
-        call_ns: One call in a C loop at the same state again and again.
+        call_ns: One call in a C loop at the same state again and again; NaN without a compiler.
         state_ns: Per state in a batch of 1024.
         lanes: States done at once in the batch.
         error: Largest |error| / |largest entry| against 40 digits at three random states; None
@@ -111,10 +112,16 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
         data = saved.get(function.symbol)
         error = judge(model, function, data, values) if data else None
         rows.append(_measure(function, values, error))
-    first_line = cache.compiler().identity.splitlines()[0]
-    result = Report(model.name, tuple(rows), first_line, abi.NAME, note)
+    result = Report(model.name, tuple(rows), _compiler(), abi.NAME, note)
     Console().print(result.table())
     return result
+
+
+def _compiler() -> str:
+    try:
+        return cache.compiler().identity.splitlines()[0]
+    except CompilerMissing:
+        return "no C compiler, NumPy"
 
 
 def _values(
@@ -147,13 +154,13 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     still = [0] * len(ORDER)
 
     def loop(steps: list[int]) -> None:
-        abi.run(function.address, arrays, steps, BATCH, out, function.work_size)
+        caller.call(arrays, steps, out)
 
     return Row(
         function=function.symbol,
         operations=sum(function.entry["operations"].values()),
         python_ns=_time(lambda: function.fast(None, *one), 1),
-        call_ns=_time(lambda: loop(still), BATCH),
+        call_ns=_time(lambda: loop(still), BATCH) if function.address else math.nan,
         state_ns=_time(lambda: loop(strides), BATCH),
         lanes=max(function.entry["lanes"]),
         error=error,

@@ -1,0 +1,136 @@
+"""Models drawn by chance under the address and undefined-behavior sanitizers of the compiler."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.runtime import cache, kernels
+from kernels.sanitized import program
+from mechanisms import ZOO
+from mechanisms.random_trees import random_tree
+
+FLAGS = ("-std=c99", "-O0", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+COUNT = 7
+SEED = 20
+DYNAMICS = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy", "power")
+MOTION = ("pose", "velocity", "acceleration", "frame_jacobian")
+
+
+def drawn() -> list[str]:
+    """Five of the zoo, of whose many ball joints two are enough, and five trees."""
+    rng = np.random.default_rng(SEED)
+    balls = sorted(name for name in ZOO if name.startswith("spherical_"))
+    pool = [*balls[::20], *sorted(set(ZOO) - set(balls))]
+    return [*rng.choice(pool, 5, replace=False).tolist(), *(f"tree {k}" for k in range(5))]
+
+
+@pytest.fixture(scope="module")
+def sanitizers(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """A compiler that has them and finds with them a write past the end."""
+    place = tmp_path_factory.mktemp("probe")
+    (place / "a.c").write_text(
+        "#include <stdlib.h>\nint main(int n, char **v) { (void)v; double *p = malloc(8);"
+        " p[n] = 1; double x = p[n]; free(p); return x > 2; }\n"
+    )
+    done = built(place, [place / "a.c"])
+    if done is None:
+        pytest.skip("this compiler has no sanitizers")
+    assert done.returncode
+    assert "a.c:2" in done.stderr
+
+
+def built(place: Path, sources: list[Path], *more: str) -> subprocess.CompletedProcess[str] | None:
+    """What a program does under the sanitizers; None where it cannot be linked with them."""
+    target = place / "sanitized"
+    made = compiled(*more, "-o", str(target), *map(str, sources), "-lm")
+    if made.returncode:
+        assert "san" in made.stderr, made.stderr
+        return None
+    # leaks are none of C that allocates nothing; a traced process cannot look for them
+    options = os.environ | {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
+    return subprocess.run([str(target)], capture_output=True, text=True, timeout=300, env=options)
+
+
+def compiled(*words: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    command = [*cache.compiler().command, *FLAGS, f"-I{kernels.DIRECTORY}", *words]
+    return subprocess.run(command, capture_output=True, text=True, timeout=600, cwd=cwd)
+
+
+CASES = [
+    pytest.param(
+        name, k % 2 == 1, ("dop853", "rk4")[k // 2 % 2], marks=[pytest.mark.slow] * (k % 3 > 0)
+    )
+    for k, name in enumerate(drawn())
+]
+
+
+@pytest.mark.parametrize(("name", "loops", "method"), CASES)
+def test_clean_and_the_same_numbers(
+    name: str, loops: bool, method: str, tmp_path: Path, sanitizers: None
+) -> None:
+    """A simulation by an integrator, then every function at some states."""
+    scene = ZOO[name].build() if name in ZOO else random_tree(int(name.split()[1]))
+    equations = cd.derive(scene)
+    model = cd.compile(equations, loops=loops)
+    functions = [f for f in DYNAMICS if f in model.manifest["available"]]
+    body, joint = model.bodies[-1], model.joints[0]
+    asked = [*functions, *((f, body) for f in MOTION), ("reaction", joint)]
+    folder = equations.export(
+        tmp_path / "model", asked, language="c", integrators=[method], loops=loops
+    )
+    # once for both programs
+    sources = [path.name for path in sorted(folder.glob("*.c")) if path.name != "example.c"]
+    made = compiled("-c", f"-I{folder}", *sources, cwd=folder)
+    assert made.returncode == 0, made.stderr
+    objects = sorted(folder.glob("*.o"))
+    example = [folder / "example.c", *objects]
+    done = built(tmp_path, example, f"-I{folder}", "-DCARDAN_EXAMPLE")
+    assert done is not None
+    assert done.stderr == ""
+    assert done.returncode == 0
+
+    exported = cd.load_model(folder)
+    rng = np.random.default_rng(SEED)
+    q, u = model.split(model.random_state(rng, (COUNT,)))
+    parts = 6 * len(model.bodies)
+    given = {
+        "t": np.full((COUNT, 1), 0.3),
+        "q": q,
+        "u": u,
+        "r": np.zeros((COUNT, model.nr)),
+        "udot": rng.uniform(-1, 1, u.shape),
+        "tau": rng.uniform(-1, 1, u.shape),
+        "wrench": np.zeros((COUNT, parts)),
+        "z": np.zeros((COUNT, 0)),
+        "s": np.zeros((COUNT, 0)),
+    }
+    names = list(exported.manifest["functions"])
+    main = tmp_path / "main.c"
+    main.write_text(program(exported.manifest, names, given, model.parameters.vector))
+    done = built(tmp_path, [main, kernels.DIRECTORY / "map.c", *objects], f"-I{folder}")
+    assert done is not None
+    assert done.stderr == ""
+    assert done.returncode == 0
+    found = np.array(done.stdout.split(), dtype=float)
+    sizes = [COUNT * exported.manifest["functions"][n]["output_size"] for n in names]
+    assert found.size == sum(sizes)
+    results = dict(zip(names, np.split(found, np.cumsum(sizes)[:-1]), strict=True))
+    # other flags round differently: by the condition of M where a system is solved
+    M = model.mass_matrix(q)
+    loose = 1e-12 * max(1.0, float(np.linalg.cond(M).max()))
+    expected = {
+        "mass_matrix": (M, 1e-12),
+        "energy": (np.stack(model.energy(q, u, t=0.3), axis=-1), 1e-12),
+        "forward_dynamics": (model.forward_dynamics(q, u, tau=given["tau"], t=0.3), loose),
+        "inverse_dynamics": (model.inverse_dynamics(q, u, given["udot"], t=0.3), 1e-12),
+    }
+    for function, (known, bound) in expected.items():
+        scale = np.abs(known).max()
+        error = np.abs(results[function] - known.reshape(-1)).max()
+        assert error <= bound * scale, function
