@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 
+import cardan as cd
 from cardan.errors import BuildError
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
@@ -119,3 +120,15 @@ def test_states_without_finite_forces_are_passed_over(directory):
     finite = checks._finite(truth)
     assert 0 < len(finite) < states
     assert np.all(truth.q[finite] > 0)
+
+
+def test_rotors_of_drives_are_judged() -> None:
+    from mechanisms import ZOO
+
+    named = [name for name in ZOO if "drive" in name]
+    assert named
+    for name in named:
+        model = cd.compile(ZOO[name].build(), functions=("mass_matrix", "forward_dynamics"))
+        model.prepare("mass_matrix", "forward_dynamics")
+        found = model.verify()
+        assert {"mass_matrix", "forward_dynamics"} <= set(found.checked), str(found)

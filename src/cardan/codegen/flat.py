@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from ..equations.blocks import blocks
 from ..ir.function import Function, Output, live
-from ..ir.graph import Graph
+from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import complement, unit
 from ..topology.system import Joint, System
@@ -22,8 +22,9 @@ def scene(system: System) -> Function:
     Outputs (nb bodies, nf frames): gravity (3); mass (nb); first_moment (nb, 3) and inertia
     (nb, 3, 3) about the body's origin in body axes; rotation (nb, 3, 3) and position (nb, 3) of
     the parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the
-    joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; frame_rotation
-    (nf, 3, 3) and frame_position (nf, 3) in axes of the frame's body.
+    joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; rotor (nb): inertia
+    that drives add to the joint's coordinate; frame_rotation (nf, 3, 3) and frame_position (nf, 3)
+    in axes of the frame's body.
     """
     graph = system.graph.fork()
     bodies, joints, frames = system.bodies, system.joints, system.frames
@@ -43,6 +44,7 @@ def scene(system: System) -> Function:
         ),
         _output("ratio", (nb,), [(j.coupling.ratio if j.coupling else 0,) for j in joints]),
         _output("offset", (nb,), [(j.coupling.offset if j.coupling else 0,) for j in joints]),
+        _output("rotor", (nb,), [(node,) for node in _rotors(system, graph)]),
         _output("frame_rotation", (nf, 3, 3), [f.rotation for f in frames]),
         _output("frame_position", (nf, 3), [f.position for f in frames]),
     )
@@ -60,17 +62,18 @@ def scene_motion(system: System) -> Function | None:
     return _function("scene_motion", system, system.graph, outputs, "motion of prescribed joints")
 
 
-def unknown(system: System) -> list[str]:
-    """Why the flat scene does not tell everything about the masses of a system, in words."""
-    reasons, graph = [], system.graph.fork()
+def _rotors(system: System, graph: Graph) -> list[int]:
+    """Inertia of rotors that turn with joints of one coordinate, per joint."""
+    found = [ZERO] * len(system.joints)
     for force in system.forces:
         data = {
             name: Matrix(graph, rows, columns, nodes)
             for name, (rows, columns, nodes) in force.data.items()
         }
-        if force.element.rotor_inertia(data):
-            reasons.append(f"the rotor of '{force.name}' adds to the mass matrix")
-    return reasons
+        for role, inertia in force.element.rotor_inertia(data).items():
+            joint = force.joints[role]
+            found[joint] = graph.add(found[joint], inertia.nodes[0])
+    return found
 
 
 def _axes(graph: Graph, joint: Joint) -> tuple[tuple[int, ...], tuple[int, ...]]:

@@ -102,9 +102,7 @@ def _saved(equations: Equations) -> tuple[Function, ...]:
 def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
-    unknown = flat.unknown(system)
-    if equations.chosen:
-        unknown.append("the speeds are chosen by the user")
+    unknown = ["the speeds are chosen by the user"] if equations.chosen else []
     return {
         "parents": [b.parent for b in system.bodies],
         "kinds": [j.element.kind for j in system.joints],

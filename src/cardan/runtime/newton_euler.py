@@ -33,7 +33,8 @@ class Scene:
         leaders: Joint a coupled joint follows, -1 for the others.
         prescribed: Whether the joint's coordinate is given.
         numbers: gravity (3,), mass (nb,), first_moment (nb, 3), inertia (nb, 3, 3), rotation
-            (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,).
+            (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,); rotor
+            (nb,) where there are any.
     """
 
     parents: tuple[int, ...]
@@ -157,10 +158,11 @@ def inverse_dynamics(
     n, numbers = len(scene.parents), scene.numbers
     lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1], udot.shape[:-1])
     q, u, udot = (np.broadcast_to(x, (*lead, x.shape[-1])) for x in (q, u, udot))
+    rotor = numbers.get("rotor", np.zeros(n))
     turned = [np.broadcast_to(np.eye(3), (*lead, 3, 3))]
     omega, alpha = [np.zeros((*lead, 3))], [np.zeros((*lead, 3))]
     accel = [np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))]
-    arms, axes, moments, forces = [], [], [], []
+    arms, axes, moments, forces, rotors = [], [], [], [], []
     for i in range(n):
         k = scene.parents[i] + 1
         qi, ui, udoti = own(scene, i, q, (u, udot), motion)
@@ -183,7 +185,8 @@ def inverse_dynamics(
         moment, force = _rates_of_momentum(numbers, i, body, omega[-1], alpha[-1], accel[-1])
         moments.append(moment)
         forces.append(force)
-    return _backward(scene, lead, arms, axes, moments, forces)
+        rotors.append(rotor[i] * udoti)
+    return _backward(scene, lead, arms, axes, moments, forces, rotors)
 
 
 def _rates_of_momentum(
@@ -204,13 +207,14 @@ def _backward(
     axes: list[tuple[Array, Array]],
     moments: list[Array],
     forces: list[Array],
+    rotors: list[Array],
 ) -> Array:
     """Joint by joint from the tips: the part of the transmitted wrench along the joint."""
     tau = np.zeros((*lead, scene.nu))
     for i in range(len(scene.parents) - 1, -1, -1):
         turn, shift = axes[i]
         along = _times(np.swapaxes(turn, -1, -2), moments[i])
-        along = along + _times(np.swapaxes(shift, -1, -2), forces[i])
+        along = along + _times(np.swapaxes(shift, -1, -2), forces[i]) + rotors[i]
         j = i
         while scene.leaders[j] >= 0:
             along, j = along * scene.numbers["ratio"][j], scene.leaders[j]
