@@ -162,7 +162,7 @@ class _Parser:
             factor = self.value(token, self.signed())
             if operator == "/" and factor == 0:
                 raise self.error(token, "division by zero")
-            factors.append(factor if operator == "*" else 1 / factor)
+            factors.append(factor if operator == "*" else _power(factor, _sympy().Integer(-1)))
         factors = [_sympy().Integer(-1), *factors] if sign < 0 else factors
         return factors[0] if len(factors) == 1 else self.sized(_sympy().Mul, *factors)
 
@@ -367,6 +367,8 @@ def _bits(e: Any) -> int:
 
 def _power(base: Any, exponent: Any) -> Any:
     """A power; one of functions is not evaluated: SymPy would ask at length for their signs."""
+    if base.is_Pow and base.exp.is_Rational and exponent.is_Integer:
+        base, exponent = base.base, base.exp * exponent
     simple = exponent.is_number and not base.has(_sympy().Function)
     return base**exponent if simple else _sympy().Pow(base, exponent, evaluate=False)
 
