@@ -255,3 +255,28 @@ def test_simulate_follows_the_file_and_the_command_line(
     assert "scene.yml:12:75: joints.elbow.child" in capsys.readouterr().err
     assert main(["simulate", str(path), "--base", "free"]) == 1
     assert "are for robots" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            "parameters: {m: {value: 1, unit: kg}}\nbodies:\n  a: {mass: 1}\n"
+            "  b.c: {mass: 1, com: [m, 0, 0]}\njoints: &j\n"
+            "  j: {type: revolute, parent: ground, child: a}\n"
+            "  k: {type: revolute, parent: a, child: b.c}\n",
+            "scene.yaml:5:3: 'b.c.com.x': m is measured in kg, but m is wanted",
+        ),
+        ("bodies:\n  a: {mass: 1}\n", "scene.yaml:3:3: nothing joins body 'a' to the ground"),
+        (
+            "bodies: {a: {mass: 1, inertia: [1, 1, 1]}}\njoints:\n"
+            "  a: {type: free, parent: ground, child: a, motion: t}\n",
+            "scene.yaml:4:3: joint 'a' (free): motion= prescribes one coordinate",
+        ),
+        ("values: {a.mass: 2}\n", "parameters: no number of the scene is called 'a.mass'"),
+    ],
+)
+def test_errors_that_show_later_have_their_place(text: str, words: str) -> None:
+    with pytest.raises(cd.CardanError) as caught:
+        cd.derive(scene(text))
+    assert str(caught.value).startswith(words)

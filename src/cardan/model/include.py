@@ -64,6 +64,7 @@ def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
     copy.motions()
     model.notes += [f"{prefix}: {note}" for note in other.notes]
     model.snaps += [f"{prefix}: {snap}" for snap in other.snaps]
+    model.origins |= {(kind, copy.name(n)): place for (kind, n), place in other.origins.items()}
     model.values.update({copy.name(name): value for name, value in other.values.items()})
     return Included(ground, copy.bodies, copy.frames, copy.joints, copy.symbols)
 

@@ -43,6 +43,7 @@ class Model:
         snaps: Numbers of a file that were replaced by exact ones.
         values: Numbers by dotted name that replace those written, such as ``upper.mass``.
         settings: How its file wants it simulated: arguments for ``simulate(**scene.settings)``.
+        origins: Place in a file by kind and name of an item, see :mod:`.origins`.
     """
 
     def __init__(self, name: str, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
@@ -61,6 +62,7 @@ class Model:
         self.snaps: list[str] = []
         self.values: dict[str, float] = {}
         self.settings: dict[str, Any] = {}
+        self.origins: dict[tuple[str, str], str] = {}
 
     def __str__(self) -> str:
         return summary(self)

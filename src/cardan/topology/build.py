@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ..elements.forces.force import ForceElement
-from ..errors import ModelError, near
+from ..errors import ModelError, TopologyError, near
 from ..ir.graph import Graph
 from ..model.model import Model
+from ..model.origins import located
 from . import announcements, motion
 from .assembly import Assembly
 from .convert import Converter
@@ -28,6 +29,16 @@ def build(model: Model) -> System:
         TopologyError: circuits, loose bodies, reversed joints.
         ModelError: quantities that cannot be what they say.
     """
+    try:
+        return _build(model)
+    except (ModelError, TopologyError) as problem:
+        found = located(problem, model.origins)
+        if found is problem:
+            raise
+        raise found from problem
+
+
+def _build(model: Model) -> System:
     scene, rotors = with_rotors(model)
     branches = open_tree(scene)
     convert = Converter(scene, Graph())

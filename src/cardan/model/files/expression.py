@@ -73,7 +73,13 @@ def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> Any:
     """
     if len(text) > LONGEST:
         raise ModelError(f"{where}: an expression has at most {LONGEST} characters")
-    return _Parser(_tokens(text, where), symbols, where).whole()
+    try:
+        return _Parser(_tokens(text, where), symbols, where).whole()
+    except ModelError:
+        raise
+    except (ArithmeticError, RecursionError, TypeError, ValueError) as problem:
+        reason = " ".join(str(problem).split())[:120]
+        raise ModelError(f"{where}: '{text[:60]}' has no value: {reason}") from problem
 
 
 def _tokens(text: str, where: str) -> list[Token]:
@@ -134,7 +140,8 @@ class _Parser:
         if not sign:
             return left
         right = self.value(self.next, self.sum())
-        return getattr(_sympy(), RELATIONS[sign])(self.value(token, left), right)
+        relation = getattr(_sympy(), RELATIONS[sign])
+        return relation(self.value(token, left), right, evaluate=False)
 
     def sum(self) -> Any:
         self.depth += 1
@@ -155,7 +162,7 @@ class _Parser:
             factor = self.value(token, self.signed())
             if operator == "/" and factor == 0:
                 raise self.error(token, "division by zero")
-            factors.append(factor if operator == "*" else 1 / factor)
+            factors.append(factor if operator == "*" else _power(factor, _sympy().Integer(-1)))
         factors = [_sympy().Integer(-1), *factors] if sign < 0 else factors
         return factors[0] if len(factors) == 1 else self.sized(_sympy().Mul, *factors)
 
@@ -177,13 +184,17 @@ class _Parser:
             raise self.error(token, f"parentheses and powers go at most {DEEPEST} deep")
         exponent = self.value(self.next, self.signed())
         self.depth -= 1
-        if exponent.is_number and not abs(exponent) <= LARGEST_EXPONENT:
+        if any(abs(n) > LARGEST_EXPONENT for n in exponent.atoms(_sympy().Number)):
             raise self.error(token, f"exponents go up to {LARGEST_EXPONENT}")
-        if exponent.is_number and _bits(base) * abs(float(exponent)) > MOST_BITS:
+        if not exponent.is_number:
+            return _power(base, exponent)
+        if not abs(exponent) <= LARGEST_EXPONENT:
+            raise self.error(token, f"exponents go up to {LARGEST_EXPONENT}")
+        if _bits(base) * abs(float(exponent)) > MOST_BITS:
             raise self.error(token, "this power is too large a number")
         if base == 0 and not exponent.is_positive:
             raise self.error(token, "zero has no such power")
-        return self.checked(token, base**exponent)
+        return self.checked(token, _power(base, exponent))
 
     def value(self, token: Token, found: Any) -> Any:
         if _is_condition(found):
@@ -297,11 +308,11 @@ class _Parser:
             raise self.error(token, f"{name} does not take {len(arguments)} values")
         if name == "mod" and arguments[1] == 0:
             raise self.error(token, "division by zero")
-        plain = [self.plain(token, argument) for argument in arguments]
-        try:
-            return self.checked(token, getattr(_sympy(), FUNCTIONS[name])(*plain))
-        except OverflowError as problem:
-            raise self.error(token, f"{name} is too large here") from problem
+        function = getattr(_sympy(), FUNCTIONS[name])
+        if name == "sqrt":
+            return self.checked(token, _power(arguments[0], _sympy().Rational(1, 2)))
+        # not evaluated: SymPy would work out numbers of any size, or try to for hours
+        return self.checked(token, function(*map(_plain, arguments), evaluate=False))
 
     def table(self, token: Token, arguments: list[Any]) -> Any:
         """The value of a measured function."""
@@ -311,28 +322,20 @@ class _Parser:
             raise self.error(token, what)
         return function(*arguments)
 
-    def plain(self, token: Token, argument: Any) -> Any:
-        """An argument; a large or unusual number as a float: nothing is worked out exactly."""
-        if not getattr(argument, "is_number", False) or argument.is_Float:
-            return argument
-        if argument.is_Rational and _bits(argument) <= 64:
-            return argument
-        if (argument / _sympy().pi).is_Rational and _bits(argument) <= 64:
-            return argument
-        return _sympy().Float(float(argument))
-
     def checked(self, token: Token, found: Any) -> Any:
         """A result that, where it is a number, is real and of sane size."""
         sympy = _sympy()
         if found.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):
             raise self.error(token, f"'{token.text[:40]}' is not finite here")
-        if getattr(found, "is_number", False) and not found.is_Rational:
-            value = found.evalf(17)
-            if not value.is_Float:
-                raise self.error(token, f"'{token.text[:40]}' is no real number here")
-            if abs(value) > 1e300:
-                raise self.error(token, f"'{token.text[:40]}' is too large here")
-        return found
+        if not getattr(found, "is_number", False) or found.is_Rational:
+            return found
+        value = found.evalf(17)
+        if not value.is_Float and not value.is_Rational:
+            raise self.error(token, f"'{token.text[:40]}' is no real number here")
+        if abs(value) > 1e300:
+            raise self.error(token, f"'{token.text[:40]}' is too large here")
+        # functions of numbers are numbers; roots stay what they are
+        return found if found.is_Pow or found.is_Float else sympy.Float(float(value))
 
     def select(self, token: Token, arguments: list[Any]) -> Any:
         """``select(condition, a, condition, b, c)``: the first value whose condition holds."""
@@ -343,9 +346,11 @@ class _Parser:
         pieces = list(zip(cases[1::2], cases[::2], strict=True))
         if not all(_is_condition(condition) for _, condition in pieces):
             raise self.error(token, "select needs a condition such as t < 1 before each value")
+        if any(condition.has(sympy.Piecewise) for _, condition in pieces):
+            raise self.error(token, "a condition has no select in it; write and, or, not")
         if any(map(_is_condition, (otherwise, *cases[1::2]))):
             raise self.error(token, "select chooses between values, not conditions")
-        return sympy.Piecewise(*pieces, (otherwise, True))
+        return sympy.Piecewise(*pieces, (otherwise, True), evaluate=False)
 
 
 def unquoted(token: Token) -> str:
@@ -358,6 +363,21 @@ def _bits(e: Any) -> int:
     return max(
         (max(abs(int(n.p)), int(n.q)).bit_length() for n in e.atoms() if n.is_Rational), default=1
     )
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    """A power; one of functions is not evaluated: SymPy would ask at length for their signs."""
+    if base.is_Pow and base.exp.is_Rational and exponent.is_Integer:
+        base, exponent = base.base, base.exp * exponent
+    simple = exponent.is_number and not base.has(_sympy().Function)
+    return base**exponent if simple else _sympy().Pow(base, exponent, evaluate=False)
+
+
+def _plain(argument: Any) -> Any:
+    """Numbers that are roots or multiples of pi as floats."""
+    if getattr(argument, "is_number", False) and not argument.is_Number:
+        return _sympy().Float(float(argument))
+    return argument
 
 
 def _is_condition(e: Any) -> bool:

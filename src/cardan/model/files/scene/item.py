@@ -41,6 +41,12 @@ class Item:
         return f"{self.file}:{self.node.line}:{self.node.column}"
 
     @property
+    def spot(self) -> str:
+        """``scene.yaml:12:3``: of the key, or of the value where it has none."""
+        node = self.key or self.node
+        return f"{self.file}:{node.line}:{node.column}"
+
+    @property
     def where(self) -> str:
         """Position and path: the head of a message."""
         return f"{self.position}: {self.path}" if self.path else self.position
@@ -50,8 +56,7 @@ class Item:
 
     def at_key(self, words: str) -> ModelError:
         """An error about the key rather than its value."""
-        spot = self.key or self.node
-        return ModelError(f"{self.file}:{spot.line}:{spot.column}: {self.path}: {words}")
+        return ModelError(f"{self.spot}: {self.path}: {words}")
 
     @contextmanager
     def placed(self, named: bool = False) -> Iterator[None]:
@@ -60,13 +65,11 @@ class Item:
         Args:
             named: Say the path too, for errors that do not name the item themselves.
         """
-        spot = self.key or self.node
         path = f"{self.path}: " if named else ""
         try:
             yield
         except (ModelError, TopologyError) as problem:
-            message = f"{self.file}:{spot.line}:{spot.column}: {path}{problem}"
-            raise type(problem)(message) from problem
+            raise type(problem)(f"{self.spot}: {path}{problem}") from problem
 
     @property
     def is_null(self) -> bool:

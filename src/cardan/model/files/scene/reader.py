@@ -95,14 +95,16 @@ class _Reader:
             )
         return root.fields(keys.TOP, "a scene")
 
-    def _each(self, section: Item, read: Callable[[str, Item], None]) -> None:
+    def _each(self, section: Item, kind: str, read: Callable[[str, Item], None]) -> None:
+        """Read the items of a section and remember where they stand."""
         for name, item in section.items().items():
             read(name, item)
+            self.model.origins[kind, name] = item.spot
 
     # what expressions are made of
 
     def _parameters(self, section: Item) -> None:
-        self._each(section, self._parameter)
+        self._each(section, "parameter", self._parameter)
 
     def _parameter(self, name: str, item: Item) -> None:
         given = self._short(item, "value", keys.PARAMETER, "a parameter")
@@ -110,7 +112,7 @@ class _Reader:
             self.model.parameter(name, given["value"], given.get("unit"))
 
     def _inputs(self, section: Item) -> None:
-        self._each(section, self._input)
+        self._each(section, "input", self._input)
 
     def _input(self, name: str, item: Item) -> None:
         given = {} if item.is_null else self._short(item, "default", keys.INPUT, "an input")
@@ -138,7 +140,7 @@ class _Reader:
     # bodies and frames
 
     def _bodies(self, section: Item) -> None:
-        self._each(section, self._body)
+        self._each(section, "body", self._body)
 
     def _body(self, name: str, item: Item) -> None:
         given = self.values.record(keys.BODY, item, "a body")
@@ -150,7 +152,7 @@ class _Reader:
                 self.model.bodies[name] = dataclasses.replace(made, base=home)
 
     def _dh(self, section: Item) -> None:
-        self._each(section, self._chain)
+        self._each(section, "dh", self._chain)
 
     def _chain(self, name: str, item: Item) -> None:
         given = self.values.record(keys.DH, item, "a table")
@@ -172,9 +174,10 @@ class _Reader:
         if isinstance(made, Frame) and body == made.body.name and count.isdigit():
             # a made name, such as those of Body.at: it names no place of the system
             self.model.frames[name] = dataclasses.replace(made, named=False)
+        self.model.origins["frame", name] = item.spot
 
     def _include(self, section: Item) -> None:
-        self._each(section, self._subsystem)
+        self._each(section, "include", self._subsystem)
 
     def _subsystem(self, name: str, item: Item) -> None:
         given = self.values.record(keys.INCLUDE, item, "an included file")
@@ -197,7 +200,7 @@ class _Reader:
     # joints, forces, outputs
 
     def _joints(self, section: Item) -> None:
-        self._each(section, self._joint)
+        self._each(section, "joint", self._joint)
         for name, item in section.items().items():
             couple = self.model.joints[name].couple
             if couple is not None and couple.leader not in self.model.joints:
@@ -224,7 +227,7 @@ class _Reader:
                 self.model.joints[name] = made
 
     def _forces(self, section: Item) -> None:
-        self._each(section, self._force)
+        self._each(section, "force", self._force)
 
     def _force(self, name: str, item: Item) -> None:
         kind = self._type(item, FORCES, "force")
@@ -254,7 +257,7 @@ class _Reader:
         return word.text()
 
     def _outputs(self, section: Item) -> None:
-        self._each(section, self._output)
+        self._each(section, "output", self._output)
 
     def _output(self, name: str, item: Item) -> None:
         given = self._short(item, "expression", keys.OUTPUT, "an output")
