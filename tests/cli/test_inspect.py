@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from html.parser import HTMLParser
 from pathlib import Path
@@ -78,7 +79,10 @@ def test_as_json(capsys: pytest.CaptureFixture[str]) -> None:
     found = json.loads(capsys.readouterr().out)
     assert found["method"] == "kane"
     assert [c["name"] for c in found["coordinates"]] == ["waist", "shoulder", "elbow"]
-    assert {"name": "hand", "body": "forearm", "part": "hand"} in found["frames"]
+    hand = next(frame for frame in found["frames"] if frame["name"] == "hand")
+    assert (hand["body"], hand["part"]) == ("forearm", "hand")
+    assert hand["position"] == pytest.approx([0.3, 0, 0])
+    assert hand["rotation"][0] == pytest.approx([math.cos(0.5), -math.sin(0.5), 0])
     assert {p["name"]: p["unit"] for p in found["parameters"]}["hand.mass"] == "kg"
     for counts in found["operations"].values():
         assert counts["total"] == sum(counts["operators"].values())

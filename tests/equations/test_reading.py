@@ -71,19 +71,19 @@ def test_mass_matrix_of_twelve_bodies_can_be_read() -> None:
 
 
 def test_too_long_names_the_next_call() -> None:
-    equations = cd.derive(chain(12, planar=False))
+    equations = cd.derive(chain(8, planar=False))
     with pytest.raises(cd.DerivationError, match=r"equations\.symbolic\('bias'\)"):
         _ = equations.bias
     replacements, h = equations.symbolic("bias")
     assert len(replacements) > 100
-    assert h.shape == (12, 1)
+    assert h.shape == (8, 1)
 
 
 @pytest.mark.parametrize("name", sorted(ZOO))
 def test_never_worse_and_equal(name: str) -> None:
     equations = cd.derive(ZOO[name].build())
     for function in map(equations.function, ("mass_matrix", "bias", "applied", "qdot")):
-        if len(function.live()) > 250:
+        if len(function.live()) > 150:
             # evaluating what is written out takes longer than writing it
             continue
         try:
@@ -174,7 +174,7 @@ def test_latex() -> None:
 
 
 def test_latex_of_what_is_too_long_says_the_form() -> None:
-    assert latex(cd.derive(chain(12, planar=False))) == r"M(q)\,\dot u + h(q, u) = f + \tau"
+    assert latex(cd.derive(chain(8, planar=False))) == r"M(q)\,\dot u + h(q, u) = f + \tau"
 
 
 def test_latex_of_quaternions_shows_the_kinematics() -> None:

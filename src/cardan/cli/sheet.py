@@ -6,9 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..codegen import manifest
+import numpy as np
+
+from ..codegen import flat, manifest
 from ..equations.formula import mathml, rates_are_speeds
 from ..errors import DerivationError
+from ..ir.interpreter import evaluate
 
 if TYPE_CHECKING:
     from ..equations.record import Equations
@@ -20,6 +23,7 @@ Table = tuple[str, Sequence[str], Sequence[Sequence[Any]]]
 LISTED = 400
 # characters of a row of a matrix that fit a page
 WIDE = 130
+UNTURNED = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 # letter, function and what it is
 FORMULAS = (
     ("M", "mass_matrix", "mass matrix"),
@@ -77,12 +81,25 @@ def facts(equations: Equations) -> dict[str, Any]:
     data = dict(manifest.base(equations, ()).data)
     for key in ("abi", "available", "functions", "scene", "sha256", "shapes"):
         data.pop(key, None)
+    data["frames"] = _placed(equations, data["frames"])
     data["operations"] = {
         name: {"total": counts.total, "operators": dict(counts), "blocks": counts.blocks}
         for name, counts in equations.operations.items()
     }
     data["sources"] = list(equations.sources)
     return data
+
+
+def _placed(equations: Equations, frames: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Frames with position (3) and rotation (3, 3) in body axes at the defaults of parameters."""
+    defaults = [parameter.value for parameter in equations.system.parameters]
+    found = evaluate(flat.scene(equations.system), {"p": defaults})
+    positions = np.reshape(found["frame_position"], (len(frames), 3)).astype(float)
+    rotations = np.reshape(found["frame_rotation"], (len(frames), 3, 3)).astype(float)
+    return [
+        frame | {"position": p.tolist(), "rotation": r.tolist()}
+        for frame, p, r in zip(frames, positions, rotations, strict=True)
+    ]
 
 
 def sheet(scene: Model, equations: Equations) -> Sheet:
@@ -132,8 +149,16 @@ def _tables(data: dict[str, Any]) -> Iterable[Table]:
         )
     yield (
         "frame",
-        ("frame", "body"),
-        [(f["name"], f["part"] or f["body"]) for f in data["frames"]],
+        ("frame", "body", "position [m]", "axes"),
+        [
+            (
+                f["name"],
+                f["body"],
+                ", ".join(f"{x:.6g}" for x in f["position"]),
+                "as the body's" if f["rotation"] == UNTURNED else "turned",
+            )
+            for f in data["frames"]
+        ],
     )
     yield (
         "operations in",

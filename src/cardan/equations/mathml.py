@@ -31,7 +31,9 @@ class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
 
     def written(self, expression: Any) -> str:
         """MathML without names of entities; factors stand apart, since some of them are words."""
-        return str(self.doprint(expression)).replace(PRODUCT, '<mspace width="0.2em"/>')
+        text = str(self.doprint(expression)).replace(PRODUCT, '<mspace width="0.2em"/>')
+        # fractions in a matrix as large as elsewhere
+        return text.replace("<mtable>", '<mtable displaystyle="true">')
 
     def lines(self, expression: Any) -> str:
         """A long sum broken into rows of a table."""
@@ -49,7 +51,7 @@ class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
             minus = total.as_ordered_terms()[0].could_extract_minus_sign()
             sign = "<mo>+</mo>" if number and not minus else ""
             written.append(f"<mtr><mtd>{sign}{self.written(total)}</mtd></mtr>")
-        return f'<mtable class="lines">{"".join(written)}</mtable>'
+        return f'<mtable class="lines" displaystyle="true">{"".join(written)}</mtable>'
 
     def _print_Symbol(self, sym: Any, style: str = "plain") -> Any:
         base, index = self._parts(sym)

@@ -148,6 +148,9 @@ class Writer:
         factors = [_number(form.number), *(self._factor(key) ** n for key, n in form.powers)]
         if form.inside:
             factors.append(sympy.Add(*(self._write(part) for part in form.inside)))
+        if len(factors) == 2 and form.inside and abs(form.number) != 1:
+            # SymPy would multiply a number alone into the bracket
+            return sympy.Mul(*factors, evaluate=False)
         return sympy.Mul(*factors)
 
     def _factor(self, key: Any) -> Any:

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from ..model.connections import Joint
 from .tree import Branch
 
-ROW, COLUMN = 64, 150
-BOX = (124, 26)
-KIND = 'dx="5" fill="#89a" font-size="9"'
+ROW, COLUMN = 58, 158
+BOX = (144, 36)
 
 
 def text(branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
@@ -70,13 +69,13 @@ def svg(bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joi
     for joint, style in arcs:
         (x0, y0), (x1, y1) = center(joint.parent.body.name), center(joint.child.body.name)
         parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" stroke="#456"{style}/>')
-        at = f'x="{(x0 + x1) / 2 + 4:g}" y="{(y0 + y1) / 2 + 4:g}"'
-        title = f"<title>{_escaped(f'{joint.name}: {joint.kind.kind}')}</title>"
-        label = f"{_escaped(_short(joint.name))}<tspan {KIND}>{joint.kind.kind}</tspan>"
-        parts.append(f'<text {at} fill="#345">{label}{title}</text>')
+        if style:
+            parts.append(_joint_label(joint, (x0 + x1) / 2, (y0 + y1) / 2))
+    # every body but the ground stands on one joint of the tree: it is named in the same box
+    inboard = {branch.outer.name: branch.joint for branch in branches}
     for body in bodies:
         if body in where:
-            parts.append(_box(body, *center(body)))
+            parts.append(_box(body, inboard.get(body), *center(body)))
     return "\n".join([*parts, "</svg>"])
 
 
@@ -84,13 +83,24 @@ def _short(name: str) -> str:
     return name if len(name) <= 18 else name[:17] + "…"
 
 
-def _box(body: str, x: float, y: float) -> str:
+def _joint_label(joint: Joint, x: float, y: float) -> str:
+    """Name and kind of a joint."""
+    kind = joint.kind.kind
+    full = f"<title>{_escaped(f'{joint.name}: {kind}')}</title>"
+    name = f'{_escaped(_short(joint.name))}<tspan dx="4" fill="#789">{kind}</tspan>'
+    at = f'x="{x:g}" y="{y:g}" text-anchor="middle"'
+    return f'<text {at} font-size="9" fill="#345">{name}{full}</text>'
+
+
+def _box(body: str, joint: Joint | None, x: float, y: float) -> str:
     width, height = BOX
-    return (
+    rise = 4 if joint is None else -2
+    made = (
         f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
-        f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + 4:g}" '
+        f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + rise:g}" '
         f'text-anchor="middle">{_escaped(_short(body))}<title>{_escaped(body)}</title></text>'
     )
+    return made if joint is None else made + _joint_label(joint, x, y + 12)
 
 
 def _layout(branches: Sequence[Branch]) -> dict[str, tuple[float, int]]:
