@@ -220,6 +220,23 @@ def test_ctrl_c_stops_the_compiler_and_cleans_up(source, cache_directory, hangin
     assert list(cache_directory.glob(".new-*")) == []
 
 
+MODEL = (
+    "import sys; import cardan as cd; "
+    "cd.load_model(sys.argv[1]).prepare('rhs', 'energy', 'mass_matrix')"
+)
+
+
+def test_ctrl_c_stops_compilers_that_run_side_by_side(directory, cache_directory, hanging):
+    process = subprocess.Popen(
+        [sys.executable, "-c", MODEL, str(directory)], stderr=subprocess.PIPE, text=True
+    )
+    patient(hanging.exists)
+    process.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in process.communicate(timeout=30)[1]
+    patient(lambda: not any(map(alive, map(int, hanging.read_text().split()))))
+    assert list(cache_directory.glob("*.so")) == list(cache_directory.glob(".new-*")) == []
+
+
 def test_compiler_that_takes_too_long_is_stopped(source, cache_directory, hanging, monkeypatch):
     monkeypatch.setenv("CARDAN_COMPILE_SECONDS", "1")
     with pytest.raises(BuildError, match=r"answer\.c took it longer than 1 s.*COMPILE_SECONDS"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import multiprocessing
 import os
 import pickle
@@ -18,7 +19,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime import pickled
+from cardan.codegen import layout
+from cardan.runtime import cache, pickled
 
 START = {"q": {"elbow": 0.4}}
 
@@ -136,6 +138,97 @@ def test_harmed_motion_is_refused(double):
     lost = {**values, "dense": replace(motion.dense, spreads=motion.dense.spreads[1:])}
     with pytest.raises(cd.ModelError, match="between its times"):
         pickled.restore(lost, pickled.digest(lost))
+
+
+TOGETHER = """\
+import sys
+import cardan as cd
+
+scene = cd.Model("together", gravity=(0, 0, -9.81))
+rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+print("ready", flush=True)
+sys.stdin.read()
+motion = cd.compile(scene).simulate(1.0, q={"pivot": 1.0})
+print(motion.x[-1][0].hex(), flush=True)
+"""
+
+
+@pytest.mark.parametrize("killed", [0, 2], ids=["all live", "two are killed"])
+def test_processes_compile_one_model_at_once(killed, cache_directory):
+    """Whatever happens to some of them, the others are right and the cache is whole."""
+    running = [
+        subprocess.Popen(
+            [sys.executable, "-c", TOGETHER],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for _ in range(3 + killed)
+    ]
+    for process in running:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+    for process in running:
+        assert process.stdin is not None
+        process.stdin.close()
+        process.stdin = None
+    # in the middle of writing, compiling, checking: wherever they are
+    for k, process in enumerate(running[:killed]):
+        time.sleep(0.1 + 0.15 * k)
+        process.send_signal(signal.SIGKILL)
+    told = [process.communicate(timeout=120)[0].strip() for process in running]
+    assert [process.returncode for process in running[killed:]] == [0, 0, 0]
+    assert len(set(told[killed:])) == 1
+    assert all(map(cache.intact, cache_directory.glob("*.so")))
+    for left in cache_directory.glob(".new-*"):
+        os.utime(left, (1.0, 1.0))
+    cache.sweep(cache_directory)
+    assert list(cache_directory.glob(".new-*")) == []
+    again = subprocess.run(
+        [sys.executable, "-c", TOGETHER], input="", capture_output=True, text=True, timeout=120
+    )
+    assert again.stdout.split() == ["ready", told[-1]]
+
+
+def pendulum() -> cd.Model:
+    scene = cd.Model("full", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    return scene
+
+
+def full(monkeypatch, place: Path) -> None:
+    """Nothing more can be written below a folder by the writer of models."""
+    real = layout._write
+
+    def write(path: Path, text: str) -> str:
+        if place in path.parents:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return real(path, text)
+
+    monkeypatch.setattr(layout, "_write", write)
+
+
+def test_no_space_left_for_the_model(cache_directory, monkeypatch):
+    full(monkeypatch, cache_directory)
+    with pytest.warns(cd.BuildWarning, match="No space left on device"):
+        model = cd.compile(pendulum())
+    assert cache_directory not in model.directory.parents
+    assert model.simulate(1.0, q={"pivot": 1.0}).success
+
+
+def test_no_space_left_later(cache_directory, monkeypatch, tmp_path):
+    model = cd.compile(pendulum())
+    full(monkeypatch, cache_directory)
+    with pytest.raises(cd.BuildError, match=r"No space left on device.*cardan doctor --prune"):
+        model.rhs(0.0, [0.1, 0.2])
+    full(monkeypatch, tmp_path)
+    with pytest.raises(cd.BuildError, match="No space left on device"):
+        cd.compile(pendulum(), directory=tmp_path / "named")
+    monkeypatch.undo()
+    monkeypatch.setenv("CARDAN_CACHE", str(cache_directory))
+    assert np.isfinite(model.rhs(0.0, [0.1, 0.2])).all()
 
 
 INTERRUPTED = """\

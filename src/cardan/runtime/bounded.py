@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-from collections.abc import Mapping, Sequence
+import threading
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..errors import BuildError
@@ -26,7 +27,8 @@ wait "$program"; status=$?
 kill -KILL "$watcher"
 exit "$status"
 """
-LIFELINES: set[int] = set()
+# our ends of those pipes, and the thread that waits
+LIFELINES: dict[int, int] = {}
 
 
 @dataclass(frozen=True)
@@ -69,14 +71,21 @@ class Answer:
     late: bool = False
 
 
-def _cut() -> None:
-    """A forked child must not keep the compilers of its parent alive."""
-    for end in LIFELINES:
+def stop(threads: Collection[int] | None = None) -> None:
+    """End what some threads wait for; by default let go of everything."""
+    for end, thread in list(LIFELINES.items()):
+        if threads is None or thread in threads:
+            _let_go(end)
+
+
+def _let_go(end: int) -> None:
+    # whoever takes it out closes it
+    if LIFELINES.pop(end, None) is not None:
         os.close(end)
-    LIFELINES.clear()
 
 
-os.register_at_fork(after_in_child=_cut)
+# a forked child must not keep the compilers of its parent alive
+os.register_at_fork(after_in_child=stop)
 
 
 def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) -> Answer:
@@ -87,7 +96,7 @@ def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) 
     """
     line = [SHELL, "-c", SCRIPT, "cardan", str(limits.memory * 1024), str(limits.seconds)]
     ours, theirs = os.pipe()
-    LIFELINES.add(theirs)
+    LIFELINES[theirs] = threading.get_ident()
     try:
         # an own group: Ctrl-C reaches us, and we stop it as a whole
         process = subprocess.Popen(
@@ -109,9 +118,7 @@ def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) 
             _end(process)
     finally:
         os.close(ours)
-        if theirs in LIFELINES:
-            LIFELINES.remove(theirs)
-            os.close(theirs)
+        _let_go(theirs)
 
 
 def _end(process: subprocess.Popen[str]) -> None:

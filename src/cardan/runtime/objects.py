@@ -8,13 +8,14 @@ import json
 import os
 import threading
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
-from . import cache, interpreted, schema
+from . import bounded, cache, interpreted, schema
 
 if TYPE_CHECKING:
     from ..ir.function import Function
@@ -155,14 +156,30 @@ class Objects:
         """
         with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
-            if len(missing) > 1:
-                with ThreadPoolExecutor(min(len(missing), os.cpu_count() or 1)) as pool:
-                    running = [pool.submit(self._made, symbol) for symbol in missing]
-                made = _all_or_none(running)
-            else:
-                made = [self._made(symbol) for symbol in missing]
+            made = self._all(missing) if len(missing) > 1 else list(map(self._made, missing))
             self._loaded.update(zip(missing, made, strict=True))
             return [self._loaded[s] for s in symbols]
+
+    def _all(self, symbols: Sequence[str]) -> list[Code]:
+        """Several functions side by side; all or none."""
+        threads: set[int] = set()
+        workers = min(len(symbols), os.cpu_count() or 1)
+        with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:
+            running = [pool.submit(self._made, symbol) for symbol in symbols]
+            try:
+                done = [task.exception() for task in running]
+            except BaseException:
+                # Ctrl-C reaches this thread alone: the compilers of the others end now
+                pool.shutdown(wait=False, cancel_futures=True)
+                bounded.stop(threads)
+                wait([task for task in running if not task.cancelled()])
+                _discard(running)
+                raise
+        failed = [error for error in done if error]
+        if failed:
+            _discard(running)
+            raise failed[0]
+        return [task.result() for task in running]
 
     def keep(self, symbol: str) -> Code:
         """A function that passed its check: other processes may find it now."""
@@ -236,12 +253,8 @@ class Objects:
         return path
 
 
-def _all_or_none(running: Sequence[Future[Code]]) -> list[Code]:
-    """Results of tasks that have ended; if one failed, the others are thrown away."""
-    failed = [error for task in running if (error := task.exception())]
-    if failed:
-        for task in running:
-            if not task.exception():
-                task.result().discard()
-        raise failed[0]
-    return [task.result() for task in running]
+def _discard(tasks: Sequence[Future[Code]]) -> None:
+    """Throw away what tasks that have ended made."""
+    for task in tasks:
+        if not task.cancelled() and not task.exception():
+            task.result().discard()
