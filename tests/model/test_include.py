@@ -136,3 +136,17 @@ def test_a_model_is_no_part_of_itself():
     scene = arm()
     with pytest.raises(ModelError, match="cannot be a part of itself"):
         scene.include(scene, "copy")
+
+
+def test_a_clash_halfway_leaves_the_outer_model_as_it_was() -> None:
+    outer, inner = Model("outer"), Model("inner")
+    first, second = inner.body("first", mass=1.0), inner.body("second", mass=1.0)
+    inner.joint("hinge", Revolute("y"), inner.ground, first)
+    inner.joint("slide", Prismatic("x"), first, second)
+    outer.body("part.second", mass=2.0)
+    before = {name: dict(getattr(outer, name)) for name in ("bodies", "joints", "frames")}
+    with pytest.raises(ModelError, match=r"part\.second"):
+        outer.include(inner, prefix="part")
+    assert {name: dict(getattr(outer, name)) for name in before} == before
+    outer.include(inner, prefix="other")
+    assert "other.slide" in outer.joints

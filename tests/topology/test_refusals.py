@@ -145,3 +145,15 @@ def test_a_matrix_is_no_output():
     scene.output("place", scene.bodies["lower"].position())
     with pytest.raises(ModelError, match=r"'output.place': one expression.*shape \(3, 1\)"):
         build(scene)
+
+
+def test_expressions_nested_beyond_reading_are_refused() -> None:
+    scene = Model("deep")
+    body = scene.body("body", mass=1.0)
+    scene.joint("hinge", Revolute("y"), scene.ground, body)
+    law = scene.q("hinge")
+    for _ in range(300):
+        law = sympy.Add(sympy.Mul(law, 2, evaluate=False), 1, evaluate=False)
+    with pytest.raises(ModelError, match="nested too deeply"):
+        scene.force("law", JointForce("hinge", law))
+        build(scene)

@@ -18,11 +18,24 @@ AXES = {
     for k, letter in enumerate("xyz")
     for sign in ("", "-", "+")
 }
+TOO_DEEP = (
+    "is nested too deeply to be read; say it in fewer levels, such as with inputs or parameters "
+    "in between"
+)
 
 
 def is_expression(value: object) -> bool:
-    """True for a symbolic expression, which is judged when it gets its numbers."""
-    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
+    """True for a symbolic expression, which is judged when it gets its numbers.
+
+    Raises:
+        ModelError: it is nested too deeply for SymPy itself.
+    """
+    if not hasattr(type(value), "free_symbols"):
+        return False
+    try:
+        return not getattr(value, "is_number", False)
+    except RecursionError:
+        raise ModelError(f"an expression {TOO_DEEP}") from None
 
 
 def number(owner: str, name: str, value: Any) -> Any:

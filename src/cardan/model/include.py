@@ -39,7 +39,16 @@ class Included:
 
 
 def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
-    """The work of :meth:`Model.include`."""
+    """The work of :meth:`Model.include`: all of it is done, or nothing."""
+    kept = {name: shallow(x) for name, x in vars(model).items() if isinstance(x, (dict, list))}
+    try:
+        return _include(model, other, prefix, at)
+    except BaseException:
+        vars(model).update(kept)
+        raise
+
+
+def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
     if other is model:
         raise ModelError(f"include '{prefix}': a model cannot be a part of itself; make another")
     copy = _Copy(model, other, prefix if not prefix[-1].isalnum() else prefix + ".")

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from ..elements.quantity import Quantity
+from ..elements.written import TOO_DEEP
 from ..errors import ModelError, near
 from ..ir.function import Function, Output
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
@@ -105,7 +106,10 @@ class Converter:
         Raises:
             ModelError: no expression, unknown symbols, unsupported functions or wrong units.
         """
-        symbols = getattr(value, "free_symbols", None)
+        try:
+            symbols = getattr(value, "free_symbols", None)
+        except RecursionError:
+            raise ModelError(f"'{name}' {TOO_DEEP}") from None
         if symbols is None:
             raise ModelError(f"'{name}': a number or an expression is wanted, not {value!r}")
         if hasattr(value, "shape"):
@@ -133,7 +137,12 @@ class Converter:
                 node = from_sympy(self.graph, value, known)
             except ModelError as problem:
                 raise ModelError(f"'{name}': {problem}") from problem
-        dimensions.check(value, unit, self.units, name)
+            except RecursionError:
+                raise ModelError(f"'{name}' {TOO_DEEP}") from None
+        try:
+            dimensions.check(value, unit, self.units, name)
+        except RecursionError:
+            raise ModelError(f"'{name}' {TOO_DEEP}") from None
         return node
 
     def _check_fixed(self, known: Mapping[Any, int], name: str) -> None:
