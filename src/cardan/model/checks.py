@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Container, Sequence
+from numbers import Real
 from typing import Any
 
 from ..errors import ModelError, TopologyError
@@ -48,14 +49,16 @@ def number(who: str, value: Any) -> float:
         result = float(value)
     except (TypeError, ValueError) as problem:
         raise ModelError(f"{who}: a number is wanted, not {value!r}") from problem
+    except OverflowError as problem:
+        raise ModelError(f"{who}: the number is too large for the machine") from problem
     if not math.isfinite(result):
         raise ModelError(f"{who}: must be finite, not {result}")
     return result
 
 
 def is_number(value: Any) -> bool:
-    """True for Python and NumPy numbers; arrays are none."""
-    if isinstance(value, (int, float)):
+    """True for real numbers of Python, NumPy and SymPy, fractions too; arrays are none."""
+    if isinstance(value, Real):
         return True
     return type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0
 
