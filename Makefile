@@ -7,11 +7,13 @@
 PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
+# of each of the eight kinds of input
+CASES ?= 13000
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd)
 
-.PHONY: help demo test bench lint types external clean
+.PHONY: help demo test bench lint types external fuzz clean
 
 help:
 	@sed -n '2,5s/^#   //p' Makefile
@@ -40,6 +42,10 @@ test: lint types
 
 external: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -n 2 --dist load -m external tests/external
+
+# scenes, robots and expressions by chance, all of them new
+fuzz: $(VENV)/.installed-test
+	CARDAN_FUZZ=$(CASES) $(BIN)/python -m pytest -n 2 --dist load tests/model/test_scene_fuzz.py tests/model/test_urdf_fuzz.py
 
 # a peer that does not install here is named by the benchmark, not by pip
 $(VENV)/.installed-bench: $(VENV)/.installed-test

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import random
 from pathlib import Path
 
 import pytest
 import sympy
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from cardan.errors import CardanError, ModelError, TopologyError
@@ -17,17 +16,9 @@ from cardan.model import Model
 from cardan.model.files.expression import FUNCTIONS, MOTION, parse
 from cardan.model.files.scene import from_text, keys
 from cardan.topology import build
+from model.fuzzing import FUZZ
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-# the same spread every day; CARDAN_FUZZ=100000 asks for that many new ones
-CASES = os.environ.get("CARDAN_FUZZ")
-FUZZ = settings(
-    max_examples=int(CASES or 300),
-    derandomize=CASES is None,
-    database=None,
-    deadline=None,
-    suppress_health_check=list(HealthCheck),
-)
 
 
 def survives(text: str) -> bool:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import warnings
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from cardan.errors import CardanError
 from cardan.model.files.urdf import Options, from_text
 from cardan.topology import build
+from model.fuzzing import FUZZ
 
 NAMES = st.sampled_from(["a", "b", "c", "ground", "", "x y", 'q"&amp;', "base"])
 WORDS = st.one_of(
@@ -96,25 +97,25 @@ def read(text):
             return None
 
 
-@settings(max_examples=300, deadline=None)
+@FUZZ
 @given(ROBOT)
 def test_documents(text):
     assert read(text) == read(text)
 
 
-@settings(max_examples=200, deadline=None)
+@FUZZ
 @given(sound())
 def test_trees_with_wild_numbers(text):
     assert read(text) == read(text)
 
 
-@settings(max_examples=300, deadline=None)
+@FUZZ
 @given(st.one_of(st.text(max_size=60), st.binary(max_size=60)))
 def test_any_text(text):
     assert read(text) is None
 
 
-@settings(max_examples=200, deadline=None)
+@FUZZ
 @given(ROBOT, st.data())
 def test_damaged_documents(text, data):
     at = data.draw(st.integers(0, len(text)))
