@@ -25,7 +25,7 @@ def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.Com
         monkeypatch.setenv("PATH", "/nonexistent")
         monkeypatch.delenv("CC", raising=False)
         monkeypatch.setattr(toolchain, "ziglang", lambda: [])
-        interpreted._warn.cache_clear()
+        interpreted.announce.cache_clear()
         other = pickle.loads(pickle.dumps(model))
         with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
             other.prepare("rhs")

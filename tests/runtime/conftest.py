@@ -24,7 +24,7 @@ def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     path = tmp_path / "cache"
     monkeypatch.setenv("CARDAN_CACHE", str(path))
     monkeypatch.setattr(folder, "_SCRATCH", {})
-    for remembered in (folder._usable, folder._temporary, interpreted._warn):
+    for remembered in (folder._usable, folder._temporary, interpreted.announce):
         remembered.cache_clear()
     return path
 

@@ -137,7 +137,7 @@ def test_singular_states_of_a_batch_become_nan(bare):
 
 def test_report_tells_what_there_is(bare, capsys):
     bare()
-    interpreted._warn.cache_clear()
+    interpreted.announce.cache_clear()
     with pytest.warns(cd.BuildWarning, match="no C compiler"):
         report = cd.load_model(bare_model()).report()
     assert "no C compiler" in report.compiler

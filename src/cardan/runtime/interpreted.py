@@ -13,7 +13,7 @@ import numpy as np
 from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
-from ..errors import BuildWarning, CompilerMissing, SolveError
+from ..errors import BuildWarning, SolveError
 from .slots import SLOT
 
 if TYPE_CHECKING:
@@ -26,18 +26,13 @@ CURE = "pip install 'cardan[compiler]' makes it some hundred times faster"
 
 
 @lru_cache(maxsize=1)
-def _warn() -> None:
+def announce() -> None:
+    """Say once per process that there is no compiler, and what to do about it."""
     warnings.warn(
         f"no C compiler here: functions are evaluated in NumPy, with the same results. {CURE}",
         BuildWarning,
         stacklevel=2,
     )
-
-
-def announce(missing: CompilerMissing) -> None:
-    """Say once per process that there is no compiler, and what to do about it."""
-    del missing
-    _warn()
 
 
 class Interpreted:

@@ -224,7 +224,7 @@ class Objects:
         saved = self.saved()
         if symbol not in saved:
             raise missing
-        interpreted.announce(missing)
+        interpreted.announce()
         try:
             return from_dict(saved[symbol])
         except (ValueError, RecursionError) as error:
