@@ -41,17 +41,21 @@ def test_generated_is_up_to_date(
 def test_hash_seed_does_not_change_a_byte(tmp_path: Path) -> None:
     program = (
         "import sys, cardan as cd\n"
-        f"scene = cd.load({str(ROOT / 'examples' / 'arm.urdf')!r})\n"
-        f"cd.derive(scene).export(sys.argv[1], functions={FUNCTIONS!r})\n"
+        "sys.path.insert(0, sys.argv[2])\n"
+        "from golden.scenes import EXAMPLES, FUNCTIONS, scene_of\n"
+        "for example in EXAMPLES:\n"
+        "    folder = f'{sys.argv[1]}/{example.stem}'\n"
+        "    cd.derive(scene_of(example)).export(folder, functions=FUNCTIONS)\n"
     )
     texts = []
     for seed in ("1", "2"):
         target = tmp_path / seed
         environment = {**os.environ, "PYTHONHASHSEED": seed}
-        subprocess.run(
-            [sys.executable, "-c", program, str(target)], env=environment, check=True, timeout=120
-        )
-        texts.append(written(target))
+        command = [sys.executable, "-c", program, str(target), str(ROOT / "tests")]
+        subprocess.run(command, env=environment, check=True, timeout=240, capture_output=True)
+        folders = sorted(target.iterdir())
+        assert [folder.name for folder in folders] == sorted(path.stem for path in EXAMPLES)
+        texts.append({folder.name: written(folder) for folder in folders})
     assert texts[0] == texts[1]
 
 

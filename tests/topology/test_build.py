@@ -304,3 +304,11 @@ def test_made_names_give_way_to_those_of_the_user():
     assert frame_pose(system, "elbow.parent", [0, 0])[0, 3] == 9
     assert frame_pose(system, "push.frame", [0, 0])[0, 3] == 8
     assert system.frames[system.forces[0].frames["frame"]].name == "push.frame_"
+
+
+def test_plain_lengths_fit_beside_parameters_with_units() -> None:
+    scene = Model("cylinder")
+    m = scene.parameter("m", 2.0, unit="kg")
+    body = scene.body("body", mass=m, inertia=inertia.cylinder(m, 0.3, 0.5))
+    scene.joint("hinge", Revolute("y"), scene.ground, body)
+    assert build(scene).parameters

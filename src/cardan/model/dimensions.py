@@ -1,7 +1,7 @@
 """Do the units of an expression fit where it is used?
 
-Only declared units are judged: numbers in sums, symbols without a unit, coordinates and the time
-fit anywhere, so that ``-2.0 * q`` may be a torque.
+Only declared units are judged: decimals, numbers in sums, symbols without a unit, coordinates and
+the time fit anywhere, so that ``-2.0 * q`` may be a torque and ``m * 0.3**2`` an inertia.
 """
 
 from __future__ import annotations
@@ -80,8 +80,11 @@ def _sum(expression: Any, units: Known, name: str) -> Dimension | None:
 def _product(expression: Any, units: Known, name: str) -> Dimension | None:
     total: Dimension = NONE
     for factor in expression.args:
-        if factor.is_Number or factor.is_NumberSymbol:
+        if factor.is_Rational or factor.is_NumberSymbol:
             continue
+        # a decimal may be a measured thing, such as the length in m * 0.3**2
+        if factor.is_Float:
+            return None
         found = dimension(factor, units, name)
         if found is None:
             return None
