@@ -132,3 +132,13 @@ def test_rotors_of_drives_are_judged() -> None:
         model.prepare("mass_matrix", "forward_dynamics")
         found = model.verify()
         assert {"mass_matrix", "forward_dynamics"} <= set(found.checked), str(found)
+
+
+def test_terms_that_cancel_are_no_fault() -> None:
+    scene = cd.Model("ball", gravity=(0, 0, 0))
+    ball = scene.body("ball", mass=1, inertia=(1, 1, 1))
+    scene.joint("pivot", cd.Spherical(), scene.ground, ball)
+    model = cd.compile(scene)
+    # omega x I omega is 0 but for rounding: all that is left on both sides
+    model.prepare("rhs", "forward_dynamics", "inverse_dynamics", "bias", "coriolis", "gravity")
+    assert model.verify().worst < 1e-12

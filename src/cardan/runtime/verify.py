@@ -246,7 +246,8 @@ def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Chec
         known = {"bias": truth.h, "gravity": truth.gravity, "coriolis": truth.h - truth.gravity}
         states = (q,) if name == "gravity" else (q, u)
         value = getattr(model, name)(*states, **given)
-        return Check(name, _error(value - known[name], truth.h, truth.gravity))
+        terms = (truth.h, truth.gravity, _inertial(truth))
+        return Check(name, _error(value - known[name], *terms))
     if name == "qdot":
         return Check(name, _rates_error(scene, truth, model.qdot(q, u, **given)))
     if name == "inverse_dynamics":
@@ -275,7 +276,14 @@ def _balance(truth: _Truth, udot: Array, tau: Array) -> float:
     f = np.zeros_like(truth.h) if truth.f is None else truth.f
     residual = products.sum(axis=-1) + truth.h - f - tau
     tau = np.broadcast_to(tau, truth.h.shape)
-    return _error(residual, np.abs(products).max(axis=-1, initial=0.0), truth.h, f, tau)
+    largest = np.abs(products).max(axis=-1, initial=0.0)
+    return _error(residual, largest, truth.h, f, tau, _inertial(truth))
+
+
+def _inertial(truth: _Truth) -> Array:
+    """Size of the products of speeds and masses (n, 1): where they cancel, rounding is left."""
+    squares = (truth.u**2).max(axis=-1, initial=0.0)
+    return np.asarray(np.abs(truth.M).max(axis=(1, 2), initial=0.0) * squares)[:, None]
 
 
 def _rates_error(scene: Scene, truth: _Truth, qdot: Array) -> float:
