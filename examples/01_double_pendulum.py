@@ -43,7 +43,6 @@ print(f"energy drift {abs(energy - energy[0]).max():.1e} J")
 longer = model.with_parameters(l=0.7)
 print("udot with longer rods:", longer.forward_dynamics([0.5, 1.0], [0.0, 0.0]))
 
-# A picture, a page that plays in any browser, and the numbers.
-motion.plot(out / "motion.png")
+# A page that plays in any browser, and the numbers.
 motion.animate(out / "motion.html")
 motion.save(out / "motion.nc")

@@ -41,3 +41,6 @@ motion = model.simulate(5.0, q=dict(zip(model.coordinates, rest, strict=True)), 
 power = model.power(motion.q, motion.u)
 print(f"{len(motion.t)} steps; damping took up to {-power.sum(axis=-1).min():.3f} W")
 motion.animate(out / "arm.html")
+
+# A picture needs Matplotlib: pip install 'cardan[plot]'.
+motion.plot(out / "arm.png")

@@ -11,8 +11,8 @@ import pytest
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCRIPTS = sorted(EXAMPLES.glob("*.py"))
 LEAVES = {
-    "01_double_pendulum": ("motion.png", "motion.html", "motion.nc"),
-    "02_robot_arm": ("arm.html",),
+    "01_double_pendulum": ("motion.html", "motion.nc"),
+    "02_robot_arm": ("arm.html", "arm.png"),
     "03_derive_and_export": ("forward_dynamics.c", "manifest.json"),
     "04_scene_file": ("mistake.yaml", "arm.yaml"),
 }
