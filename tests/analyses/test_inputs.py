@@ -93,3 +93,17 @@ def test_prescribed_motion_by_values(crank: cd.CompiledModel) -> None:
         crank.simulate(1.0, inputs={"angle": lambda t, x: t})
     with pytest.raises(cd.ModelError, match="no coordinate of its own"):
         crank.simulate(1.0, q={"drive": 1.0})
+
+
+def test_a_function_with_other_arguments_is_refused() -> None:
+    import cardan as cd
+    from cardan.errors import ArgumentError
+
+    scene = cd.Model("pushed")
+    push = scene.input("push")
+    block = scene.body("block", mass=1.0)
+    scene.joint("track", cd.Prismatic("x"), scene.ground, block)
+    scene.force("motor", cd.JointForce("track", push))
+    model = cd.compile(scene)
+    with pytest.raises(ArgumentError, match=r"'push' must take \(t, x\)"):
+        model.simulate(1.0, inputs={"push": lambda t: t})

@@ -226,13 +226,15 @@ def main() -> None:
         "per call [us]", "error (40 digits)",
     ):  # fmt: skip
         table.add_column(heading, justify="right" if "[" in heading else "left")
+    used: dict[str, float] = {}
     # nothing cached: compile times are those of a first use
     with tempfile.TemporaryDirectory(prefix="cardan-bench-") as private:
-        os.environ["CARDAN_CACHE"] = private
+        os.environ["CARDAN_CACHE"] = f"{private}/cache"
         lacking = pinocchio_cpp.missing()
         program = None if lacking else pinocchio_cpp.build(Path(private))
         for case in cases():
             row, q, u = ours(case)
+            used[case.name] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
             rows = [row, *(peers(case, q, u, program) if case.urdf else ())]
             for found in rows:
                 table.add_row(
@@ -252,8 +254,8 @@ def main() -> None:
             out.print(f"{module} is not installed: pip install {package}")
     if lacking:
         out.print(f"Pinocchio as C++ was not measured: {lacking}")
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    out.print(f"largest memory of this process {memory:.0f} MiB")
+    for name, memory in used.items():
+        out.print(f"largest memory of this process up to {name}: {memory:.0f} MiB")
 
 
 if __name__ == "__main__":

@@ -136,3 +136,13 @@ def test_other_shells_get_all_words(shell: str, capsys: pytest.CaptureFixture[st
     assert status("--completion", shell) == 0
     text = capsys.readouterr().out
     assert all(name in text for name in (*COMMANDS, "reproducible"))
+
+
+@pytest.mark.parametrize(
+    ("option", "file"), [("-o", "run.csv"), ("--view", "run.txt"), ("--plot", "run.html")]
+)
+def test_endings_are_looked_at_before_the_run(
+    option: str, file: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert status("simulate", ARM, option, file) == 2
+    assert f"'{file}' does not end in" in capsys.readouterr().err

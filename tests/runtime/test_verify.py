@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import BuildError
+from cardan.errors import BuildError, SolveWarning
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
@@ -142,3 +142,14 @@ def test_terms_that_cancel_are_no_fault() -> None:
     # omega x I omega is 0 but for rounding: all that is left on both sides
     model.prepare("rhs", "forward_dynamics", "inverse_dynamics", "bias", "coriolis", "gravity")
     assert model.verify().worst < 1e-12
+
+
+def test_a_singular_mass_matrix_is_announced_by_name() -> None:
+    scene = cd.Model("table")
+    table = scene.body("table")
+    arm = scene.body("arm", mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.3))
+    scene.joint("base", cd.Spherical(), scene.ground, table)
+    scene.joint("waist", cd.Revolute("z"), table, arm)
+    model = cd.compile(scene)
+    with pytest.warns(SolveWarning, match=r"nothing resists a motion of base\.u\.z, waist\.u"):
+        model.prepare("forward_dynamics")

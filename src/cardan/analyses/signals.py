@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -139,7 +140,7 @@ def signals(
         k = names.index(name)
         if callable(value):
             _refuse_motion(name, names)
-            functions[k] = value
+            functions[k] = _function(name, value)
         elif isinstance(value, tuple | list):
             pieces += _table(name, k, value, f"{name}.rate" in names, span)
         else:
@@ -165,6 +166,20 @@ def _refuse_motion(name: str, names: Sequence[str]) -> None:
             f"inputs: '{base}' prescribes a motion, which needs rate and acceleration too: give "
             "(times, values), a constant, or write motion= as an expression in cd.t"
         )
+
+
+def _function(name: str, function: InputFunction) -> InputFunction:
+    """A function that can be called with (t, x), as far as it can be told beforehand."""
+    try:
+        signature(function).bind(0.0, None)
+    except TypeError as problem:
+        raise ArgumentError(
+            f"inputs: the function of '{name}' must take (t, x), time and state: {problem}"
+        ) from None
+    except ValueError:
+        # built-in functions do not tell
+        return function
+    return function
 
 
 def _number(name: str, value: Any) -> float:

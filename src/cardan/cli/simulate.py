@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -53,14 +54,36 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     run.add_argument("--rtol", type=_positive, help="relative tolerance per step (default 1e-8)")
     run.add_argument("--atol", type=_positive, help="absolute tolerance per step (default 1e-10)")
     results = parser.add_argument_group("results")
-    results.add_argument("-o", "--output", metavar="RUN.nc", type=Path, help="netCDF file")
-    results.add_argument("--view", metavar="RUN.html", type=Path, help="animated page")
-    results.add_argument("--plot", metavar="RUN.png", type=Path, help="picture (needs matplotlib)")
+    results.add_argument("-o", "--output", metavar="RUN.nc", type=_file(".nc"), help="netCDF file")
+    results.add_argument(
+        "--view", metavar="RUN.html", type=_file(".html", ".htm"), help="animated page"
+    )
+    results.add_argument(
+        "--plot",
+        metavar="RUN.png",
+        type=_file(".png", ".pdf", ".svg"),
+        help="picture (needs matplotlib)",
+    )
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
+def _file(*endings: str) -> Callable[[str], Path]:
+    """The type of a file whose ending says what it holds."""
+
+    def path(text: str) -> Path:
+        found = Path(text)
+        if found.suffix.lower() not in endings:
+            raise argparse.ArgumentTypeError(f"'{text}' does not end in {' or '.join(endings)}")
+        return found
+
+    return path
+
+
 def _positive(text: str) -> float:
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
     if not (math.isfinite(value) and value > 0):
         raise argparse.ArgumentTypeError(f"{text} is not a positive number")
     return value

@@ -345,11 +345,42 @@ class CompiledModel(Dynamics):
 
         return report(self)
 
-    def simulate(self, t: Any, **options: Any) -> Trajectory:
-        """Motion over time; see :func:`cardan.analyses.simulate.simulate` for the options."""
+    def simulate(
+        self,
+        t: float | ArrayLike,
+        *,
+        x0: ArrayLike | None = None,
+        q: Any = None,
+        u: Any = None,
+        method: str = "auto",
+        rtol: float = 1e-6,
+        atol: float = 1e-9,
+        step: float | None = None,
+        max_step: float | None = None,
+        inputs: Mapping[str, Any] | None = None,
+        sample: float | None = None,
+        check: bool = False,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Trajectory:
+        """Motion from named initial values to an end time.
+
+        Args:
+            t: End, ``(start, end)`` or output times [s].
+            x0: State (nx,); or q, u: arrays or values by name, such as ``{"elbow": 0.3}``.
+            method: ``"DOP853"``, ``"RK4"`` or ``"auto"``.
+            rtol, atol: Tolerances of a step.
+            step, max_step: First (of RK4: every) and largest step [s].
+            inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
+            check: Raise where the end is not reached.
+            progress: Show it, or call a function with the fraction done.
+
+        All of it is told by :func:`cardan.analyses.simulate.simulate`.
+        """
         from ..analyses.simulate import simulate
 
-        return simulate(self, t, **options)
+        how: dict[str, Any] = {"method": method, "rtol": rtol, "atol": atol, "step": step}
+        how |= {"max_step": max_step, "inputs": inputs, "sample": sample}
+        return simulate(self, t, x0=x0, q=q, u=u, check=check, progress=progress, **how)
 
     def stepper(self, **options: Any) -> Any:
         """Motion step by step; see :class:`cardan.analyses.stepper.Stepper`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import BuildError
+from ..errors import BuildError, SolveWarning
 from .calling import Array
 from .newton_euler import KINDS, Scene, inverse_dynamics, joint_motion, mass_matrix, own
 from .objects import Key
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 # Rounding of either side stays below 1e-12 of the largest term even for chains of a hundred bodies;
 # a wrong formula is wrong in the first digits. In between lies the bound.
 BOUND = 1e-9
+SINGULAR = "not checked: the mass matrix is singular"
 # Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
 REGULAR = 1e13
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
@@ -133,6 +135,8 @@ def verify(
     truth = replace(truth, M=mass_matrix(scene, truth.q, truth.motion))
     checks = tuple(_check(model, scene, truth, name) for name in wanted)
     result = Verification(model.name, len(truth.q), checks)
+    if any(c.reason == SINGULAR for c in checks):
+        warnings.warn(_singular_words(model, truth.M[0]), SolveWarning, stacklevel=2)
     wrong = [c for c in checks if not c.reason and not c.error <= BOUND]
     if wrong:
         raise BuildError(
@@ -224,6 +228,17 @@ def _finite(truth: _Truth) -> NDArray[np.intp]:
     return np.flatnonzero(np.isfinite(np.concatenate(terms, axis=-1)).all(axis=-1))
 
 
+def _singular_words(model: CompiledModel, M: Array) -> str:
+    """What nothing resists, and what to do about it."""
+    direction = np.abs(np.linalg.eigh(M)[1][:, 0])
+    names = [n for n, size in zip(model.speeds, direction, strict=True) if size > 0.1]
+    return (
+        f"model '{model.name}': the mass matrix is singular: nothing resists a motion of "
+        f"{', '.join(names[:6])}. forward_dynamics and simulate give no meaningful numbers; give "
+        "the bodies that move there a mass or an inertia, or fix a joint"
+    )
+
+
 def singular(M: Array) -> bool:
     """Whether one of some mass matrices (n, nu, nu) cannot be divided by."""
     values = np.linalg.eigvalsh(M)
@@ -235,7 +250,7 @@ def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Chec
     if not len(truth.q):
         return Check(name, np.nan, "not checked: the forces of the model are nowhere finite")
     if name in ("forward_dynamics", "rhs") and singular(truth.M):
-        return Check(name, np.nan, "not checked: the mass matrix is singular")
+        return Check(name, np.nan, SINGULAR)
     if truth.f is None and name in ("inverse_dynamics", "forward_dynamics", "rhs"):
         return Check(name, np.nan, "not checked: the forces of the model are not saved")
     q, u = truth.q, truth.u

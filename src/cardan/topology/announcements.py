@@ -20,6 +20,11 @@ def announce(system: System, model: Model, convert: Converter) -> System:
             for name in names
             if name not in convert.used
         ]
+    limited = [j.name for j in model.joints.values() if any(v is not None for v in j.limits)]
+    stored = f"joints {', '.join(limited)}: limits are stored, but do not act yet"
+    # the reader of a file says so by itself
+    if limited and stored not in notes:
+        notes.append(stored)
     notes += [
         f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it. "
         "Give it a mass or an inertia, or fix or prescribe the joint"

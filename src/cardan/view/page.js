@@ -27,15 +27,17 @@ const here = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 
 function bounds(every) {
   const low = [0, 0, 0], high = [0, 0, 0];
-  const include = (v) => {
-    for (let k = 0; k < 3; k++) { low[k] = Math.min(low[k], v[k]); high[k] = Math.max(high[k], v[k]); }
+  const include = (p, s) => {
+    const r = s.size ? Math.hypot(...s.size) / 2 : s.r || 0;
+    for (const v of s.b ? [place(p, s.a), place(p, s.b)] : [place(p, s.a)])
+      for (let k = 0; k < 3; k++) { low[k] = Math.min(low[k], v[k] - r); high[k] = Math.max(high[k], v[k] + r); }
   };
   for (const body of data.bodies) {
     const step = every ? Math.max(1, Math.floor(body.pose.length / 200)) : body.pose.length;
     for (let i = 0; i < body.pose.length; i += step)
-      for (const s of body.solids) { include(place(body.pose[i], s.a)); if (s.b) include(place(body.pose[i], s.b)); }
+      for (const s of body.solids) include(body.pose[i], s);
   }
-  for (const s of data.ground) { include(s.a); if (s.b) include(s.b); }
+  for (const s of data.ground) include(here, s);
   return { low, high, size: Math.max(...sub(high, low), 1e-6) };
 }
 const start = bounds(false), whole = bounds(true);

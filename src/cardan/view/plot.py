@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..runtime.trajectory import Trajectory
 
+POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
 
 
@@ -26,6 +27,7 @@ def plot(motion: Trajectory, path: Path | None, names: Iterable[str] | None) -> 
         raise ModuleNotFoundError(
             "motion.plot needs Matplotlib: pip install 'cardan[plot]'"
         ) from missing
+    motion = _smooth(motion)
     panels = _everything(motion) if names is None else _chosen(motion, list(names))
     figure = Figure(figsize=(9, 2.4 * len(panels) + 0.6), layout="constrained")
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
@@ -42,6 +44,15 @@ def plot(motion: Trajectory, path: Path | None, names: Iterable[str] | None) -> 
         path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path, dpi=130)
     return figure
+
+
+def _smooth(motion: Trajectory) -> Trajectory:
+    """The motion with points between its rows, where it knows them: curves, not polygons."""
+    if motion.dense is None or len(motion.t) >= POINTS:
+        return motion
+    between = np.linspace(motion.t[0], motion.t[-1], POINTS)
+    times = np.unique(np.concatenate([motion.t, between]))
+    return motion.resample(times if motion.t[-1] >= motion.t[0] else times[::-1])
 
 
 Panels = list[tuple[str, dict[str, NDArray[np.float64]]]]
