@@ -146,3 +146,8 @@ def test_endings_are_looked_at_before_the_run(
 ) -> None:
     assert status("simulate", ARM, option, file) == 2
     assert f"'{file}' does not end in" in capsys.readouterr().err
+
+
+def test_check_tries_the_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("check", ARM, "--base", "free") == 0
+    assert "nothing resists a motion of base.u.z, waist.u" in capsys.readouterr().out

@@ -7,9 +7,13 @@ import json
 import sys
 import warnings
 from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING
 
-from ..errors import CardanError, DerivationError
+from ..errors import CardanError, DerivationError, SolveWarning
 from . import reading
+
+if TYPE_CHECKING:
+    from ..equations.record import Equations
 
 DESCRIPTION = """\
 Complain about a scene, each complaint with its cure.
@@ -75,4 +79,22 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
         equations.function("forward_dynamics")
     except DerivationError as problem:
         found.append(Complaint("warning", f"no forward dynamics: {problem}"))
+    else:
+        found += _tried(equations)
     return found + [Complaint("note", str(snap)) for snap in equations.system.snaps]
+
+
+def _tried(equations: Equations) -> list[Complaint]:
+    """What only numbers show: compiled functions are checked at states drawn by chance."""
+    from ..pipeline import compile
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            model = compile(equations, functions=("forward_dynamics",))
+            model.prepare("forward_dynamics")
+            model.verify()
+        except CardanError as problem:
+            return [Complaint("error", str(problem))]
+    found = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
+    return [Complaint("warning", words) for words in found]

@@ -12,7 +12,6 @@ import tempfile
 import time
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
-from importlib.util import find_spec
 from pathlib import Path
 
 from .. import __version__
@@ -20,12 +19,12 @@ from ..errors import BuildError
 from ..runtime import abi, bounded, cache, folder, prune, toolchain
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
-# what may be missing: module -> what it is for, and the extra that brings it
+# what may be missing: package -> what it is for, and the extra that brings it
 OPTIONAL = {
     "matplotlib": ("pictures: motion.plot()", "plot"),
     "xarray": ("data sets: motion.to_xarray()", "data"),
     "mpmath": ("errors in model.report(), against 40 digits", "test"),
-    "example_robot_data": ("robots for cardan demo", "demo"),
+    "example-robot-data": ("robots for cardan demo", "demo"),
     "ziglang": ("a C compiler from the package index", "compiler"),
 }
 # instruction set -> numbers it works on at once
@@ -74,9 +73,11 @@ def _needed(name: str) -> Finding:
 
 
 def _optional(name: str, what: str, extra: str) -> Finding:
-    if find_spec(name) is None:
-        return Finding(name, True, f"not installed; {what}", f"to have it: {PIP} 'cardan[{extra}]'")
-    return Finding(name, True, f"installed; {what}")
+    try:
+        return Finding(name, True, f"{version(name)}; {what}")
+    except PackageNotFoundError:
+        cure = f"to have it: {PIP} 'cardan[{extra}]'"
+        return Finding(name, True, f"not installed; {what}", cure)
 
 
 def _extension() -> Finding:

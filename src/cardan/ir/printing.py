@@ -75,17 +75,17 @@ def dot(function: Function) -> str:
         title = _leaf(graph, i) if named else _title(node)
         origin = graph.origins[i]
         group = "" if named or origin == MADE_BY_NOBODY else origin[0]
-        groups.setdefault(group, []).append(f"n{i} [label={_quoted(title)}];")
+        groups.setdefault(group, []).append(f"n{i} [label={quoted(title)}];")
         edges += [f"  n{k} -> n{i};" for k in operands(node)]
     for output in function.outputs:
         for k, i in enumerate(output.nodes):
             name = f"{output.name}[{k}]"
-            groups.setdefault("", []).append(f"{_quoted(name)} [shape=box];")
-            edges.append(f"  n{i} -> {_quoted(name)};")
-    lines = [f"digraph {_quoted(function.name)} {{", "  rankdir=LR;"]
+            groups.setdefault("", []).append(f"{quoted(name)} [shape=box];")
+            edges.append(f"  n{i} -> {quoted(name)};")
+    lines = [f"digraph {quoted(function.name)} {{", "  rankdir=LR;"]
     for number, (group, members) in enumerate(groups.items()):
         if group:
-            lines += [f"  subgraph cluster_{number} {{", f"    label={_quoted(group)};"]
+            lines += [f"  subgraph cluster_{number} {{", f"    label={quoted(group)};"]
             lines += [f"    {member}" for member in members] + ["  }"]
         else:
             lines += [f"  {member}" for member in members]
@@ -98,6 +98,7 @@ def _title(node: Node) -> str:
     return INFIX.get(node[0]) or RELATIONS.get(node[0]) or str(node[0])
 
 
-def _quoted(name: str) -> str:
+def quoted(name: str) -> str:
+    """A text in quotes as Graphviz reads it."""
     escaped = name.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
     return f'"{escaped}"'

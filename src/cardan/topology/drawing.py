@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
+from ..ir.printing import quoted
 from ..model.connections import Joint
 from .tree import Branch
 
@@ -36,15 +38,15 @@ def dot(
     name: str, bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joint]
 ) -> str:
     """A directed graph; circuits are closed by dashed arcs."""
-    lines = [f"digraph {_quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
-    lines += [f"  {_quoted(body)};" for body in bodies]
+    lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
+    lines += [f"  {quoted(body)};" for body in bodies]
     for joint, style in (
         *((branch.joint, "") for branch in branches),
         *((joint, ", style=dashed") for joint in closing),
     ):
-        ends = f"{_quoted(joint.parent.body.name)} -> {_quoted(joint.child.body.name)}"
+        ends = f"{quoted(joint.parent.body.name)} -> {quoted(joint.child.body.name)}"
         # \n is the line break of Graphviz
-        label = _quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
+        label = quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
         lines.append(f"  {ends} [label={label}{style}];")
     return "\n".join([*lines, "}"])
 
@@ -86,8 +88,8 @@ def _short(name: str) -> str:
 def _joint_label(joint: Joint, x: float, y: float) -> str:
     """Name and kind of a joint."""
     kind = joint.kind.kind
-    full = f"<title>{_escaped(f'{joint.name}: {kind}')}</title>"
-    name = f'{_escaped(_short(joint.name))}<tspan dx="4" fill="#789">{kind}</tspan>'
+    full = f"<title>{escape(f'{joint.name}: {kind}')}</title>"
+    name = f'{escape(_short(joint.name))}<tspan dx="4" fill="#789">{kind}</tspan>'
     at = f'x="{x:g}" y="{y:g}" text-anchor="middle"'
     return f'<text {at} font-size="9" fill="#345">{name}{full}</text>'
 
@@ -98,7 +100,7 @@ def _box(body: str, joint: Joint | None, x: float, y: float) -> str:
     made = (
         f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
         f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + rise:g}" '
-        f'text-anchor="middle">{_escaped(_short(body))}<title>{_escaped(body)}</title></text>'
+        f'text-anchor="middle">{escape(_short(body))}<title>{escape(body)}</title></text>'
     )
     return made if joint is None else made + _joint_label(joint, x, y + 12)
 
@@ -124,14 +126,3 @@ def _layout(branches: Sequence[Branch]) -> dict[str, tuple[float, int]]:
             columns = [column[child] for child in outboard[body]]
             column[body] = (min(columns) + max(columns)) / 2
     return {body: (column[body], level[body]) for body in level}
-
-
-def _quoted(name: str) -> str:
-    escaped = name.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
-    return f'"{escaped}"'
-
-
-def _escaped(name: str) -> str:
-    return (
-        name.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
-    )

@@ -1,0 +1,138 @@
+"""Whatever things are called, a name leads out of no target: C, Python, HTML, SVG, DOT, TeX."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+import tomllib
+import xml.etree.ElementTree as ET
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.cli import main
+from codegen.running import STRICT, compilers
+
+NAMES = {
+    "comment end": "*/ int main(void) {} /*",
+    "trigraph": "??/ what??'",
+    "script": "<script>alert(1)</script>",
+    "image": '"><img src=x onerror=alert(1)>',
+    "tex": r"\end{document} $x_1^2$ % & # ~",
+    "dot": '"; digraph { a -> b }',
+    "cdata": "]]> -->",
+    "quotes": "a\"b'c`d",
+    "shell": "${HOME} $(ls) ; rm",
+    "path": "../../etc/passwd",
+    "backslash": "end\\",
+    "braces": "{brace} {{x}} %s %n",
+    "markup": "[red]x[/red] [link]",
+    "letters": "größe θ 関節",
+    "keyword": "while",
+    "yaml": "no: {a: [1, &b *c]} # d",
+}
+
+
+def scene_of(word: str) -> cd.Model:
+    scene = cd.Model(f"m {word}", gravity=(0, 0, -9.81))
+    k = scene.parameter(f"k {word}", 3.0)
+    push = scene.input(f"r {word}")
+    arm = scene.body(f"b {word}", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+    tip = scene.body(f"c {word}", mass=0.5, com=(0, 0.1, -0.2), inertia=(0.1, 0.1, 0.01))
+    scene.joint(f"j {word}", cd.Revolute("y"), scene.ground, arm)
+    scene.joint(f"i {word}", cd.Spherical(), arm.at(0, 0, -1), tip)
+    scene.force(f"f {word}", cd.JointForce(f"j {word}", push - k * scene.q(f"j {word}")))
+    scene.output(f"o {word}", k * scene.q(f"j {word}"))
+    # names that are one after mangling
+    for name in ("a b", "a_b", "a-b"):
+        fixed = scene.body(f"{name} {word}", mass=0.1)
+        scene.joint(f"to {name} {word}", cd.Fixed(), tip, fixed)
+    return scene
+
+
+class Tags(HTMLParser):
+    """Tags and attributes of a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[str] = []
+        self.attributes: set[str] = set()
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.attributes |= {name for name, _ in attributes}
+
+
+@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+def test_c_and_python(word: str, tmp_path: Path) -> None:
+    equations = cd.derive(scene_of(word))
+    functions = [*equations.operations, "outputs", "power", "energy", ("pose", f"c {word}")]
+    folder = equations.export(tmp_path / "out", functions, integrators=("rk4",))
+    assert list(tmp_path.iterdir()) == [folder]
+    command = [*compilers()["gcc"], *STRICT, "-DCARDAN_EXAMPLE", "-o", str(tmp_path / "example")]
+    sources = sorted(map(str, folder.glob("*.c")))
+    done = subprocess.run([*command, *sources, "-lm"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[:2000]
+    ast.parse((folder / "setup.py").read_text("utf-8"))
+    tomllib.loads((folder / "pyproject.toml").read_text("utf-8"))
+    names = json.loads((folder / "manifest.json").read_text("utf-8"))
+    assert names["bodies"][0]["name"] == f"b {word}"
+    # Cython reads the names back as they were
+    (pyx,) = folder.glob("*.pyx")
+    assignments = pyx.read_text("utf-8").split("\nCOORDINATES = ")[1].split("\n\n_SIZES")[0]
+    module = ast.parse("COORDINATES = " + assignments)
+    found = {node.targets[0].id: ast.literal_eval(node.value) for node in module.body}
+    assert found["COORDINATES"][0] == f"j {word}"
+    command = [sys.executable, "-m", "cython", "-3", str(pyx), "-o", str(tmp_path / "out.c")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[:2000]
+
+
+@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene, plain = scene_of(word), scene_of("plain")
+    motion = cd.compile(scene).simulate(0.1)
+    page = Tags(motion.animate(tmp_path / "run.html").read_text("utf-8"))
+    expected = Tags(cd.compile(plain).simulate(0.1).animate(tmp_path / "p.html").read_text("utf-8"))
+    assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
+
+    # the sheet, and the scene file it is made from
+    sheets = []
+    for name, made in (("hostile", scene), ("plain", plain)):
+        made.save(tmp_path / f"{name}.yaml")
+        assert main(["inspect", str(tmp_path / f"{name}.yaml"), "-o", str(tmp_path / name)]) == 0
+        sheets.append(Tags((tmp_path / name).read_text("utf-8")))
+    assert {"script", "img", "link"} & set(sheets[0].tags) == set()
+    assert sheets[0].attributes <= sheets[1].attributes | {"intent"}
+    assert set(sheets[0].tags) <= set(sheets[1].tags) | {"msub", "msup", "msubsup", "mtext"}
+    capsys.readouterr()
+
+    # on a screen names are no markup
+    assert main(["simulate", str(tmp_path / "hostile.yaml"), "--time", "0.1"]) == 0
+    assert f"j {word}"[:12] in capsys.readouterr().out
+
+    back = cd.load(tmp_path / "hostile.yaml")
+    assert list(back.bodies) == list(scene.bodies)
+    motion.save(tmp_path / "run.nc")
+    stored = cd.load_motion(tmp_path / "run.nc")
+    np.testing.assert_array_equal(stored[f"j {word}"], motion[f"j {word}"])
+
+
+@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+def test_graphs_and_formulas(word: str) -> None:
+    scene, plain = scene_of(word), scene_of("plain")
+    kinds = [element.tag for element in ET.fromstring(scene.graph._repr_svg_()).iter()]
+    assert set(kinds) == {e.tag for e in ET.fromstring(plain.graph._repr_svg_()).iter()}
+    dot = scene.graph.dot()
+    # every quote that is none of a name's own opens or closes one
+    assert dot.replace("\\\\", "").replace('\\"', "").count('"') % 2 == 0
+    latex = cd.derive(scene)._repr_latex_()
+    assert latex.count("$") - latex.count(r"\$") == 2
+    assert r"\end{document}" not in latex
+    assert latex.count("{") - latex.count(r"\{") == latex.count("}") - latex.count(r"\}")
