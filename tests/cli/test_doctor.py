@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import time
+from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 
 import pytest
@@ -50,8 +51,14 @@ def test_screen_has_a_line_for_each(capsys):
 
 
 def test_extra_that_is_missing_is_named_and_harmless(capsys, monkeypatch):
-    real = health.find_spec
-    monkeypatch.setattr(health, "find_spec", lambda n: None if n == "matplotlib" else real(n))
+    real = health.version
+
+    def version(name):
+        if name == "matplotlib":
+            raise PackageNotFoundError(name)
+        return real(name)
+
+    monkeypatch.setattr(health, "version", version)
     status, rows = told(capsys)
     assert status == 0
     assert "pip install 'cardan[plot]'" in rows["matplotlib"]["cure"]

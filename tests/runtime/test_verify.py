@@ -153,3 +153,13 @@ def test_a_singular_mass_matrix_is_announced_by_name() -> None:
     model = cd.compile(scene)
     with pytest.warns(SolveWarning, match=r"nothing resists a motion of base\.u\.z, waist\.u"):
         model.prepare("forward_dynamics")
+
+
+def test_only_what_was_asked_for_is_verified() -> None:
+    scene = cd.Model("asked")
+    body = scene.body("body", mass=1.0, com=(0, 0, 1))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, body)
+    cd.compile(scene).prepare("rhs", "bias")
+    few = cd.compile(scene, functions=("bias",))
+    few.prepare("bias")
+    assert few.verify().checked == ("bias",)
