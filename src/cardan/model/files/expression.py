@@ -123,8 +123,12 @@ class _Parser:
         return ModelError(f"{self.where}: column {token.column}: {words}")
 
     def unexpected(self, token: Token) -> ModelError:
-        what = "the expression ends too early" if token.sort == "end" else f"'{token.text[:40]}'"
-        return self.error(token, what if token.sort == "end" else f"{what} is not expected here")
+        if token.sort == "end":
+            return self.error(token, "the expression ends too early")
+        words = f"'{token.text[:40]}' is not expected here"
+        if token.sort == "name":
+            words += "; values with units stand under parameters, such as {value: 2, unit: kg}"
+        return self.error(token, words)
 
     def whole(self) -> Any:
         found = self.relation()
