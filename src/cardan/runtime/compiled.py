@@ -362,25 +362,20 @@ class CompiledModel(Dynamics):
         check: bool = False,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Trajectory:
-        """Motion from named initial values to an end time.
+        """Motion; :func:`cardan.analyses.simulate.simulate` tells what the arguments mean.
 
         Args:
             t: End, ``(start, end)`` or output times [s].
             x0: State (nx,); or q, u: arrays or values by name, such as ``{"elbow": 0.3}``.
-            method: ``"DOP853"``, ``"RK4"`` or ``"auto"``.
-            rtol, atol: Tolerances of a step.
-            step, max_step: First (of RK4: every) and largest step [s].
+            method, rtol, atol, step, max_step: ``"DOP853"`` or ``"RK4"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
-            check: Raise where the end is not reached.
-            progress: Show it, or call a function with the fraction done.
-
-        All of it is told by :func:`cardan.analyses.simulate.simulate`.
+            check, progress: Raise where the end is not reached; show how far it is.
         """
         from ..analyses.simulate import simulate
 
-        how: dict[str, Any] = {"method": method, "rtol": rtol, "atol": atol, "step": step}
-        how |= {"max_step": max_step, "inputs": inputs, "sample": sample}
-        return simulate(self, t, x0=x0, q=q, u=u, check=check, progress=progress, **how)
+        start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "inputs": inputs, "sample": sample}
+        how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
+        return simulate(self, t, method=method, check=check, progress=progress, **start, **how)
 
     def stepper(self, **options: Any) -> Any:
         """Motion step by step; see :class:`cardan.analyses.stepper.Stepper`."""
