@@ -103,3 +103,15 @@ def test_loops_are_chosen_where_bodies_are_many_and_alike() -> None:
         scene.joint(f"joint{i}", kind(axis), inner, link)
         inner = link.at(*np.where(rng.random(3) < 0.4, 0.0, rng.uniform(0.5, 1, 3)))
     assert not isinstance(cd.derive(scene).form("forward_dynamics"), Recursion)
+
+
+def test_values_of_one_name_do_not_share_a_place() -> None:
+    scene = chain(6)
+    tip = scene.bodies["link0_5"].at(0, 0, -1)
+    hand = scene.body("hand", mass=0.3, com=(0.1, 0, 0))
+    scene.joint("wrist", cd.Revolute("z"), tip, hand, motion=cd.t**2)
+    # accelerations of the forward dynamics, and those of the driving force and the output
+    scene.output("jerky", hand.acceleration()[0] * 2)
+    equations = cd.derive(scene, method="articulated")
+    for name in ("outputs", "power", "rhs"):
+        same(equations, name)

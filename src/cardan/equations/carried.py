@@ -8,7 +8,7 @@ value, so that the expressions of one body end at those of its neighbors.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from ..ir.graph import ZERO, Graph
@@ -60,6 +60,7 @@ class Cuts:
         self.graph = graph
         self.definitions: dict[int, Definition] = {}
         self._leaves: dict[tuple[int, int], int] = {}
+        self._fields: set[tuple[int, tuple[str, int]]] = set()
         self._fixed = bytearray()
 
     def cut(self, body: int, quantity: str, nodes: Sequence[int]) -> list[int]:
@@ -103,6 +104,12 @@ class Cuts:
         return result
 
     def _leaf(self, definition: Definition) -> int:
+        # two values of one name have a place each
+        (quantity, k), number = definition.field, 2
+        while (definition.body, definition.field) in self._fields:
+            definition = replace(definition, field=(f"{quantity}_{number}", k))
+            number += 1
+        self._fields.add((definition.body, definition.field))
         leaf = self.graph.var(STORE, len(self.definitions))
         self.definitions[leaf] = definition
         return leaf

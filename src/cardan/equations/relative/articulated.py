@@ -225,7 +225,7 @@ def _outward(k: Kinematics, eliminations: list[Elimination], gravity: Matrix) ->
                 carried = Matrix.vstack(joint.rotation.T @ alpha, linear)
             imposed = carried + elimination.imposed
         if record.motion is not None:
-            reached.append(k.carry(i, "a", imposed, ()))
+            reached.append(k.carry(i, "reached", imposed, ()))
             continue
         with g.made_by(record.name, "udot"):
             own = elimination.free - elimination.gain @ imposed
@@ -233,5 +233,5 @@ def _outward(k: Kinematics, eliminations: list[Elimination], gravity: Matrix) ->
             own = k.carry(i, "udot", own, names, record.name)
             udot[record.u : record.u + own.rows] = own.nodes
         with g.made_by(k.owner(i), "a"):
-            reached.append(k.carry(i, "a", imposed + joint.S @ own, ()))
+            reached.append(k.carry(i, "reached", imposed + joint.S @ own, ()))
     return Matrix(g, k.system.nu, 1, udot)
