@@ -200,3 +200,27 @@ def test_unknown_words_are_refused(tmp_path: Path) -> None:
     with pytest.raises(CodegenError, match=r"integrators: 'dop835' .* Did you mean 'dop853'"):
         equations.export(tmp_path / "arm", integrators=("dop835",))
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_link_leads_to_its_directory_and_here_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    equations = cd.derive(arm())
+    (tmp_path / "real").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+    equations.export(tmp_path / "link", ["bias"])
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real" / "bias.c").exists()
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    with pytest.raises(CodegenError, match="where you are"):
+        equations.export(".", ["bias"])
+
+
+@pytest.mark.parametrize("name", ["numpy", "class", "json"])
+def test_packages_can_be_imported_and_hide_nothing(name: str, tmp_path: Path) -> None:
+    scene = cd.Model(name)
+    body = scene.body("body", mass=1.0)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
+    folder = cd.derive(scene).export(tmp_path / "out", ["bias"])
+    assert (folder / f"{name}_model.pyx").exists()

@@ -117,6 +117,12 @@ def test_motors_and_damping() -> None:
         ([{"mass": -1.0}], "standard", "link1.*mass"),
         ([{"a": float("nan")}], "standard", "nan|finite"),
         ([{"name": "x"}, {"name": "x"}], "standard", "'x'"),
+        ([5], "standard", "row 1: 5; give"),
+        (5, "standard", "5 is no table"),
+        (["abcd"], "standard", "row 1: 'abcd'; give"),
+        ([{"type": []}], "standard", "type is .*; give a text"),
+        ([{"theta": "x"}], "standard", "theta is 'x'; give a number"),
+        ([{"a": True}], "standard", "a is True; give a number"),
     ],
 )
 def test_faults(rows: list[Any], convention: str, words: str) -> None:

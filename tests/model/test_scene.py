@@ -280,3 +280,14 @@ def test_errors_that_show_later_have_their_place(text: str, words: str) -> None:
     with pytest.raises(cd.CardanError) as caught:
         cd.derive(scene(text))
     assert str(caught.value).startswith(words)
+
+
+@pytest.mark.parametrize("text", ["x/0.0", "x/(1-1.0)", "mod(x, 0.0)", "0.0^-1", "x/-0.0"])
+def test_zero_divides_nothing_however_it_is_written(text: str) -> None:
+    import sympy
+
+    from cardan.errors import ModelError
+    from cardan.model.files.expression import parse
+
+    with pytest.raises(ModelError, match=r"division by zero|no such power"):
+        parse(text, {"x": sympy.Symbol("x")}, where="scene.yaml:1:1")

@@ -10,7 +10,7 @@ SHELLS = ("bash", "zsh", "fish")
 BASH = """\
 # completion of cardan; in ~/.bashrc:  eval "$(cardan --completion bash)"
 _cardan() {{
-    local word=${{COMP_WORDS[COMP_CWORD]}} command= options=
+    local w word=${{COMP_WORDS[COMP_CWORD]}} command= options=
     for w in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
         case "$w" in -*) ;; *) command=$w; break ;; esac
     done

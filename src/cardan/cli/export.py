@@ -20,7 +20,7 @@ examples:
   cardan export arm.urdf -o arm_c --functions forward_dynamics pose:hand --language c
         these two and no package; a frame or joint stands behind the colon
   cardan export pendulum.yaml -o pendulum_c --integrators dop853
-        with an integrator: arm_c/example.c simulates one second"""
+        with an integrator: pendulum_c/example.c simulates one second"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

@@ -105,8 +105,10 @@ static int simulate(void)
     run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu;
     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
     run.stops = &end, run.stop_count = 1;
-    if (cardan_run_length(&run, rest, rhs_work_size) > sizeof memory / sizeof *memory)
+    if (cardan_run_length(&run, rest, rhs_work_size) > sizeof memory / sizeof *memory) {{
+        fprintf(stderr, "simulate: make the array memory larger\\n");
         return 1;
+    }}
     cardan_run_lay(&run, memory, rest, rhs_work_size);
     for (int k = 0; k < cardan_nq; k++)
         run.y[k] = cardan_default_q[k];

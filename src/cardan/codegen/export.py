@@ -48,7 +48,7 @@ def export(
         CodegenError: the directory holds other things; an unknown language or integrator.
         DerivationError: an unknown function.
     """
-    target, wanted = Path(directory), tuple(name.lower() for name in integrators)
+    target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
     _check_words(language, wanted)
     _check(target)
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
@@ -111,9 +111,18 @@ def _replace(target: Path, fill: Callable[[Path], None]) -> None:
     try:
         scratch.chmod(0o755)
         fill(scratch)
-        if target.exists():
-            shutil.rmtree(target)
-        scratch.rename(target)
+        if not target.exists():
+            scratch.rename(target)
+            return
+        # an earlier export goes only when the new one has its place
+        before = scratch.with_name(f"{scratch.name}-before")
+        target.rename(before)
+        try:
+            scratch.rename(target)
+        except BaseException:
+            before.rename(target)
+            raise
+        shutil.rmtree(before, ignore_errors=True)
     except BaseException:
         shutil.rmtree(scratch, ignore_errors=True)
         raise
@@ -123,8 +132,12 @@ def _check(target: Path) -> None:
     """Refuse to replace what is not ours.
 
     Raises:
-        CodegenError: the target is a file, or a directory with other things in it.
+        CodegenError: the target is a file, where we are, or a directory with other things in it.
     """
+    if target == Path.cwd():
+        raise CodegenError(
+            f"{target} is where you are, and an export replaces its directory: name another one"
+        )
     if target.exists() and not target.is_dir():
         raise CodegenError(f"{target} is a file: name a directory to export to")
     if target.is_dir():

@@ -19,6 +19,7 @@ from ..elements.forces.damping import Damping
 from ..elements.forces.drive import Drive
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
+from ..elements.written import is_expression
 from ..errors import ModelError, near
 from .checks import is_number
 from .files.angles import snap as quarter
@@ -113,6 +114,8 @@ def add_dh(
         raise ModelError(
             f"dh: convention '{convention}' does not exist.{near(convention, CONVENTIONS)}"
         )
+    if isinstance(rows, str | bytes | Mapping) or not isinstance(rows, Iterable):
+        raise ModelError(f"dh: {rows!r} is no table; give a list of rows")
     table = [_row(k, row) for k, row in enumerate(rows, 1)]
     inner = scene.ground if parent is None else parent
     for k, row in enumerate(table, 1):
@@ -126,6 +129,8 @@ def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
     """A checked row."""
     who = f"dh: row {k}"
     if not isinstance(given, Mapping):
+        if not isinstance(given, Sequence) or isinstance(given, str | bytes):
+            raise ModelError(f"{who}: {given!r}; give (a, alpha, d, theta) or a mapping")
         values = list(given)
         if len(values) != len(GEOMETRY):
             raise ModelError(f"{who}: {len(values)} values; give (a, alpha, d, theta) or a mapping")
@@ -136,8 +141,13 @@ def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
                 f"{who}: '{key}' does not exist.{near(str(key), Row.__dataclass_fields__)}"
             )
     row = Row(**given)
+    for key in ("type", "name", "link"):
+        if not isinstance(getattr(row, key), str):
+            raise ModelError(f"{who}: {key} is {getattr(row, key)!r}; give a text")
     for key in GEOMETRY:
         value = getattr(row, key)
+        if isinstance(value, bool) or not (is_number(value) or is_expression(value)):
+            raise ModelError(f"{who}: {key} is {value!r}; give a number or an expression")
         if is_number(value) and not isfinite(value):
             raise ModelError(f"{who}: {key} is {value}; give a finite number or an expression")
     if row.type not in KINDS:

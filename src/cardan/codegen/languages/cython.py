@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import keyword
+import sys
 from collections.abc import Sequence
 from pprint import pformat
 from typing import Any
@@ -10,6 +12,7 @@ from typing import Any
 from ..naming import mangle
 
 SUFFIX = ".pyx"
+NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
 # as cardan_in has them
 _BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0"
 BLOCKS = tuple(_BLOCKS.split())
@@ -187,8 +190,10 @@ packages = []
 
 
 def package(manifest: dict[str, Any]) -> str:
-    """Name of the package of a model."""
-    return mangle(manifest["name"]).lower()
+    """Name of the package of a model: one that can be imported and hides nothing it needs."""
+    name = mangle(manifest["name"]).lower()
+    taken = keyword.iskeyword(name) or name in sys.stdlib_module_names or name in NEEDED
+    return f"{name}_model" if taken else name
 
 
 def files(manifest: dict[str, Any], flags: Sequence[str]) -> dict[str, str]:

@@ -164,7 +164,7 @@ class _Parser:
         while operator := self.accept("*", "/"):
             token = self.next
             factor = self.value(token, self.signed())
-            if operator == "/" and factor == 0:
+            if operator == "/" and factor.is_zero:
                 raise self.error(token, "division by zero")
             factors.append(factor if operator == "*" else _power(factor, _sympy().Integer(-1)))
         factors = [_sympy().Integer(-1), *factors] if sign < 0 else factors
@@ -196,7 +196,7 @@ class _Parser:
             raise self.error(token, f"exponents go up to {LARGEST_EXPONENT}")
         if _bits(base) * abs(float(exponent)) > MOST_BITS:
             raise self.error(token, "this power is too large a number")
-        if base == 0 and not exponent.is_positive:
+        if base.is_zero and not exponent.is_positive:
             raise self.error(token, "zero has no such power")
         return self.checked(token, _power(base, exponent))
 
@@ -310,7 +310,7 @@ class _Parser:
         least, most = ARGUMENTS.get(name, (1, 1))
         if not least <= len(arguments) <= most:
             raise self.error(token, f"{name} does not take {len(arguments)} values")
-        if name == "mod" and arguments[1] == 0:
+        if name == "mod" and arguments[1].is_zero:
             raise self.error(token, "division by zero")
         function = getattr(_sympy(), FUNCTIONS[name])
         if name == "sqrt":

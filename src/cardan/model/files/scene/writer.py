@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-import tempfile
+import secrets
 from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
@@ -38,17 +38,15 @@ def save(model: Model, path: Path) -> None:
         raise ModelError(f"file '{path.name}': scenes are saved as .yaml, not '{path.suffix}'")
     text = to_text(model, path.parent)
     try:
-        handle, new = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".yaml")
+        # with the permissions of any other new file, unlike those of tempfile
+        new = path.with_name(f".cardan-{secrets.token_hex(8)}.yaml")
+        handle = os.open(new, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)
         try:
             with open(handle, "w", encoding="utf-8", newline="\n") as file:
                 file.write(text)
-            # a temporary file is private; a scene has the permissions of any other new file
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(new, 0o666 & ~mask)
             os.replace(new, path)
         except BaseException:
-            Path(new).unlink(missing_ok=True)
+            new.unlink(missing_ok=True)
             raise
     except OSError as problem:
         raise ModelError(f"file '{path.name}' cannot be written: {problem.strerror}") from problem
