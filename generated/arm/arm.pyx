@@ -160,7 +160,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     """
     return _call(
         c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        3, 0, 26, (3,),
+        3, 0, 21, (3,),
     )
 
 
@@ -179,7 +179,7 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
-        3, 0, 19, (3,),
+        3, 0, 17, (3,),
     )
 
 
@@ -196,5 +196,5 @@ def mass_matrix(q, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_mass_matrix, c_prepare_mass_matrix, ("t", "q", "r",), (t, q, r,), parameters,
-        9, 0, 13, (3, 3),
+        9, 0, 11, (3, 3),
     )

@@ -17,7 +17,7 @@ extern const real cardan_default_p[cardan_np + (cardan_np == 0)];
 enum {
     forward_dynamics_out_size = 3,
     forward_dynamics_work_size = 0,
-    forward_dynamics_w_size = 26
+    forward_dynamics_w_size = 21
 };
 CARDAN_API int forward_dynamics(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_forward_dynamics(const real *p, wreal *w);
@@ -26,7 +26,7 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *w);
 enum {
     inverse_dynamics_out_size = 3,
     inverse_dynamics_work_size = 0,
-    inverse_dynamics_w_size = 19
+    inverse_dynamics_w_size = 17
 };
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *w);
@@ -35,7 +35,7 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *w);
 enum {
     mass_matrix_out_size = 9,
     mass_matrix_work_size = 0,
-    mass_matrix_w_size = 13
+    mass_matrix_w_size = 11
 };
 CARDAN_API int mass_matrix(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_mass_matrix(const real *p, wreal *w);

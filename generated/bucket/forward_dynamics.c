@@ -2,6 +2,7 @@
  * forward_dynamics of bucket
  * udot with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: unroll, reassociate
  *
  * Sizes: out 2, work 0, w 8
@@ -30,7 +31,7 @@
 
 CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, inertia, inertia force, second moment */
+    /* bucket: mass, inertia */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
@@ -38,13 +39,16 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal bucket_inertia_zz = 0.5 * load * bucket_mass_2;
     const wreal bucket_mass = load * rope;
     const wreal bucket_inertia_xx = 0.3333333333333333 * load * bucket_mass_2 + rope * bucket_mass;
-    const wreal bucket_inertia_force = 0.5 * (bucket_inertia_zz + bucket_inertia_xx
-        + bucket_inertia_xx);
     w[2] = bucket_inertia_zz; /* bucket_inertia_zz */
     w[3] = bucket_mass; /* bucket_mass */
     w[4] = bucket_inertia_xx; /* bucket_inertia_xx */
-    w[5] = bucket_inertia_force - bucket_inertia_xx; /* bucket_second_moment_xx */
-    w[6] = bucket_inertia_force - bucket_inertia_zz; /* bucket_second_moment_zz */
+
+    /* common */
+    const wreal mul_1 = 0.5 * (bucket_inertia_zz + bucket_inertia_xx + bucket_inertia_xx);
+
+    /* bucket: base second moment */
+    w[5] = mul_1 - bucket_inertia_xx; /* bucket_base_second_moment_xx */
+    w[6] = mul_1 - bucket_inertia_zz; /* bucket_base_second_moment_zz */
 
     /* M: D inverse */
     w[7] = 1.0 / bucket_inertia_xx; /* M_D_inverse_2 */
@@ -84,8 +88,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* bucket: omega, alpha, a, U, n, f */
     const wreal gravity_z = w[1]; /* m/s^2 */
     const wreal bucket_mass = w[3];
-    const wreal bucket_second_moment_xx = w[5];
-    const wreal bucket_second_moment_zz = w[6];
+    const wreal bucket_base_second_moment_xx = w[5];
+    const wreal bucket_base_second_moment_zz = w[6];
     const real bucket_omega_x = hang_u_angle1 * hang_cos_2;
     const real bucket_omega_z = hang_u_angle1 * hang_sin_2;
     const real bucket_alpha_z = hang_cos_2 * hang_drift;
@@ -97,12 +101,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real bucket_U_yx = bucket_alpha_z + bucket_U;
     const real bucket_U_yz = hang_drift_2 + bucket_U_2;
     const real bucket_U_zy = bucket_U_2 - hang_drift_2;
-    const real bucket_n_z = bucket_U_yx * bucket_second_moment_xx
-        - bucket_U_xy * bucket_second_moment_xx;
-    const real bucket_f = bucket_U_zy * bucket_second_moment_xx
-        - gravity_z * hang_sin * bucket_mass - bucket_U_yz * bucket_second_moment_zz;
-    const real bucket_f_2 = bucket_U_xz * bucket_second_moment_zz
-        - bucket_U_xz * bucket_second_moment_xx - bucket_mass * bucket_a_x;
+    const real bucket_n_z = bucket_base_second_moment_xx * bucket_U_yx
+        - bucket_base_second_moment_xx * bucket_U_xy;
+    const real bucket_f = bucket_base_second_moment_xx * bucket_U_zy
+        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
+    const real bucket_f_2 = bucket_base_second_moment_zz * bucket_U_xz
+        - bucket_base_second_moment_xx * bucket_U_xz - bucket_mass * bucket_a_x;
 
     /* air: force, data */
     const wreal rope = w[0]; /* m */

@@ -2,6 +2,7 @@
  * inverse_dynamics of bucket
  * tau with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
  * Sizes: out 2, work 0, w 5
@@ -30,7 +31,7 @@
 
 CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, inertia, inertia force, second moment */
+    /* bucket: mass, inertia */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
@@ -38,11 +39,14 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal bucket_inertia_zz = 0.5 * load * bucket_mass_2;
     const wreal bucket_mass = load * rope;
     const wreal bucket_inertia_xx = 0.3333333333333333 * load * bucket_mass_2 + rope * bucket_mass;
-    const wreal bucket_inertia_force = 0.5 * (bucket_inertia_zz + bucket_inertia_xx
-        + bucket_inertia_xx);
     w[2] = bucket_mass; /* bucket_mass */
-    w[3] = bucket_inertia_force - bucket_inertia_xx; /* bucket_second_moment_xx */
-    w[4] = bucket_inertia_force - bucket_inertia_zz; /* bucket_second_moment_zz */
+
+    /* common */
+    const wreal mul_1 = 0.5 * (bucket_inertia_zz + bucket_inertia_xx + bucket_inertia_xx);
+
+    /* bucket: base second moment */
+    w[3] = mul_1 - bucket_inertia_xx; /* bucket_base_second_moment_xx */
+    w[4] = mul_1 - bucket_inertia_zz; /* bucket_base_second_moment_zz */
 
     /* parameters as they are */
     w[0] = p[1]; /* rope [m] */
@@ -76,8 +80,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_u_angle2dot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[1]; /* m/s^2 */
     const wreal bucket_mass = w[2];
-    const wreal bucket_second_moment_xx = w[3];
-    const wreal bucket_second_moment_zz = w[4];
+    const wreal bucket_base_second_moment_xx = w[3];
+    const wreal bucket_base_second_moment_zz = w[4];
     const real bucket_omega_x = hang_u_angle1 * hang_cos_2;
     const real bucket_omega_z = hang_u_angle1 * hang_sin_2;
     const real bucket_alpha_x = hang_u_angle1dot * hang_cos_2 - hang_sin_2 * hang_drift;
@@ -92,12 +96,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real bucket_U_yz = bucket_U_3 - bucket_alpha_x;
     const real bucket_U_zx = bucket_U_2 - hang_u_angle2dot;
     const real bucket_U_zy = bucket_alpha_x + bucket_U_3;
-    const real bucket_n_z = bucket_U_yx * bucket_second_moment_xx
-        - bucket_U_xy * bucket_second_moment_xx;
-    const real bucket_f = bucket_U_zy * bucket_second_moment_xx
-        - gravity_z * hang_sin * bucket_mass - bucket_U_yz * bucket_second_moment_zz;
-    const real bucket_f_2 = bucket_U_xz * bucket_second_moment_zz - bucket_mass * bucket_a_x
-        - bucket_U_zx * bucket_second_moment_xx;
+    const real bucket_n_z = bucket_base_second_moment_xx * bucket_U_yx
+        - bucket_base_second_moment_xx * bucket_U_xy;
+    const real bucket_f = bucket_base_second_moment_xx * bucket_U_zy
+        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
+    const real bucket_f_2 = bucket_base_second_moment_zz * bucket_U_xz - bucket_mass * bucket_a_x
+        - bucket_base_second_moment_xx * bucket_U_zx;
 
     /* air: force, data */
     const wreal rope = w[0]; /* m */

@@ -2,6 +2,7 @@
  * mass_matrix of bucket
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
  * Sizes: out 4, work 0, w 2

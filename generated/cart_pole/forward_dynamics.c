@@ -2,10 +2,11 @@
  * forward_dynamics of cart_pole
  * udot with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: unroll, reassociate
  *
- * Sizes: out 2, work 0, w 5
- * Operations per call: 29 = 17 mul, 7 sub, 2 add, 1 cos, 1 div, 1 sin
+ * Sizes: out 2, work 0, w 4
+ * Operations per call: 23 = 13 mul, 5 sub, 2 add, 1 cos, 1 div, 1 sin
  * Operations of prepare: 5 = 2 add, 2 mul, 1 div
  *
  * Input q (2): generalized coordinates
@@ -39,18 +40,17 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
     const wreal pole_first_moment_z = pole_mass * pole_com_z;
     const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_com_z * pole_first_moment_z;
-    w[2] = pole_first_moment_z; /* pole_first_moment_z */
+    w[1] = pole_first_moment_z; /* pole_first_moment_z */
 
-    /* track: momentum fx */
+    /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
-    w[3] = cart_mass + pole_mass; /* track_momentum_fx */
+    w[2] = cart_mass + pole_mass; /* cart_base_mass */
 
     /* M: D inverse */
-    w[4] = 1.0 / pole_inertia_yy_2; /* M_D_inverse_2 */
+    w[3] = 1.0 / pole_inertia_yy_2; /* M_D_inverse_2 */
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
-    w[1] = p[2]; /* pole.mass [kg] */
 }
 
 /* udot with M udot + h = f + tau */
@@ -70,37 +70,31 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_sin = cardan_sin(hinge_q);
 
     /* cart: composite moment */
-    const wreal pole_first_moment_z = w[2];
+    const wreal pole_first_moment_z = w[1];
     const real cart_composite_moment_z = pole_first_moment_z * hinge_cos;
 
-    /* pole: a, n, f */
+    /* pole: a, n */
     const wreal gravity_z = w[0]; /* m/s^2 */
-    const wreal pole_mass = w[1]; /* kg */
     const real pole_a_x = gravity_z * hinge_sin;
     const real pole_n_y = pole_first_moment_z * pole_a_x;
-    const real pole_f_x = pole_mass * pole_a_x;
 
-    /* cart: f */
-    const real hinge_u = u[1]; /* rad/s */
-    const real cart_f_x = hinge_cos * pole_f_x - hinge_sin * (gravity_z * hinge_cos * pole_mass
-        + hinge_u * hinge_u * pole_first_moment_z);
-
-    /* track: tau, drive */
+    /* track: drive */
     const real track_q = q[0]; /* m */
     const real push = r[0];
     const real track_u_tau = tau[0]; /* N */
-    const real track_tau = 40.0 * track_q - push + cart_f_x;
-    const real track_drive = track_u_tau - track_tau;
+    const real hinge_u = u[1]; /* rad/s */
+    const real track_drive = push + track_u_tau - 40.0 * track_q
+        + hinge_u * hinge_u * pole_first_moment_z * hinge_sin;
 
     /* hinge: drive */
     const real hinge_u_tau = tau[1]; /* N*m */
     const real hinge_drive = hinge_u_tau - pole_n_y;
 
     /* M: L, D inverse */
-    const wreal track_momentum_fx = w[3];
-    const wreal M_D_inverse_2 = w[4];
+    const wreal cart_base_mass = w[2];
+    const wreal M_D_inverse_2 = w[3];
     const real M_L_2_1 = cart_composite_moment_z * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (track_momentum_fx - cart_composite_moment_z * M_L_2_1);
+    const real M_D_inverse_1 = 1.0 / (cart_base_mass - cart_composite_moment_z * M_L_2_1);
 
     /* track: udot */
     const real track_udot = M_D_inverse_1 * (track_drive - hinge_drive * M_L_2_1);

@@ -2,11 +2,12 @@
  * inverse_dynamics of cart_pole
  * tau with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
- * Sizes: out 2, work 0, w 6
- * Operations per call: 28 = 16 mul, 7 add, 3 sub, 1 cos, 1 sin
- * Operations of prepare: 7 = 3 add, 3 mul, 1 sub
+ * Sizes: out 2, work 0, w 5
+ * Operations per call: 21 = 12 mul, 5 add, 2 sub, 1 cos, 1 sin
+ * Operations of prepare: 8 = 4 add, 3 mul, 1 sub
  *
  * Input q (2): generalized coordinates
  *   q[0]  track [m]
@@ -33,7 +34,7 @@
 
 CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, mass, inertia, second moment */
+    /* pole: first moment, mass, inertia, base second moment */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_xx = p[4]; /* kg m^2 */
@@ -42,15 +43,17 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal pole_mass_2 = pole_com_z * pole_first_moment_z;
     const wreal pole_inertia_xx_2 = pole_inertia_xx + pole_mass_2;
     const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_mass_2;
-    const wreal pole_second_moment_zz = 0.5 * (pole_inertia_xx_2 + pole_inertia_yy_2);
-    w[3] = pole_first_moment_z; /* pole_first_moment_z */
-    w[4] = pole_second_moment_zz; /* pole_second_moment_zz */
-    w[5] = pole_second_moment_zz - pole_inertia_xx_2; /* pole_second_moment_xx */
+    const wreal pole_base_second_moment_zz = 0.5 * (pole_inertia_xx_2 + pole_inertia_yy_2);
+    w[1] = pole_first_moment_z; /* pole_first_moment_z */
+    w[3] = pole_base_second_moment_zz; /* pole_base_second_moment_zz */
+    w[4] = pole_base_second_moment_zz - pole_inertia_xx_2; /* pole_base_second_moment_xx */
+
+    /* cart: base mass */
+    const wreal cart_mass = p[1]; /* kg */
+    w[2] = cart_mass + pole_mass; /* cart_base_mass */
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
-    w[1] = p[1]; /* cart.mass [kg] */
-    w[2] = p[2]; /* pole.mass [kg] */
 }
 
 /* tau with M udot + h = f + tau */
@@ -70,25 +73,23 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_sin = cardan_sin(hinge_q);
 
     /* pole: a, n, f */
-    const real hinge_u = u[1]; /* rad/s */
     const real track_udot = udot[0]; /* m/s^2 */
     const real hinge_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
-    const wreal pole_mass = w[2]; /* kg */
-    const wreal pole_first_moment_z = w[3];
-    const wreal pole_second_moment_zz = w[4];
-    const wreal pole_second_moment_xx = w[5];
+    const wreal pole_first_moment_z = w[1];
+    const wreal pole_base_second_moment_zz = w[3];
+    const wreal pole_base_second_moment_xx = w[4];
     const real pole_a_x = track_udot * hinge_cos + gravity_z * hinge_sin;
-    const real pole_a_z = track_udot * hinge_sin - gravity_z * hinge_cos;
-    const real pole_f_x = pole_mass * pole_a_x + pole_first_moment_z * hinge_udot;
-    const real pole_f_z = pole_mass * pole_a_z - hinge_u * hinge_u * pole_first_moment_z;
+    const real pole_f_x = pole_first_moment_z * hinge_udot;
     /* tau: hinge.u.tau [N*m] */
-    out[1] = hinge_udot * pole_second_moment_zz + hinge_udot * pole_second_moment_xx
+    out[1] = pole_base_second_moment_zz * hinge_udot + pole_base_second_moment_xx * hinge_udot
         + pole_first_moment_z * pole_a_x;
 
     /* cart: f */
-    const wreal cart_mass = w[1]; /* kg */
-    const real cart_f_x = cart_mass * track_udot + hinge_cos * pole_f_x + hinge_sin * pole_f_z;
+    const real hinge_u = u[1]; /* rad/s */
+    const wreal cart_base_mass = w[2];
+    const real cart_f_x = cart_base_mass * track_udot + hinge_cos * pole_f_x
+        - hinge_u * hinge_u * pole_first_moment_z * hinge_sin;
 
     /* track: tau */
     const real track_q = q[0]; /* m */

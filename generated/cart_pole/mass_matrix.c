@@ -2,6 +2,7 @@
  * mass_matrix of cart_pole
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
  * Sizes: out 4, work 0, w 3
@@ -28,9 +29,9 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[0] = pole_first_moment_z; /* pole_first_moment_z */
     w[1] = pole_inertia_yy + pole_com_z * pole_first_moment_z; /* pole_inertia_yy_2 */
 
-    /* track: momentum fx */
+    /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
-    w[2] = cart_mass + pole_mass; /* track_momentum_fx */
+    w[2] = cart_mass + pole_mass; /* cart_base_mass */
 }
 
 /* M: kinetic energy is 1/2 uᵀ M u */

@@ -154,7 +154,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     """
     return _call(
         c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        2, 0, 8, (2,),
+        2, 0, 7, (2,),
     )
 
 
@@ -173,7 +173,7 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
-        2, 0, 6, (2,),
+        2, 0, 7, (2,),
     )
 
 
@@ -190,5 +190,5 @@ def mass_matrix(q, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_mass_matrix, c_prepare_mass_matrix, ("t", "q", "r",), (t, q, r,), parameters,
-        4, 0, 5, (2, 2),
+        4, 0, 4, (2, 2),
     )

@@ -2,11 +2,12 @@
  * forward_dynamics of double_pendulum
  * udot with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: unroll, reassociate
  *
- * Sizes: out 2, work 0, w 8
- * Operations per call: 48 = 27 mul, 11 add, 5 sub, 2 cos, 2 sin, 1 div
- * Operations of prepare: 11 = 8 mul, 2 add, 1 div
+ * Sizes: out 2, work 0, w 7
+ * Operations per call: 38 = 21 mul, 7 add, 5 sub, 2 cos, 2 sin, 1 div
+ * Operations of prepare: 16 = 11 mul, 4 add, 1 div
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -35,21 +36,23 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal l = p[1]; /* m */
     const wreal upper_mass_2 = 0.5 * l;
     const wreal upper_mass = m * upper_mass_2;
-    w[3] = upper_mass; /* upper_mass */
+    w[2] = upper_mass; /* upper_mass */
 
-    /* upper: inertia */
+    /* upper: inertia, base inertia */
     const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
-    w[4] = upper_inertia_xx; /* upper_inertia_xx */
-    w[5] = 0.5 * m * l; /* upper_inertia */
-    w[6] = upper_inertia_xx + upper_inertia_xx; /* upper_inertia_2 */
+    const wreal upper_base_inertia_yy = upper_inertia_xx + 0.5 * m * l * l * 2.0;
+    w[3] = upper_inertia_xx; /* upper_inertia_xx */
+    w[5] = upper_inertia_xx + upper_base_inertia_yy; /* upper_inertia */
+
+    /* lower: base */
+    w[4] = upper_mass + m * l; /* lower_base */
 
     /* M: D inverse */
-    w[7] = 1.0 / upper_inertia_xx; /* M_D_inverse_2 */
+    w[6] = 1.0 / upper_inertia_xx; /* M_D_inverse_2 */
 
     /* parameters as they are */
-    w[0] = p[0]; /* m [kg] */
-    w[1] = p[1]; /* l [m] */
-    w[2] = p[2]; /* gravity.z [m/s^2] */
+    w[0] = p[1]; /* l [m] */
+    w[1] = p[2]; /* gravity.z [m/s^2] */
 }
 
 /* udot with M udot + h = f + tau */
@@ -73,41 +76,40 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_sin = cardan_sin(elbow_q);
 
     /* shared by several: inertia */
-    const wreal upper_mass = w[3];
-    const real upper_inertia_3 = upper_mass * elbow_cos;
+    const wreal l = w[0]; /* m */
+    const wreal upper_mass = w[2];
+    const real upper_inertia_2 = upper_mass * elbow_cos * l;
 
     /* upper: composite inertia, a */
-    const wreal l = w[1]; /* m */
-    const wreal gravity_z = w[2]; /* m/s^2 */
+    const wreal gravity_z = w[1]; /* m/s^2 */
     const wreal upper_inertia = w[5];
-    const wreal upper_inertia_2 = w[6];
-    const real upper_composite_inertia_yy = l * (upper_inertia_3 + upper_inertia) * 2.0
-        + upper_inertia_2;
+    const real upper_composite_inertia_yy = 2.0 * upper_inertia_2 + upper_inertia;
     const real upper_a_x = gravity_z * shoulder_sin;
 
     /* M: L, D inverse */
-    const wreal upper_inertia_xx = w[4];
-    const wreal M_D_inverse_2 = w[7];
-    const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
+    const wreal upper_inertia_xx = w[3];
+    const wreal M_D_inverse_2 = w[6];
+    const real M_2_1 = upper_inertia_xx + upper_inertia_2;
     const real M_L_2_1 = M_2_1 * M_D_inverse_2;
     const real M_D_inverse_1 = 1.0 / (upper_composite_inertia_yy - M_2_1 * M_L_2_1);
 
     /* lower: omega, a, inertia force, f */
     const real shoulder_u = u[0]; /* rad/s */
     const real elbow_u = u[1]; /* rad/s */
-    const wreal m = w[0]; /* kg */
     const real lower_omega_y = shoulder_u + elbow_u;
-    const real lower_a = shoulder_u * shoulder_u * l - gravity_z * shoulder_cos;
-    const real lower_a_x = elbow_cos * upper_a_x - elbow_sin * lower_a;
-    const real lower_a_z = elbow_sin * upper_a_x + elbow_cos * lower_a;
+    const real lower_a_x = elbow_cos * upper_a_x - elbow_sin * (shoulder_u * shoulder_u * l
+        - gravity_z * shoulder_cos);
     const real lower_inertia_force = upper_mass * lower_a_x;
-    const real lower_f_x = m * lower_a_x;
-    const real lower_f_z = m * lower_a_z + lower_omega_y * lower_omega_y * upper_mass;
+    const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
+
+    /* upper: f */
+    const real upper_f_x = elbow_sin * lower_f_z;
 
     /* shoulder: drive */
     const real shoulder_u_tau = tau[0]; /* N*m */
-    const real shoulder_drive = shoulder_u_tau + upper_mass * upper_a_x + lower_inertia_force
-        + l * (elbow_cos * lower_f_x + elbow_sin * lower_f_z);
+    const wreal lower_base = w[4];
+    const real shoulder_drive = shoulder_u_tau + lower_base * upper_a_x + l * upper_f_x
+        + lower_inertia_force;
 
     /* elbow: drive */
     const real elbow_u_tau = tau[1]; /* N*m */

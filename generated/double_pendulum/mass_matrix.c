@@ -2,11 +2,12 @@
  * mass_matrix of double_pendulum
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
- * Sizes: out 4, work 0, w 5
- * Operations per call: 8 = 4 mul, 3 add, 1 cos
- * Operations of prepare: 10 = 8 mul, 2 add
+ * Sizes: out 4, work 0, w 4
+ * Operations per call: 6 = 3 mul, 2 add, 1 cos
+ * Operations of prepare: 13 = 10 mul, 3 add
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -27,11 +28,11 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     const wreal upper_mass = m * upper_mass_2;
     w[1] = upper_mass; /* upper_mass */
 
-    /* upper: inertia */
+    /* upper: inertia, base inertia */
     const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
+    const wreal upper_base_inertia_yy = upper_inertia_xx + 0.5 * m * l * l * 2.0;
     w[2] = upper_inertia_xx; /* upper_inertia_xx */
-    w[3] = 0.5 * m * l; /* upper_inertia */
-    w[4] = upper_inertia_xx + upper_inertia_xx; /* upper_inertia_2 */
+    w[3] = upper_inertia_xx + upper_base_inertia_yy; /* upper_inertia */
 
     /* parameters as they are */
     w[0] = p[1]; /* l [m] */
@@ -50,19 +51,17 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
 
     /* shared by several: inertia */
+    const wreal l = w[0]; /* m */
     const wreal upper_mass = w[1];
-    const real upper_inertia_3 = upper_mass * elbow_cos;
+    const real upper_inertia_2 = upper_mass * elbow_cos * l;
 
     /* upper: composite inertia */
-    const wreal l = w[0]; /* m */
     const wreal upper_inertia = w[3];
-    const wreal upper_inertia_2 = w[4];
-    /* M: shoulder.u,shoulder.u */
-    out[0] = l * (upper_inertia_3 + upper_inertia) * 2.0 + upper_inertia_2;
+    out[0] = 2.0 * upper_inertia_2 + upper_inertia; /* M: shoulder.u,shoulder.u */
 
     /* M */
     const wreal upper_inertia_xx = w[2];
-    const real M_2_1 = upper_inertia_xx + l * upper_inertia_3;
+    const real M_2_1 = upper_inertia_xx + upper_inertia_2;
     out[1] = M_2_1; /* M: shoulder.u,elbow.u */
     out[2] = M_2_1; /* M: elbow.u,shoulder.u */
 

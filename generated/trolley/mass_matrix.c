@@ -2,6 +2,7 @@
  * mass_matrix of trolley
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
  * Sizes: out 25, work 0, w 7
@@ -54,12 +55,12 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     const wreal axle_coupling = 1.0 / radius;
     const wreal axle_momentum_my = wheel_inertia_yy * axle_coupling;
 
-    /* track: momentum fx */
+    /* trolley: base mass */
     const wreal trolley_mass = p[10]; /* kg */
-    const wreal track_momentum_fx = left_load + right_load + (wheel + trolley_mass);
+    const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
 
     /* M */
-    w[6] = track_momentum_fx + axle_coupling * axle_momentum_my; /* M_1_1 */
+    w[6] = trolley_base_mass + axle_coupling * axle_momentum_my; /* M_1_1 */
 }
 
 /* M: kinetic energy is 1/2 uᵀ M u */

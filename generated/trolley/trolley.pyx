@@ -156,7 +156,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     """
     return _call(
         c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        5, 0, 22, (5,),
+        5, 0, 18, (5,),
     )
 
 
@@ -175,7 +175,7 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
-        5, 0, 17, (5,),
+        5, 0, 14, (5,),
     )
 
 

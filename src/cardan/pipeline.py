@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import __version__, topology
 from .codegen import generate, layout, manifest
-from .equations.record import Equations, choose
+from .equations.choice import chosen_by
+from .equations.record import Equations
 from .errors import BuildError, DerivationError
 from .runtime import folder as cache
 from .runtime.compiled import CompiledModel
@@ -50,6 +51,7 @@ def derive(
     coordinates: str = "relative",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
+    rewrites: Sequence[str] | None = None,
 ) -> Equations:
     """Equations of motion of a scene.
 
@@ -59,6 +61,9 @@ def derive(
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
+        rewrites: Of the system graph, before equations are derived from it: ``"axes"``,
+            ``"origins"``, ``"parallel"``, ``"base_parameters"``; () for none. By default what
+            leaves the fewest operations and no more rounding.
 
     Returns:
         The record that says everything else: matrices, counts, functions.
@@ -75,8 +80,7 @@ def derive(
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen, method = topology.named_speeds(scene, system, speeds), "kane"
-    method, reason = choose(system, method)
-    return Equations(system, method, chosen, reason)
+    return chosen_by(system, method, chosen, rewrites)
 
 
 def compile(
@@ -87,6 +91,7 @@ def compile(
     coordinates: str | None = None,
     method: str | None = None,
     speeds: Mapping[str, Any] | None = None,
+    rewrites: Sequence[str] | None = None,
     loops: bool | None = None,
 ) -> CompiledModel:
     """C functions of a scene, written, compiled and checked when they are first used.
@@ -95,7 +100,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds: As :func:`derive` takes them, where ``scene`` is a model.
+        coordinates, method, speeds, rewrites: As :func:`derive` takes them, where ``scene`` is a
+            model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -104,7 +110,12 @@ def compile(
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
-    given = {"coordinates": coordinates, "method": method, "speeds": speeds}
+    given = {
+        "coordinates": coordinates,
+        "method": method,
+        "speeds": speeds,
+        "rewrites": rewrites,
+    }
     options: dict[str, Any] = {name: x for name, x in given.items() if x is not None}
     if isinstance(scene, Equations) and options:
         raise DerivationError(
@@ -137,7 +148,7 @@ def compile(
         c_name = equations.c_name(name, of)
         if not layout.has_function(folder, c_name):
             function = equations.form(name, of, loops)
-            notes = [f"formalism: {equations.method}"]
+            notes = equations.notes(name, of, function)
             file = generate(function, model=equations.system.name, notes=notes, of=of)
             try:
                 layout.add_function(folder, file, function)
@@ -156,6 +167,7 @@ def fingerprint(equations: Equations, loops: bool | None = None) -> str:
         __version__,
         _compiler_state(),
         equations.method,
+        equations.rewrites,
         equations.chosen,
         loops,
         system.graph.nodes,

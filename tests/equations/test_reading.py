@@ -132,11 +132,18 @@ def test_a_parameter_keeps_its_name_among_intermediates() -> None:
 
 
 def test_counts_by_owner() -> None:
-    equations = cd.derive(CLASSICAL["arm"].scene())
+    equations = cd.derive(CLASSICAL["arm"].scene(), rewrites=())
+    model = cd.compile(equations)
+    model.forward_dynamics([0.1, 0.2], [0.3, 0.4])
     for name, counts in equations.operations.items():
-        assert counts.total == sum(equations.function(name).operations().values())
         assert sum(sum(own.values()) for own in counts.blocks.values()) == counts.total
         assert {"first", "second"} <= set(counts.blocks)
+        if name in model.operations:
+            assert model.operations[name] == counts
+    fewer = cd.derive(CLASSICAL["arm"].scene()).operations
+    assert all(fewer[name].total <= equations.operations[name].total for name in fewer)
+    assert fewer["bias"].rewrites
+    assert fewer["bias"].prepared > 0
 
 
 def test_one_screen() -> None:

@@ -64,7 +64,7 @@ def export(
         made = []
         for name, of in asked:
             function = equations.form(name, of, loops)
-            notes = [f"formalism: {equations.method}"]
+            notes = equations.notes(name, of, function)
             made.append((generate(function, equations.system.name, notes, of=of), function))
         layout.add_functions(folder, made)
         flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")

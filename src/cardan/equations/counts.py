@@ -11,25 +11,33 @@ if TYPE_CHECKING:
 
 
 class Counts(dict[str, int]):
-    """Operator -> number of operations of a function.
+    """Operator -> number of operations of a function at every call.
 
     Attributes:
         blocks: Body, joint or force element -> the same for its part; what several of them use
             is under "shared", what nobody owns under "".
+        prepared: Number of operations that parameters alone determine, done once for them.
+        critical_path: Cost of the longest chain of dependent operations, an addition being 1.
+        rewrites: Rewrites of the system graph it was derived from.
     """
 
-    def __init__(self, function: Function) -> None:
-        # the sections of the C that is written from it
+    def __init__(self, function: Function, rewrites: tuple[str, ...] = ()) -> None:
+        # the program and the sections of the C that is written from it
         from ..codegen.owners import Owners
+        from ..passes import optimize
 
-        super().__init__(function.operations())
-        owners = Owners(function.graph, function.owners)
+        staged = optimize(function)
+        super().__init__(staged.operations())
+        graph, owners = staged.function.graph, Owners(staged.function.graph, function.owners)
         nodes: dict[str, list[int]] = {}
-        for i in function.live():
+        for i in staged.body():
             nodes.setdefault(owners.of(i).section, []).append(i)
-        counted = {name: count(function.graph, some) for name, some in nodes.items()}
+        counted = {name: count(graph, some) for name, some in nodes.items()}
         order = (*function.owners, *counted)
         self.blocks = {name: counted[name] for name in dict.fromkeys(order) if counted.get(name)}
+        self.prepared = sum(staged.prepare_operations().values())
+        self.critical_path = staged.critical_path()
+        self.rewrites = rewrites
 
     @property
     def total(self) -> int:

@@ -225,21 +225,30 @@ def _difference(c: Context) -> tuple[Output, ...]:
 
 @dataclass(frozen=True)
 class Recipe:
-    """How a function comes about: one line for the reader, its builder, what ``of`` names."""
+    """How a function comes about.
+
+    Attributes:
+        about: One line for the reader.
+        build: Its builder.
+        of: What ``of`` names.
+        told: Whether it is the same in whatever frames and by whatever grouping of inertia the
+            bodies are told.
+    """
 
     about: str
     build: Builder
     of: str = ""
+    told: bool = False
 
 
 RECIPES: dict[str, Recipe] = {
-    "rhs": Recipe("time derivative of the state [q, u]", _rhs),
-    "forward_dynamics": Recipe("udot with M udot + h = f + tau", _forward),
-    "inverse_dynamics": Recipe("tau with M udot + h = f + tau", _inverse),
-    "mass_matrix": Recipe("M: kinetic energy is 1/2 uᵀ M u", _mass_matrix),
-    "bias": Recipe("h: velocity products and gravity", _bias),
-    "gravity": Recipe("part of h that is left at rest", _gravity),
-    "coriolis": Recipe("h without gravity", _coriolis),
+    "rhs": Recipe("time derivative of the state [q, u]", _rhs, told=True),
+    "forward_dynamics": Recipe("udot with M udot + h = f + tau", _forward, told=True),
+    "inverse_dynamics": Recipe("tau with M udot + h = f + tau", _inverse, told=True),
+    "mass_matrix": Recipe("M: kinetic energy is 1/2 uᵀ M u", _mass_matrix, told=True),
+    "bias": Recipe("h: velocity products and gravity", _bias, told=True),
+    "gravity": Recipe("part of h that is left at rest", _gravity, told=True),
+    "coriolis": Recipe("h without gravity", _coriolis, told=True),
     "applied": Recipe("f: generalized forces of the model's elements", _forces),
     "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
     "energy": Recipe("kinetic, potential and total energy", _energy),

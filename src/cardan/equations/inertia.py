@@ -1,128 +1,35 @@
-"""Mass properties of the bodies of a system, and how their symmetric tensors turn and move."""
+"""Mass properties of the bodies of a system."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..ir.arithmetic import Scalar
-from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from ..spatial.moments import Inertia, second_moment, turn_symmetric
 from .carried import CELLS
 from .kinematics import Kinematics
 
 
-@dataclass(frozen=True)
-class Inertia:
-    """Mass m, first moment h = m c (3, 1) and inertia tensor about the origin (3, 3)."""
-
-    mass: Scalar
-    moment: Matrix
-    tensor: Matrix
-
-    def __add__(self, other: Inertia) -> Inertia:
-        return Inertia(
-            self.mass + other.mass, self.moment + other.moment, self.tensor + other.tensor
-        )
-
-    @property
-    def is_zero(self) -> bool:
-        return self.mass.node == ZERO and self.moment.is_zero and self.tensor.is_zero
-
-    def momentum(self, twist: Matrix) -> Matrix:
-        """Angular and linear momentum (6, 1) of a twist (6, 1), about the origin."""
-        w, v = twist.block(slice(0, 3)), twist.block(slice(3, 6))
-        return Matrix.vstack(
-            self.tensor @ w + self.moment.cross(v), v * self.mass - self.moment.cross(w)
-        )
-
-
 def of_body(k: Kinematics, i: int) -> Inertia:
-    """Inertia of a body about its origin, in its axes; depends on p alone."""
+    """Inertia of a body about its origin; depends on p alone where it has axes of its own."""
     body, name = k.system.bodies[i], k.owner(i)
     mass = Scalar(k.graph, k.resolve([body.mass])[0])
     k.graph.label(mass.node, name, "mass")
-    return Inertia(
-        mass,
-        k.vector(body.first_moment).label(name, "first_moment"),
-        k.matrix(3, 3, body.inertia).label(name, "inertia", CELLS),
-    )
+    moment = k.vector(body.first_moment).label(name, "first_moment")
+    tensor = k.matrix(3, 3, body.inertia).label(name, "inertia", CELLS)
+    turn = k.turns[i]
+    if turn is None:
+        return Inertia(mass, moment, tensor)
+    with k.graph.made_by(name, "turned"):
+        return Inertia(mass, turn @ moment, turn_symmetric(turn, tensor))
 
 
-def second_moment(tensor: Matrix) -> Matrix:
-    """Integral of x xᵀ dm from the inertia tensor: J = tr(I)/2 - I."""
-    g = tensor.graph
-    half = (tensor[0, 0] + tensor[1, 1] + tensor[2, 2]) * 0.5
-    diagonal = [half.node if i == j else ZERO for i in range(3) for j in range(3)]
-    return Matrix(g, 3, 3, diagonal) - tensor
-
-
-def planar_axis(r: Matrix) -> int | None:
-    """0, 1 or 2 where r is structurally a rotation about that axis, else None."""
-    for axis in range(3):
-        a, b = (axis + 1) % 3, (axis + 2) % 3
-        n = r.nodes
-        zeros = (n[3 * axis + a], n[3 * axis + b], n[3 * a + axis], n[3 * b + axis])
-        if n[4 * axis] == ONE and not any(zeros):
-            return axis
-    return None
-
-
-def turn_symmetric(r: Matrix, x: Matrix) -> Matrix:
-    """r X rᵀ for a rotation r and a symmetric X (3, 3).
-
-    About a coordinate axis, c^2 + s^2 = 1 leaves four products of the 2 x 2 block:
-    t = s (X_aa - X_bb) + 2 c X_ab, X_aa - s t, X_bb + s t, c t - X_ab.
-    """
-    axis = planar_axis(r)
-    if axis is None:
-        return r.congruence(x)
-    a, b = (axis + 1) % 3, (axis + 2) % 3
-    c, s = r[a, a], r[b, a]
-    t = s * (x[a, a] - x[b, b]) + c * (x[a, b] + x[a, b])
-    entries = {
-        (axis, axis): x[axis, axis],
-        (a, a): x[a, a] - s * t,
-        (b, b): x[b, b] + s * t,
-        (a, b): c * t - x[a, b],
-        (axis, a): c * x[axis, a] - s * x[axis, b],
-        (axis, b): s * x[axis, a] + c * x[axis, b],
-    }
-    rows = [
-        [entries[i, j] if (i, j) in entries else entries[j, i] for j in range(3)] for i in range(3)
-    ]
-    return Matrix.of(x.graph, rows)
-
-
-def turn_general(r: Matrix, x: Matrix) -> Matrix:
-    """r X rᵀ for a rotation r and any X (3, 3): symmetric and skew parts turn separately."""
-    axis = planar_axis(r)
-    if axis is None:
-        return r @ x @ r.T
-    a, b = (axis + 1) % 3, (axis + 2) % 3
-    c, s = r[a, a], r[b, a]
-    t = s * (x[a, a] - x[b, b]) + c * (x[a, b] + x[b, a])
-    entries = {
-        (axis, axis): x[axis, axis],
-        (a, a): x[a, a] - s * t,
-        (b, b): x[b, b] + s * t,
-        (a, b): c * t - x[b, a],
-        (b, a): c * t - x[a, b],
-        (axis, a): c * x[axis, a] - s * x[axis, b],
-        (axis, b): s * x[axis, a] + c * x[axis, b],
-        (a, axis): c * x[a, axis] - s * x[b, axis],
-        (b, axis): s * x[a, axis] + c * x[b, axis],
-    }
-    return Matrix.of(x.graph, [[entries[i, j] for j in range(3)] for i in range(3)])
-
-
-def moved(inertia: Inertia, p: Matrix) -> Inertia:
-    """The same body about a point from which its origin is seen at p."""
-    m = inertia.mass
-    s = inertia.moment + p * (m * 0.5)
-    g = p.graph
-    twice = s.dot(p) * 2
-    rows = [
-        [(twice - s[i] * p[i] * 2) if i == j else -(s[i] * p[j] + s[j] * p[i]) for j in range(3)]
-        for i in range(3)
-    ]
-    return Inertia(m, inertia.moment + p * m, inertia.tensor + Matrix.of(g, rows))
+def second_moment_of_body(k: Kinematics, i: int) -> Matrix:
+    """Second moment of a body about its origin; depends on p alone where it has axes of its own."""
+    nodes = k.system.bodies[i].second_moment
+    if nodes is None:
+        second = second_moment(k.matrix(3, 3, k.system.bodies[i].inertia))
+    else:
+        second = k.matrix(3, 3, nodes)
+    second.label(k.owner(i), "second_moment", CELLS)
+    turn = k.turns[i]
+    return second if turn is None else turn_symmetric(turn, second)

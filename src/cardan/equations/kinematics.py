@@ -1,7 +1,8 @@
 """Motion of a tree: what every formalism shares.
 
 All per-body lists follow the regular numbering of the system graph. Vectors of a body are in its
-own axes unless they are named ``ground_...``; 6-vectors have the angular part first.
+own axes (or those its ``turn`` leads to) unless they are named ``ground_...``; 6-vectors have the
+angular part first.
 
 Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 3 and 4.
 """
@@ -9,7 +10,6 @@ Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 3 and
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ..errors import DerivationError
@@ -22,35 +22,9 @@ from ..ir.rewrite import rebuild
 from ..ir.solve import solve
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
-from .carried import CELLS, XYZ, Cuts
+from .carried import XYZ, Cuts
+from .joint_motion import JointMotion, joint_motion, turn
 from .placeholders import placeholder
-
-
-@dataclass(frozen=True)
-class JointMotion:
-    """Motion of a body against its parent.
-
-    Attributes:
-        q, u: Coordinates and speeds of the joint as expressions of the system's.
-        inner: R of the joint frames, parent side to child side (3, 3).
-        rotation: R from child axes to parent axes (3, 3), the fixed rotation included.
-        position: Origin of the child in parent axes (3, 1).
-        S: Modes of motion (6, nu of the joint), child axes.
-        columns: (k, column of S (6, 1)) for every system speed k that moves the joint.
-        velocity: S u (6, 1).
-        drift: Acceleration against the parent, as seen from it, that needs no udot (6, 1): Sdot u,
-            [0; omega x v], and S times a prescribed acceleration.
-    """
-
-    q: Matrix
-    u: Matrix
-    inner: Matrix
-    rotation: Matrix
-    position: Matrix
-    S: Matrix
-    columns: tuple[tuple[int, Matrix], ...]
-    velocity: Matrix
-    drift: Matrix
 
 
 class Kinematics:
@@ -196,57 +170,7 @@ class Kinematics:
 
     @cached_property
     def joints(self) -> list[JointMotion]:
-        return [self._joint_motion(i) for i in range(len(self.system.joints))]
-
-    def _joint_motion(self, i: int) -> JointMotion:
-        joint, q, u, data = self.system.joints[i], self.coordinates[i], self.speeds[i], self.data[i]
-        g, name = self.graph, joint.name
-        fixed, at = self.matrix(3, 3, joint.rotation), self.vector(joint.position)
-        with g.made_by(name, "R"):
-            inner, shift = joint.element.pose(q, **data)
-            self._label_angles(name, inner)
-            inner = self.carry(i, "inner", inner, (), name)
-            rotation = self.carry(i, "R", fixed @ inner, CELLS, name)
-        with g.made_by(name, "p"):
-            position = self.carry(i, "p", at + fixed @ shift, XYZ, name)
-        with g.made_by(name, "S"):
-            modes = joint.element.motion(q, **data)
-            s = self.carry(i, "S", modes, (), name)
-        with g.made_by(name, "velocity"):
-            velocity = self.carry(i, "relative", s @ u, (), name)
-        with g.made_by(name, "drift"):
-            drift = self._drift(i, modes, velocity)
-            if joint.motion is not None:
-                drift = drift + s * Scalar(g, self.resolve([joint.motion.acceleration])[0])
-        return JointMotion(q, u, inner, rotation, position, s, self._columns(i, s), velocity, drift)
-
-    def _label_angles(self, name: str, rotation: Matrix) -> None:
-        """Call cosines and sines of joint angles what they are."""
-        for node in rotation.nodes:
-            op = self.graph.nodes[node][0]
-            if op in ("cos", "sin"):
-                self.graph.label(node, name, op)
-
-    def _drift(self, i: int, s: Matrix, velocity: Matrix) -> Matrix:
-        """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
-        q, u = self.coordinates[i], self.speeds[i]
-        own = self.system.joints[i].element.convective(q, u, **self.data[i])
-        if own is not None:
-            return own
-        w, v = velocity.block(slice(0, 3)), velocity.block(slice(3, 6))
-        turning = Matrix.vstack(Matrix.zeros(self.graph, 3), w.cross(v))
-        if all(self.graph.value(x) is not None for x in s.nodes):
-            return turning
-        return self.derivative(s) @ u + turning
-
-    def _columns(self, i: int, s: Matrix) -> tuple[tuple[int, Matrix], ...]:
-        joint = self.system.joints[i]
-        if joint.motion is not None:
-            return ()
-        if joint.coupling is not None:
-            leader, ratio, _ = self.leader(i)
-            return ((self.system.joints[leader].u, s * ratio),)
-        return tuple((joint.u + k, s.column(k)) for k in range(s.columns))
+        return [joint_motion(self, i) for i in range(len(self.system.joints))]
 
     # bodies
 
@@ -313,6 +237,23 @@ class Kinematics:
         carried = joint.rotation.T @ self.omega[parent]
         return joint.drift + Matrix.vstack(carried.cross(w_rel), carried.cross(v_rel) * 2)
 
+    # what is fixed to a body
+
+    @cached_property
+    def turns(self) -> list[Matrix | None]:
+        """R from the axes of every body to those its vectors are told in; None: the same."""
+        return [turn(self, body.turn) for body in self.system.bodies]
+
+    def fixed_to(self, body: int, x: Matrix) -> Matrix:
+        """Vectors in the axes of a body, (3, n), told as those of its motion are."""
+        turned = self.turns[body] if body >= 0 else None
+        return x if turned is None else turned @ x
+
+    def place(self, frame: int) -> Matrix:
+        """Origin of a frame from that of its body."""
+        f = self.system.frames[frame]
+        return self.fixed_to(f.body, self.vector(f.position))
+
     # frames, in ground axes
 
     def body_rotation(self, body: int) -> Matrix:
@@ -321,13 +262,14 @@ class Kinematics:
     def position(self, frame: int) -> Matrix:
         """Origin of a frame."""
         f = self.system.frames[frame]
-        at = self.vector(f.position)
+        at = self.place(frame)
         return at if f.body < 0 else self.ground_position[f.body] + self.body_rotation(f.body) @ at
 
     def rotation(self, frame: int) -> Matrix:
         """R from frame axes to ground axes."""
         f = self.system.frames[frame]
-        return self.body_rotation(f.body) @ self.matrix(3, 3, f.rotation)
+        axes = self.fixed_to(f.body, self.matrix(3, 3, f.rotation))
+        return self.body_rotation(f.body) @ axes
 
     def angular_velocity(self, frame: int) -> Matrix:
         body = self.system.frames[frame].body
@@ -340,7 +282,7 @@ class Kinematics:
         f = self.system.frames[frame]
         if f.body < 0:
             return Matrix.zeros(self.graph, 3)
-        at = self.vector(f.position)
+        at = self.place(frame)
         return self.ground_rotation[f.body] @ (self.v[f.body] + self.omega[f.body].cross(at))
 
     def q(self, joint: int) -> Matrix:

@@ -86,7 +86,7 @@ def _add_wrench(k: Kinematics, wrenches: dict[int, tuple[Matrix, Matrix]], load:
     frame = k.system.frames[load.frame]
     to_body = k.body_rotation(frame.body).T
     force = to_body @ load.force
-    torque = to_body @ load.torque + k.vector(frame.position).cross(force)
+    torque = to_body @ load.torque + k.place(load.frame).cross(force)
     if frame.body in wrenches:
         before = wrenches[frame.body]
         torque, force = before[0] + torque, before[1] + force

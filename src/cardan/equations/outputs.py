@@ -9,9 +9,10 @@ from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from ..spatial.moments import Inertia, second_moment
 from ..topology.system import Part
 from .dynamics import Dynamics
-from .inertia import Inertia, of_body
+from .inertia import of_body
 from .kinematics import Kinematics
 from .loads import applied
 from .relative.newton_euler import (
@@ -53,7 +54,7 @@ def acceleration(d: Dynamics, acc: Accelerations, frame: int) -> Matrix:
     k, f = d.k, d.k.system.frames[frame]
     if f.body < 0:
         return Matrix.zeros(k.graph, 6)
-    linear = acc.a[f.body] + acc.spread[f.body] @ k.vector(f.position)
+    linear = acc.a[f.body] + acc.spread[f.body] @ k.place(frame)
     r = k.ground_rotation[f.body]
     return Matrix.vstack(r @ acc.alpha[f.body], r @ linear + d.gravity)
 
@@ -130,7 +131,7 @@ def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matri
                 continue
             turned = k.ground_rotation[i].T
             force = turned @ Matrix(k.graph, 3, 1, nodes[3:])
-            at = k.vector(k.system.frames[part.frame].position)
+            at = k.place(part.frame)
             moment = turned @ Matrix(k.graph, 3, 1, nodes[:3]) + at.cross(force)
             if i in result:
                 moment, force = result[i][0] + moment, result[i][1] + force
@@ -220,7 +221,8 @@ def _part_force(d: Dynamics, body: int, part: Part, acc: Accelerations) -> tuple
     if body < 0:
         still = -d.gravity
         return inertia.moment.cross(still), still * inertia.mass
-    return second_moment_force(inertia, acc.a[body], acc.spread[body])
+    second = second_moment(inertia.tensor)
+    return second_moment_force(inertia, second, acc.a[body], acc.spread[body])
 
 
 def _applied(

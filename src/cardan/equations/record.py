@@ -12,38 +12,26 @@ from ..errors import DerivationError, near
 from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
+from ..ir.stage import stage
 from ..topology.system import Named, System
 from . import blocks
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .kinematics import Kinematics
-from .relative import FORMALISMS, OTHER_NAMES
+from .looped import LOOPED, homes, looped, repeats
+from .relative import FORMALISMS
+from .rewritten import Told, candidates
 from .steps import recursion
-from .sweeps import LATER, Sweeps
+from .sweeps import Sweeps
 
 if TYPE_CHECKING:
     import sympy
 
     from .mechanics import Mechanics
 
+COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
-# bodies above which loops are written, and how often a step must be used at least: measured on
-# chains, loops run 5 % slower and compile ten times faster at 100 bodies
-LOOPED, REPEATED = 60, 4
-# what a recursion over the bodies gives; udot where the formalism eliminates body by body
-LOOPS = (
-    "inverse_dynamics",
-    "bias",
-    "gravity",
-    "coriolis",
-    "applied",
-    "qdot",
-    "energy",
-    "com",
-    "momentum",
-)
-FORWARD_LOOPS = ("rhs", "forward_dynamics", "outputs", "power")
 
 
 @dataclass(frozen=True)
@@ -57,12 +45,16 @@ class Equations:
         method: Formalism.
         chosen: User-chosen generalized speeds, () for those of the joints.
         reason: Why ``method="auto"`` took this formalism, "" where the user did.
+        rewrites: Rewrites of the system graph that may be applied; None: what suits the formalism.
     """
 
     system: System
     method: str
     chosen: tuple[Named, ...] = ()
     reason: str = ""
+    rewrites: tuple[str, ...] | None = None
+    _told: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False, compare=False)
+    _counts: dict[str, Counts] = field(default_factory=dict, repr=False, compare=False)
     _made: dict[str, Function] = field(default_factory=dict, repr=False, compare=False)
     _read: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
@@ -135,9 +127,33 @@ class Equations:
         c_name = self.c_name(name, of)
         if c_name not in self._made:
             with collector_paused():
-                k = Kinematics(self.system, self.chosen)
-                self._made[c_name] = self._derive(name, c_name, of, k)
+                self._made[c_name], self._told[c_name] = self._fewest(name, c_name, of)
         return self._made[c_name]
+
+    def rewritten(self, name: str, of: str | None = None) -> tuple[str, ...]:
+        """Rewrites of the system graph from which a function was derived; see :func:`derive`."""
+        self.function(name, of)
+        return self._told[self.c_name(name, of)]
+
+    def notes(self, name: str, of: str | None, form: Function | Recursion) -> list[str]:
+        """What the head of a generated file says about how its function was derived."""
+        told = self.rewritten(name, of) if isinstance(form, Function) else ()
+        return [f"formalism: {self.method}", *([f"rewrites: {', '.join(told)}"] if told else [])]
+
+    @cached_property
+    def _candidates(self) -> list[Told]:
+        return candidates(self.system, self.method, () if self.chosen else self.rewrites)
+
+    def _fewest(self, name: str, c_name: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
+        """A function by the rewrites that leave the fewest operations."""
+        told = self._candidates if RECIPES[name].told else [((), self.system)]
+        made = [
+            (self._derive(name, c_name, of, Kinematics(system, self.chosen)), names)
+            for names, system in told
+        ]
+        if len(made) == 1:
+            return made[0]
+        return min(made, key=lambda pair: sum(stage(pair[0]).operations().values()))
 
     def _check_name(self, name: str, of: str | None) -> None:
         if name not in RECIPES:
@@ -167,7 +183,7 @@ class Equations:
             k = Kinematics(self.system, cut=True)
             function = self._derive(name, name, None, k)
             assert k.cuts is not None
-            return recursion(Sweeps(k.cuts, function, self._homes(function), self.system))
+            return recursion(Sweeps(k.cuts, function, homes(self.system, function), self.system))
 
     def form(
         self, name: str, of: str | None = None, loops: bool | None = None
@@ -182,32 +198,13 @@ class Equations:
         many = len(self.system.bodies) > LOOPED if loops is None else loops
         if many and of is None and self.loops(name):
             found = self.recursion(name)
-            visits = sum(len(sweep.visits) for sweep in found.sweeps)
-            if loops or visits >= REPEATED * len(found.steps):
+            if loops or repeats(found):
                 return found
         return self.function(name, of)
 
     def loops(self, name: str) -> bool:
         """Whether a function can be derived as a recursion."""
-        if self.chosen or self.method == "kane":
-            return False
-        return name in (FORWARD_LOOPS if self.method == "articulated" else ()) + LOOPS
-
-    def _homes(self, function: Function) -> list[int]:
-        """Body at whose visit every entry of the results is computed."""
-        q, u = [LATER] * self.system.nq, [LATER] * self.system.nu
-        for i, joint in enumerate(self.system.joints):
-            if joint.q >= 0:
-                for slots, first, count in (
-                    (q, joint.q, len(joint.element.coordinates)),
-                    (u, joint.u, len(joint.element.speeds)),
-                ):
-                    slots[first : first + count] = [i] * count
-        homes: list[int] = []
-        for o in function.outputs:
-            like = next((x for x in (q, u) if o.shape == (len(x),)), None)
-            homes += [LATER] * o.size if like is None else like
-        return homes
+        return not self.chosen and looped(self.method, name)
 
     def _derive(self, name: str, c_name: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
@@ -236,18 +233,26 @@ class Equations:
     def operations(self) -> dict[str, Counts]:
         """Operators per state-dependent block: M, h, forward and inverse dynamics.
 
-        Each counts by operator, and by body, joint and force element in ``.blocks``. Forward
-        dynamics is left out where it does not exist.
+        Each counts what runs at every call by operator, by body, joint and force element in
+        ``.blocks``, and what parameters alone determine in ``.prepared``. Forward dynamics is
+        left out where it does not exist.
         """
         counts = {}
-        for name in ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics"):
+        for name in COUNTED:
             try:
-                counts[name] = Counts(self.function(name))
+                counts[name] = self.operations_of(name)
             except DerivationError:
                 # M is singular, or the formalism does not take the joints: the rest can be shown
                 if name != "forward_dynamics":
                     raise
         return counts
+
+    def operations_of(self, name: str, of: str | None = None) -> Counts:
+        """Operators of one function as its C has them, after all passes."""
+        c_name = self.c_name(name, of)
+        if c_name not in self._counts:
+            self._counts[c_name] = Counts(self.function(name, of), self.rewritten(name, of))
+        return self._counts[c_name]
 
     @cached_property
     def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
@@ -260,6 +265,13 @@ class Equations:
             for i, entry in enumerate(b.entries)
         }
 
+    @cached_property
+    def as_described(self) -> Equations:
+        """The same without rewrites: in the frames and numbers of the user, for reading."""
+        if self.rewrites == ():
+            return self
+        return Equations(self.system, self.method, self.chosen, self.reason, ())
+
     def written(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix in readable form.
 
@@ -270,7 +282,7 @@ class Equations:
 
         if name not in self._read:
             try:
-                self._read[name] = readable(self.function(name), self.symbols)
+                self._read[name] = readable(self.as_described.function(name), self.symbols)
             except TooLong as problem:
                 raise DerivationError(
                     f"{name} has an entry of {problem.operations:,} operations: too long to write "
@@ -308,7 +320,8 @@ class Equations:
         from ..ir.sympy_bridge import to_sympy_shared
         from ..passes.trig import trig
 
-        replacements, matrix = to_sympy_shared(trig(self.function(name)), self.symbols, named=True)
+        function = trig(self.as_described.function(name))
+        replacements, matrix = to_sympy_shared(function, self.symbols, named=True)
         return replacements, matrix
 
     def to_sympy(self) -> Mechanics:
@@ -358,24 +371,3 @@ class Equations:
 
     def __str__(self) -> str:
         return overview(self)
-
-
-def choose(system: System, method: str) -> tuple[str, str]:
-    """Formalism and the reason for it.
-
-    Raises:
-        DerivationError: unknown method; names of other schools are translated.
-    """
-    if method in FORMALISMS:
-        return method, ""
-    if method != "auto":
-        other = OTHER_NAMES.get(method.lower())
-        hint = f" '{method}' is called '{other}' here." if other else near(method, FORMALISMS)
-        raise DerivationError(f"method '{method}' does not exist.{hint}")
-    depth = system.depth()
-    coupled = [j.name for j in system.joints if j.coupling is not None]
-    if coupled:
-        return "composite", f"joint {coupled[0]} is coupled"
-    if depth > 10:
-        return "articulated", f"{depth} joints deep"
-    return "composite", f"{depth} joints deep"

@@ -96,12 +96,7 @@ class Function:
 
     def critical_path(self) -> float:
         """Cost of the longest chain of dependent operations."""
-        depth: dict[int, float] = {}
-        for i in self.live():
-            node = self.graph.nodes[i]
-            own = OPERATORS[node[0]].cost if node[0] in OPERATORS else 0.0
-            depth[i] = own + max((depth[k] for k in operands(node)), default=0.0)
-        return max((depth[i] for i in self.roots), default=0.0)
+        return critical_path(self.graph, self.live())
 
 
 def operands(node: Node) -> tuple[int, ...]:
@@ -202,6 +197,20 @@ class Staged:
     def prepare_operations(self) -> dict[str, int]:
         """Number of nodes per operator in the parameter part."""
         return count(self.function.graph, self.prepared())
+
+    def critical_path(self) -> float:
+        """Cost of the longest chain of dependent operations of a call."""
+        return critical_path(self.function.graph, self.body())
+
+
+def critical_path(graph: Graph, nodes: Iterable[int]) -> float:
+    """Cost of the longest chain of dependent ones among nodes in topological order."""
+    depth: dict[int, float] = {}
+    for i in nodes:
+        node = graph.nodes[i]
+        own = OPERATORS[node[0]].cost if node[0] in OPERATORS else 0.0
+        depth[i] = own + max((depth.get(k, 0.0) for k in operands(node)), default=0.0)
+    return max(depth.values(), default=0.0)
 
 
 def count(graph: Graph, nodes: Iterable[int]) -> dict[str, int]:

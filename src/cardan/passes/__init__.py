@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 
 from ..ir.function import Function, Staged
 from ..ir.grammar import check
+from ..ir.stage import stage
 from .fold import fold
 from .reassociate import reassociate
-from .stage import stage
 from .trig import trig
 from .unroll import unroll
 

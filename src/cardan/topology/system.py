@@ -69,13 +69,30 @@ class Part:
 
 
 @dataclass(frozen=True)
+class Turn:
+    """How the axes of a body lie in those its quantities are told in.
+
+    Attributes:
+        axis: Index of the coordinate axis they are turned about.
+        joints: (joint, sign) of the angles that add up to that turn.
+    """
+
+    axis: int
+    joints: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True)
 class Body:
     """A rigid body with everything fixed to it. Index in the list = index of its inboard joint.
 
     Attributes:
         name: Name of its first part.
         parent: Body it is jointed to, -1 for the ground.
-        mass, first_moment, inertia: Sums over its parts.
+        mass, first_moment, inertia: Sums over its parts, or what the equations of motion need of
+            them where inertia was regrouped.
+        second_moment: The integral of x xᵀ dm (9) where regrouping gave it; else it follows from
+            the inertia.
+        turn: Set where vectors of the body are told in other axes than its own.
     """
 
     name: str
@@ -84,6 +101,8 @@ class Body:
     first_moment: Nodes
     inertia: Nodes
     parts: tuple[Part, ...]
+    second_moment: Nodes | None = None
+    turn: Turn | None = None
 
 
 @dataclass(frozen=True)
@@ -132,6 +151,8 @@ class Joint:
         coupling, motion: Set for a coupled or a prescribed joint.
         q0, u0: Initial values as named in the model.
         limits: (lower, upper, speed, effort) as far as given.
+        offset: Added to the angle of a joint along a line.
+        follows: Turns about the line about which the parent does, from the same axes at angle 0.
     """
 
     name: str
@@ -148,6 +169,8 @@ class Joint:
     q0: tuple[float, ...] | None = None
     u0: tuple[float, ...] | None = None
     limits: tuple[float | None, float | None, float | None, float | None] = (None,) * 4
+    offset: int = 0
+    follows: bool = False
 
 
 @dataclass(frozen=True)

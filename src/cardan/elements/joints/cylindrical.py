@@ -28,6 +28,8 @@ class Cylindrical(Joint):
 
     kind: ClassVar[str] = "cylindrical"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    line: ClassVar[str] = "axis"
+    angle: ClassVar[int | None] = 0
     axis: Direction = "z"
 
     def __post_init__(self) -> None:

@@ -34,6 +34,11 @@ class Joint(ABC):
 
     kind: ClassVar[str]
     source: ClassVar[str]
+    # the quantity that is the line of all motion, "" if there is none: joint frames may be turned
+    # about it and moved along it
+    line: ClassVar[str] = ""
+    # which coordinate is an angle about that line and nothing else
+    angle: ClassVar[int | None] = None
 
     @property
     @abstractmethod

@@ -28,6 +28,7 @@ class Prismatic(Joint):
 
     kind: ClassVar[str] = "prismatic"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    line: ClassVar[str] = "axis"
     axis: Direction = "z"
 
     def __post_init__(self) -> None:

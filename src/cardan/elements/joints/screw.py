@@ -29,6 +29,7 @@ class Screw(Joint):
 
     kind: ClassVar[str] = "screw"
     source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
+    line: ClassVar[str] = "axis"
     axis: Direction = "z"
     pitch: Any = 0.0
 

@@ -15,8 +15,9 @@ from ...errors import DerivationError
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
+from ...spatial.moments import turn_general, turn_symmetric
 from ..carried import CELLS, Sums
-from ..inertia import of_body, turn_general, turn_symmetric
+from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 
@@ -180,11 +181,12 @@ def _rest(
 def _carried(k: Kinematics, i: int, rest: Articulated, imposed: Matrix) -> Articulated:
     """The rest of body i as its parent feels it: velocity products added, turned and moved."""
     joint = k.joints[i]
-    fixed, r, p = k.matrix(3, 3, k.system.joints[i].rotation), joint.rotation, joint.position
+    r, p = joint.rotation, joint.position
     bias = rest.bias + rest.times(imposed)
-    tensor = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.I))
-    coupling = turn_general(fixed, turn_general(joint.inner, rest.H))
-    mass = turn_symmetric(fixed, turn_symmetric(joint.inner, rest.M))
+    tensor, coupling, mass = rest.I, rest.H, rest.M
+    for turn in reversed(joint.turns):
+        tensor, mass = turn_symmetric(turn, tensor), turn_symmetric(turn, mass)
+        coupling = turn_general(turn, coupling)
     force = r @ bias.block(slice(3, 6))
     moment = r @ bias.block(slice(0, 3)) + p.cross(force)
     # a = a_p - [p] alpha_p, moment about the parent's origin: + [p] force

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...spatial.moments import Inertia, moved, turn_symmetric
 from ..carried import CELLS
-from ..inertia import Inertia, moved, of_body, turn_symmetric
+from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 
@@ -32,8 +33,9 @@ def composites(k: Kinematics) -> list[Inertia]:
 def carried(k: Kinematics, i: int, inertia: Inertia) -> Inertia:
     """An inertia of body i about the origin and in the axes of its parent."""
     joint = k.joints[i]
-    fixed = k.matrix(3, 3, k.system.joints[i].rotation)
-    tensor = turn_symmetric(fixed, turn_symmetric(joint.inner, inertia.tensor))
+    tensor = inertia.tensor
+    for turn in reversed(joint.turns):
+        tensor = turn_symmetric(turn, tensor)
     turned = Inertia(inertia.mass, joint.rotation @ inertia.moment, tensor)
     return moved(turned, joint.position)
 

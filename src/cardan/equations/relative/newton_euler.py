@@ -15,8 +15,9 @@ from dataclasses import dataclass
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
+from ...spatial.moments import Inertia
 from ..carried import CELLS, Sums
-from ..inertia import Inertia, of_body, second_moment
+from ..inertia import of_body, second_moment_of_body
 from ..kinematics import Kinematics
 from ..loads import Loads, spread
 
@@ -92,18 +93,27 @@ def _spread(omega: Matrix, alpha: Matrix) -> Matrix:
 
 def inertia_force(k: Kinematics, i: int, acc: Accelerations) -> tuple[Matrix, Matrix]:
     """Rate of change of momentum of a body about its origin: moment and force."""
-    inertia, name = of_body(k, i), k.owner(i)
-    second_moment(inertia.tensor).label(name, "second_moment", CELLS)
-    with k.graph.made_by(name, "inertia_force"):
-        return second_moment_force(inertia, acc.a[i], acc.spread[i])
+    inertia, second = of_body(k, i), second_moment_of_body(k, i)
+    with k.graph.made_by(k.owner(i), "inertia_force"):
+        return second_moment_force(inertia, second, acc.a[i], acc.spread[i])
 
 
-def second_moment_force(inertia: Inertia, a: Matrix, spread: Matrix) -> tuple[Matrix, Matrix]:
+def second_moment_force(
+    inertia: Inertia, second: Matrix, a: Matrix, spread: Matrix
+) -> tuple[Matrix, Matrix]:
     """Moment and force that accelerate an inertia: origin by a, field by U = ``spread``."""
-    uj = spread @ second_moment(inertia.tensor)
-    turning = [uj[2, 1] - uj[1, 2], uj[0, 2] - uj[2, 0], uj[1, 0] - uj[0, 1]]
-    moment = Matrix.vector(a.graph, turning) + inertia.moment.cross(a)
+    moment = _turning(spread, second) + inertia.moment.cross(a)
     return moment, a * inertia.mass + spread @ inertia.moment
+
+
+def _turning(u: Matrix, j: Matrix) -> Matrix:
+    """2 vee(skew(U J)) of a symmetric J; entries off the diagonal of J meet differences of U."""
+    rows = []
+    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        along = u[z, y] * j[y, y] - u[y, z] * j[z, z]
+        across = j[y, z] * (u[z, z] - u[y, y]) + u[z, x] * j[x, y] - u[y, x] * j[x, z]
+        rows.append(along + across)
+    return Matrix.vector(u.graph, rows)
 
 
 def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces:

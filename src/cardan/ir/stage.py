@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ..ir.function import Function, Staged
-from ..ir.ops import LEAVES
+from .function import Function, Staged
+from .ops import LEAVES
 
 
 def stage(function: Function, block: str = "p") -> Staged:

@@ -1,0 +1,151 @@
+"""Motion of a body against its parent, by the joint between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ..ir.arithmetic import Scalar, cos, sin
+from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
+from ..spatial.axis import elementary, principal
+from ..topology.system import Turn
+from .carried import CELLS, XYZ
+
+if TYPE_CHECKING:
+    from .kinematics import Kinematics
+
+
+@dataclass(frozen=True)
+class JointMotion:
+    """Motion of a body against its parent.
+
+    Attributes:
+        q, u: Coordinates and speeds of the joint as expressions of the system's.
+        turns: Rotations (3, 3) whose product is ``rotation``.
+        rotation: R from child axes to parent axes (3, 3).
+        position: Origin of the child in parent axes (3, 1).
+        S: Modes of motion (6, nu of the joint), child axes.
+        columns: (k, column of S (6, 1)) for every system speed k that moves the joint.
+        velocity: S u (6, 1).
+        drift: Acceleration against the parent, as seen from it, that needs no udot (6, 1): Sdot u,
+            [0; omega x v], and S times a prescribed acceleration.
+    """
+
+    q: Matrix
+    u: Matrix
+    turns: tuple[Matrix, ...]
+    rotation: Matrix
+    position: Matrix
+    S: Matrix
+    columns: tuple[tuple[int, Matrix], ...]
+    velocity: Matrix
+    drift: Matrix
+
+
+def joint_motion(k: Kinematics, i: int) -> JointMotion:
+    """Motion of body i against its parent, told in the axes of the two."""
+    joint, q, u, data = k.system.joints[i], k.coordinates[i], k.speeds[i], k.data[i]
+    g, name, parent = k.graph, joint.name, k.system.bodies[i].parent
+    fixed, at = k.matrix(3, 3, joint.rotation), k.vector(joint.position)
+    with g.made_by(name, "R"):
+        inner, shift = joint.element.pose(_with_offset(k, i), **data)
+        _label_angles(k, name, inner)
+        turns = _turns(k, i, fixed, k.carry(i, "inner", inner, (), name))
+        product = Matrix.identity(g, 3)
+        for r in turns:
+            product = product @ r
+        rotation = k.carry(i, "R", product, CELLS, name)
+    with g.made_by(name, "p"):
+        position = k.carry(i, "p", k.fixed_to(parent, at + fixed @ shift), XYZ, name)
+    with g.made_by(name, "S"):
+        modes = joint.element.motion(q, **data)
+        s = k.carry(i, "S", modes, (), name)
+    with g.made_by(name, "velocity"):
+        velocity = k.carry(i, "relative", s @ u, (), name)
+    with g.made_by(name, "drift"):
+        drift = _drift(k, i, modes, velocity)
+        if joint.motion is not None:
+            drift = drift + s * Scalar(g, k.resolve([joint.motion.acceleration])[0])
+    return JointMotion(q, u, turns, rotation, position, s, _columns(k, i, s), velocity, drift)
+
+
+def turn(k: Kinematics, made: Turn | None) -> Matrix | None:
+    """R from the axes of a body to those that do not turn with it."""
+    if made is None:
+        return None
+    with k.graph.made_by(k.system.joints[made.joints[-1][0]].name, "turn"):
+        return _about(k, made.axis, made.joints)
+
+
+def _about(k: Kinematics, axis: int, joints: tuple[tuple[int, int], ...]) -> Matrix:
+    """Rotation about a coordinate axis by the sum of the angles of joints."""
+    total = Scalar(k.graph, ZERO)
+    for j, sign in joints:
+        angle = k.system.joints[j].element.angle
+        assert angle is not None
+        total = total + _with_offset(k, j)[angle] * sign
+    rotation = elementary(axis, cos(total), sin(total))
+    _label_angles(k, k.system.joints[joints[-1][0]].name, rotation)
+    return rotation
+
+
+def _turns(k: Kinematics, i: int, fixed: Matrix, inner: Matrix) -> tuple[Matrix, ...]:
+    """Rotations whose product leads from the axes of body i to those of its parent."""
+    body, parent = k.system.bodies[i], k.system.bodies[i].parent
+    before = k.system.bodies[parent].turn if parent >= 0 else None
+    if before is None:
+        return (fixed,) if body.turn is not None else (fixed, inner)
+    around = k.turns[parent]
+    assert around is not None
+    joint = k.system.joints[i]
+    if joint.follows:
+        if body.turn is not None:
+            return ()
+        along = principal(k.matrix(*joint.data[joint.element.line]))
+        assert along is not None
+        return (_about(k, before.axis, (*before.joints, (i, along[1]))),)
+    return (around, fixed) if body.turn is not None else (around, fixed, inner)
+
+
+def _with_offset(k: Kinematics, i: int) -> Matrix:
+    """Coordinates of a joint, its angle counted from where the axes were put."""
+    joint, q = k.system.joints[i], k.coordinates[i]
+    if joint.offset == ZERO:
+        return q
+    nodes = list(q.nodes)
+    assert joint.element.angle is not None
+    at = joint.element.angle
+    nodes[at] = k.graph.add(nodes[at], joint.offset)
+    return Matrix(k.graph, len(nodes), 1, nodes)
+
+
+def _label_angles(k: Kinematics, name: str, rotation: Matrix) -> None:
+    """Call cosines and sines of joint angles what they are."""
+    for node in rotation.nodes:
+        op = k.graph.nodes[node][0]
+        if op in ("cos", "sin"):
+            k.graph.label(node, name, op)
+
+
+def _drift(k: Kinematics, i: int, s: Matrix, velocity: Matrix) -> Matrix:
+    """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
+    q, u = k.coordinates[i], k.speeds[i]
+    own = k.system.joints[i].element.convective(q, u, **k.data[i])
+    if own is not None:
+        return own
+    w, v = velocity.block(slice(0, 3)), velocity.block(slice(3, 6))
+    turning = Matrix.vstack(Matrix.zeros(k.graph, 3), w.cross(v))
+    if all(k.graph.value(x) is not None for x in s.nodes):
+        return turning
+    return k.derivative(s) @ u + turning
+
+
+def _columns(k: Kinematics, i: int, s: Matrix) -> tuple[tuple[int, Matrix], ...]:
+    joint = k.system.joints[i]
+    if joint.motion is not None:
+        return ()
+    if joint.coupling is not None:
+        leader, ratio, _ = k.leader(i)
+        return ((k.system.joints[leader].u, s * ratio),)
+    return tuple((joint.u + k, s.column(k)) for k in range(s.columns))

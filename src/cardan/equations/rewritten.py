@@ -1,0 +1,68 @@
+"""Which rewrites of the system graph a function is derived from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..errors import DerivationError, near
+from ..topology.rewrites import REWRITES
+from ..topology.system import System
+
+Told = tuple[tuple[str, ...], System]
+# the deepest tree whose inertia is regrouped where joints are eliminated one by one: regrouped
+# inertias grow with the number of bodies outboard, and with them the rounding of what is left;
+# measured on chains, 30 joints lose a digit
+DEEPEST = 12
+
+
+def check_names(names: Sequence[str]) -> tuple[str, ...]:
+    """Names of rewrites in the order in which they are applied.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    for name in names:
+        if name not in REWRITES:
+            raise DerivationError(f"rewrite '{name}' does not exist.{near(name, REWRITES)}")
+    return tuple(name for name in REWRITES if name in names)
+
+
+def candidates(system: System, method: str, names: tuple[str, ...] | None) -> list[Told]:
+    """The ways to tell a system from which the one with the fewest operations is taken.
+
+    Args:
+        system: As the user described it.
+        method: Formalism; Kane's takes velocities apart in axes that turn with the bodies.
+        names: What was asked for; None for what suits the formalism.
+
+    Returns:
+        (names of the rewrites that changed something, system) of each.
+
+    Raises:
+        DerivationError: asked for what the formalism does not take.
+    """
+    wanted = tuple(REWRITES) if names is None else names
+    if method == "kane":
+        if names and "parallel" in names:
+            raise DerivationError(
+                "rewrite 'parallel': method 'kane' needs axes that turn with their bodies; leave "
+                "it out or use another method"
+            )
+        wanted = () if names is None else names
+    elif names is None and method == "articulated" and system.depth() > DEEPEST:
+        wanted = tuple(name for name in wanted if name != "base_parameters")
+    found = [_rewritten(system, wanted)]
+    # axes that do not turn save where much passes between bodies: both ways are counted
+    if names is None and "parallel" in found[0][0]:
+        found.append(_rewritten(system, tuple(n for n in wanted if n != "parallel")))
+    return found
+
+
+def _rewritten(system: System, names: tuple[str, ...]) -> Told:
+    applied = []
+    for name in names:
+        changed = REWRITES[name](system)
+        if changed is not system:
+            applied.append(name)
+        system = changed
+    return tuple(applied), system

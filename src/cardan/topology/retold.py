@@ -1,0 +1,98 @@
+"""A system told in other frames of its bodies: the same motion, coordinates and speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from ..ir.arithmetic import Scalar
+from ..ir.graph import Graph
+from ..ir.matrix import Matrix
+from ..spatial.moments import Inertia, moved, turn_symmetric
+from .system import Body, Frame, Joint, System
+
+
+@dataclass(frozen=True)
+class Placed:
+    """The new frame of a body in its old one.
+
+    Attributes:
+        rotation: R from new to old axes (3, 3).
+        origin: New origin in old axes (3, 1).
+    """
+
+    rotation: Matrix
+    origin: Matrix
+
+    def rotated(self, x: Matrix) -> Matrix:
+        """A vector or the columns of a rotation, from old to new axes."""
+        return self.rotation.T @ x
+
+    def point(self, p: Matrix) -> Matrix:
+        """A point, from the old frame to the new one."""
+        return self.rotation.T @ (p - self.origin)
+
+
+def retold(
+    system: System, graph: Graph, placed: Sequence[Placed], joints: Mapping[int, Joint]
+) -> System:
+    """The system in new frames of its bodies.
+
+    Args:
+        system: In old frames.
+        graph: A fork of the system's, with the new expressions.
+        placed: New frame of every body.
+        joints: Joints that change in another way too: their parent side is taken as it stands.
+            Of all others the motion must commute with the change of the outer frame.
+    """
+    told = []
+    for i, joint in enumerate(system.joints):
+        if i in joints:
+            told.append(joints[i])
+            continue
+        rotation, position = reached(system, graph, placed, i)
+        told.append(replace(joint, rotation=rotation.nodes, position=position.nodes))
+    return replace(
+        system,
+        graph=graph,
+        bodies=tuple(_body(graph, b, at) for b, at in zip(system.bodies, placed, strict=True)),
+        joints=tuple(told),
+        frames=tuple(_frame(graph, f, placed) for f in system.frames),
+    )
+
+
+def reached(
+    system: System, graph: Graph, placed: Sequence[Placed], i: int
+) -> tuple[Matrix, Matrix]:
+    """Parent side of joint i in new frames: R (3, 3) and position (3, 1) in axes of the parent."""
+    joint, parent, own = system.joints[i], system.bodies[i].parent, placed[i]
+    rotation = Matrix(graph, 3, 3, joint.rotation)
+    position = Matrix(graph, 3, 1, joint.position) + rotation @ own.origin
+    rotation = rotation @ own.rotation
+    if parent < 0:
+        return rotation, position
+    return placed[parent].rotated(rotation), placed[parent].point(position)
+
+
+def _body(graph: Graph, body: Body, at: Placed) -> Body:
+    """Mass properties about the new origin in new axes; the parts stay with the old system."""
+    with graph.made_by(body.name, "mass"):
+        inertia = Inertia(
+            Scalar(graph, body.mass),
+            Matrix(graph, 3, 1, body.first_moment),
+            Matrix(graph, 3, 3, body.inertia),
+        )
+        # the new origin sees the old one at -origin
+        inertia = moved(inertia, -at.origin)
+        moment = at.rotated(inertia.moment)
+        tensor = turn_symmetric(at.rotation.T, inertia.tensor)
+    return replace(body, first_moment=moment.nodes, inertia=tensor.nodes, parts=())
+
+
+def _frame(graph: Graph, frame: Frame, placed: Sequence[Placed]) -> Frame:
+    if frame.body < 0:
+        return frame
+    at = placed[frame.body]
+    rotation = at.rotated(Matrix(graph, 3, 3, frame.rotation))
+    position = at.point(Matrix(graph, 3, 1, frame.position))
+    return replace(frame, rotation=rotation.nodes, position=position.nodes)

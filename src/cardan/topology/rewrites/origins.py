@@ -1,0 +1,61 @@
+"""Origins: moved along the lines of the joints, so that positions between them have fewer parts.
+
+The origin of a body may lie anywhere on the line of its joint. Where the joint sits off the origin
+of its parent along that very line, the offset is passed on to the joints outboard, where it meets
+another one or, at the tip of a branch, nothing at all.
+
+Source: Khalil and Kleinfinger, A New Geometric Notation for Open and Closed-Loop Robots, IEEE ICRA
+1986, for trees.
+"""
+
+from __future__ import annotations
+
+from ...ir.graph import ZERO, Graph
+from ...ir.matrix import Matrix
+from ...spatial.axis import principal
+from ..retold import Placed, reached, retold
+from ..system import System
+
+
+def origins(system: System) -> System:
+    """The system with origins of a better choice."""
+    graph = system.graph.fork()
+    children: list[list[int]] = [[] for _ in system.bodies]
+    for i, body in enumerate(system.bodies):
+        if body.parent >= 0:
+            children[body.parent].append(i)
+    identity, zero = Matrix.identity(graph, 3), Matrix.zeros(graph, 3)
+    placed = [Placed(identity, zero) for _ in system.bodies]
+    moved = False
+    for i, body in enumerate(system.bodies):
+        with graph.made_by(body.name, "origin"):
+            shift = _shift(system, graph, placed, i, children[i])
+        if shift is not None:
+            placed[i], moved = Placed(identity, shift), True
+    return retold(system, graph, placed, {}) if moved else system
+
+
+def _shift(
+    system: System, graph: Graph, placed: list[Placed], i: int, children: list[int]
+) -> Matrix | None:
+    """How far the origin of body i goes along its line; None where it stays."""
+    joint = system.joints[i]
+    if not joint.element.line:
+        return None
+    own = principal(Matrix(graph, *joint.data[joint.element.line]))
+    rotation, position = reached(system, graph, placed, i)
+    if own is None:
+        return None
+    k, _ = own
+    outer = principal(rotation.column(k))
+    if outer is None or position.nodes[outer[0]] == ZERO:
+        return None
+    # what is passed on must take no zero from several joints, nor from one that has no offset yet
+    # unless this one gets none: such joints cost least
+    outer_joints = [system.joints[child].position for child in children]
+    new = [at for at in outer_joints if at[k] == ZERO]
+    left = any(node for j, node in enumerate(position.nodes) if j != outer[0])
+    if len(new) > 1 or (left and new and not all(any(at) for at in outer_joints)):
+        return None
+    distance = position[outer[0]] * -outer[1]
+    return Matrix.vector(graph, [distance if j == k else 0.0 for j in range(3)])
