@@ -5,9 +5,9 @@
  * rewrites: parallel, base_parameters
  * passes: reassociate
  *
- * Sizes: out 3, work 0, w 17
- * Operations per call: 132 = 71 mul, 36 add, 21 sub, 2 cos, 2 sin
- * Operations of prepare: 70 = 29 mul, 28 add, 11 sub, 1 cos, 1 sin
+ * Sizes: out 3, work 0, w 16
+ * Operations per call: 129 = 69 mul, 35 add, 21 sub, 2 cos, 2 sin
+ * Operations of prepare: 71 = 29 add, 29 mul, 11 sub, 1 cos, 1 sin
  *
  * Input q (3): generalized coordinates
  *   q[0]  waist [rad]
@@ -114,25 +114,25 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal mul_1_3 = 0.5 * (forearm_inertia_xx_2 + forearm_inertia_zz_2
         + forearm_inertia_yy_2);
 
-    /* column: base second moment */
-    w[10] = mul_1 - column_inertia_xx_2; /* column_base_second_moment_xx */
-    /* column_base_second_moment_yy */
-    w[15] = mul_1_3 - forearm_inertia_yy_2 + (mul_1 - column_inertia_yy_2 + (mul_1_2
-        - upper_arm_inertia_yy_2));
+    /* column: base second moment, inertia force */
+    const wreal column_base_second_moment_xx = mul_1 - column_inertia_xx_2;
+    const wreal column_base_second_moment_yy = mul_1_3 - forearm_inertia_yy_2 + (mul_1
+        - column_inertia_yy_2 + (mul_1_2 - upper_arm_inertia_yy_2));
+    w[14] = column_base_second_moment_xx + column_base_second_moment_yy; /* column_inertia_force */
 
     /* upper_arm: base second moment */
     const wreal upper_arm_base_second_moment_zz = mul_1_2 - upper_arm_inertia_zz_2;
     const wreal upper_arm_base_second_moment_xx = mul_1_2 - upper_arm_inertia_xx + (forearm_base
         + forearm_base);
-    w[11] = upper_arm_base_second_moment_zz; /* upper_arm_base_second_moment_zz */
-    w[14] = upper_arm_base_second_moment_xx; /* upper_arm_base_second_moment_xx */
+    w[10] = upper_arm_base_second_moment_zz; /* upper_arm_base_second_moment_zz */
+    w[13] = upper_arm_base_second_moment_xx; /* upper_arm_base_second_moment_xx */
 
     /* forearm: base second moment */
-    w[12] = mul_1_3 - forearm_inertia_xx_2; /* forearm_base_second_moment_xx */
-    w[13] = mul_1_3 - forearm_inertia_zz_2; /* forearm_base_second_moment_zz */
+    w[11] = mul_1_3 - forearm_inertia_xx_2; /* forearm_base_second_moment_xx */
+    w[12] = mul_1_3 - forearm_inertia_zz_2; /* forearm_base_second_moment_zz */
 
     /* common */
-    w[16] = upper_arm_base_second_moment_zz - upper_arm_base_second_moment_xx; /* sub_1 */
+    w[15] = upper_arm_base_second_moment_zz - upper_arm_base_second_moment_xx; /* sub_1 */
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -174,8 +174,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shoulder_udot = udot[1]; /* rad/s^2 */
     const real elbow_udot = udot[2]; /* rad/s^2 */
     const wreal forearm_first_moment_x = w[6];
-    const wreal forearm_base_second_moment_xx = w[12];
-    const wreal forearm_base_second_moment_zz = w[13];
+    const wreal forearm_base_second_moment_xx = w[11];
+    const wreal forearm_base_second_moment_zz = w[12];
     const real forearm_alpha = waist_u * elbow_sin;
     const real forearm_omega_z = waist_u * elbow_cos;
     const real forearm_omega_y = shoulder_u + elbow_u;
@@ -238,8 +238,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_f_y = forearm_first_moment_x * forearm_U_yx;
 
     /* common */
-    const wreal upper_arm_base_second_moment_xx = w[14];
-    const wreal sub_1 = w[16];
+    const wreal upper_arm_base_second_moment_xx = w[13];
+    const wreal sub_1 = w[15];
     const real mul_1_4 = shoulder_sin * sub_1;
     const real mul_1_5 = shoulder_sin * mul_1_4;
     const real add_1 = upper_arm_base_second_moment_xx + mul_1_5;
@@ -247,23 +247,21 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* upper_arm: n */
     const wreal upper_arm_base_moment_x = w[9];
-    const wreal upper_arm_base_second_moment_zz = w[11];
+    const wreal upper_arm_base_second_moment_zz = w[10];
     const real upper_arm_n_2 = waist_udot * upper_arm_turned
         + upper_arm_base_moment_x * shoulder_cos * gravity_z + mul_1_6 * (upper_arm_U_2
         - upper_arm_U_3);
     const real upper_arm_n_3 = forearm_n_y - elbow_p_x * (elbow_sin * forearm_inertia_force_2
         - elbow_cos * forearm_inertia_force_3);
-    const real upper_arm_n_y = shoulder_udot * (upper_arm_base_second_moment_zz - mul_1_5)
-        + shoulder_udot * add_1 + upper_arm_n_2 + forearm_f + upper_arm_n_3;
+    const real upper_arm_n_y = shoulder_udot * (upper_arm_base_second_moment_zz - mul_1_5
+        + add_1) + upper_arm_n_2 + forearm_f + upper_arm_n_3;
     const real upper_arm_n_4 = upper_arm_U_yz * mul_1_6 + upper_arm_n + waist_udot * add_1
         + elbow_p_x * forearm_f_y + elbow_cos * forearm_n_z;
     const real upper_arm_n_z = upper_arm_n_4 - elbow_sin * forearm_n_x;
 
     /* column: n */
-    const wreal column_base_second_moment_xx = w[10];
-    const wreal column_base_second_moment_yy = w[15];
-    const real column_n_z = column_base_second_moment_xx * waist_udot
-        + column_base_second_moment_yy * waist_udot + upper_arm_n_z;
+    const wreal column_inertia_force = w[14];
+    const real column_n_z = waist_udot * column_inertia_force + upper_arm_n_z;
 
     /* elbow: tau */
     const wreal elbow_damping = w[5]; /* N*m*s/rad */

@@ -173,7 +173,7 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
     """
     return _call(
         c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
-        2, 0, 5, (2,),
+        2, 0, 4, (2,),
     )
 
 

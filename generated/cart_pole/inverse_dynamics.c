@@ -5,9 +5,9 @@
  * rewrites: base_parameters
  * passes: reassociate
  *
- * Sizes: out 2, work 0, w 5
- * Operations per call: 21 = 12 mul, 5 add, 2 sub, 1 cos, 1 sin
- * Operations of prepare: 8 = 4 add, 3 mul, 1 sub
+ * Sizes: out 2, work 0, w 4
+ * Operations per call: 19 = 11 mul, 4 add, 2 sub, 1 cos, 1 sin
+ * Operations of prepare: 9 = 5 add, 3 mul, 1 sub
  *
  * Input q (2): generalized coordinates
  *   q[0]  track [m]
@@ -34,7 +34,7 @@
 
 CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, mass, inertia, base second moment */
+    /* pole: first moment, mass, inertia, base second moment, inertia force */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_xx = p[4]; /* kg m^2 */
@@ -44,9 +44,9 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal pole_inertia_xx_2 = pole_inertia_xx + pole_mass_2;
     const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_mass_2;
     const wreal pole_base_second_moment_zz = 0.5 * (pole_inertia_xx_2 + pole_inertia_yy_2);
+    const wreal pole_base_second_moment_xx = pole_base_second_moment_zz - pole_inertia_xx_2;
     w[1] = pole_first_moment_z; /* pole_first_moment_z */
-    w[3] = pole_base_second_moment_zz; /* pole_base_second_moment_zz */
-    w[4] = pole_base_second_moment_zz - pole_inertia_xx_2; /* pole_base_second_moment_xx */
+    w[3] = pole_base_second_moment_zz + pole_base_second_moment_xx; /* pole_inertia_force */
 
     /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
@@ -77,13 +77,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal pole_first_moment_z = w[1];
-    const wreal pole_base_second_moment_zz = w[3];
-    const wreal pole_base_second_moment_xx = w[4];
+    const wreal pole_inertia_force = w[3];
     const real pole_a_x = track_udot * hinge_cos + gravity_z * hinge_sin;
     const real pole_f_x = pole_first_moment_z * hinge_udot;
     /* tau: hinge.u.tau [N*m] */
-    out[1] = pole_base_second_moment_zz * hinge_udot + pole_base_second_moment_xx * hinge_udot
-        + pole_first_moment_z * pole_a_x;
+    out[1] = hinge_udot * pole_inertia_force + pole_first_moment_z * pole_a_x;
 
     /* cart: f */
     const real hinge_u = u[1]; /* rad/s */

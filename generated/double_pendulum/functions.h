@@ -26,7 +26,7 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *w);
 enum {
     inverse_dynamics_out_size = 2,
     inverse_dynamics_work_size = 0,
-    inverse_dynamics_w_size = 7
+    inverse_dynamics_w_size = 6
 };
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *w);

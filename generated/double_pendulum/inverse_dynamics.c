@@ -5,9 +5,9 @@
  * rewrites: base_parameters
  * passes: reassociate
  *
- * Sizes: out 2, work 0, w 7
- * Operations per call: 35 = 19 mul, 7 sub, 5 add, 2 cos, 2 sin
- * Operations of prepare: 17 = 11 mul, 5 add, 1 sub
+ * Sizes: out 2, work 0, w 6
+ * Operations per call: 31 = 17 mul, 7 sub, 3 add, 2 cos, 2 sin
+ * Operations of prepare: 19 = 11 mul, 7 add, 1 sub
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -45,12 +45,15 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal lower_base_2 = 0.5 * m * l * l;
     const wreal lower_base_second_moment_zz = 0.5 * (upper_inertia_xx + upper_inertia_xx);
     w[3] = upper_mass + m * l; /* lower_base */
-    w[4] = lower_base_second_moment_zz; /* lower_base_second_moment_zz */
 
-    /* upper: base second moment */
-    w[5] = lower_base_second_moment_zz - upper_inertia_xx; /* upper_base_second_moment_xx */
-    /* upper_base_second_moment_zz */
-    w[6] = lower_base_2 + lower_base_second_moment_zz + lower_base_2;
+    /* upper: base second moment, inertia force */
+    const wreal upper_base_second_moment_xx = lower_base_second_moment_zz - upper_inertia_xx;
+    const wreal upper_base_second_moment_zz = lower_base_2 + lower_base_second_moment_zz
+        + lower_base_2;
+    w[4] = upper_base_second_moment_xx + upper_base_second_moment_zz; /* upper_inertia_force */
+
+    /* lower: inertia force */
+    w[5] = lower_base_second_moment_zz + upper_base_second_moment_xx; /* lower_inertia_force */
 
     /* parameters as they are */
     w[0] = p[1]; /* l [m] */
@@ -77,35 +80,31 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_cos = cardan_cos(elbow_q);
     const real elbow_sin = cardan_sin(elbow_q);
 
-    /* upper: a, n */
-    const real shoulder_udot = udot[0]; /* rad/s^2 */
+    /* upper: a */
     const wreal gravity_z = w[1]; /* m/s^2 */
-    const wreal lower_base = w[3];
-    const wreal upper_base_second_moment_xx = w[5];
-    const wreal upper_base_second_moment_zz = w[6];
     const real upper_a_x = gravity_z * shoulder_sin;
-    const real upper_n = upper_base_second_moment_zz * shoulder_udot
-        + upper_base_second_moment_xx * shoulder_udot - lower_base * upper_a_x;
 
     /* lower: omega, alpha, a, n, f */
     const real shoulder_u = u[0]; /* rad/s */
     const real elbow_u = u[1]; /* rad/s */
+    const real shoulder_udot = udot[0]; /* rad/s^2 */
     const real elbow_udot = udot[1]; /* rad/s^2 */
     const wreal l = w[0]; /* m */
     const wreal upper_mass = w[2];
-    const wreal lower_base_second_moment_zz = w[4];
+    const wreal lower_inertia_force = w[5];
     const real lower_omega_y = shoulder_u + elbow_u;
     const real lower_alpha_y = shoulder_udot + elbow_udot;
     const real lower_a_x = elbow_cos * (upper_a_x - l * shoulder_udot)
         - elbow_sin * (shoulder_u * shoulder_u * l - gravity_z * shoulder_cos);
-    const real lower_n_y = lower_base_second_moment_zz * lower_alpha_y
-        + upper_base_second_moment_xx * lower_alpha_y - upper_mass * lower_a_x;
+    const real lower_n_y = lower_alpha_y * lower_inertia_force - upper_mass * lower_a_x;
     const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
+    const real lower_f = l * (elbow_sin * lower_f_z - upper_mass * lower_alpha_y * elbow_cos);
     out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
 
     /* upper: n */
+    const wreal lower_base = w[3];
+    const wreal upper_inertia_force = w[4];
     /* tau: shoulder.u.tau [N*m] */
-    out[0] = upper_n - l * (elbow_sin * lower_f_z - upper_mass * lower_alpha_y * elbow_cos)
-        + lower_n_y;
+    out[0] = shoulder_udot * upper_inertia_force - lower_base * upper_a_x - lower_f + lower_n_y;
     return CARDAN_OK;
 }

@@ -6,8 +6,8 @@
  * passes: reassociate
  *
  * Sizes: out 5, work 0, w 14
- * Operations per call: 179 = 107 mul, 31 add, 31 sub, 4 cos, 4 sin, 1 table, 1 tanh
- * Operations of prepare: 39 = 22 mul, 11 add, 5 sub, 1 div
+ * Operations per call: 178 = 107 mul, 31 sub, 30 add, 4 cos, 4 sin, 1 table, 1 tanh
+ * Operations of prepare: 40 = 22 mul, 12 add, 5 sub, 1 div
  *
  * Input t (1): time
  *   t[0]  t [s]
@@ -81,14 +81,15 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
         + right_rope * right_bucket_mass;
     w[4] = right_bucket_mass; /* right_bucket_mass */
 
-    /* wheel: mass, inertia, base second moment */
+    /* wheel: mass, inertia, base second moment, inertia force */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
     const wreal wheel_mass = radius * radius;
     const wreal wheel_inertia_xx = 0.2708333333333333 * wheel * wheel_mass;
     const wreal wheel_inertia_yy = 0.5 * wheel * wheel_mass;
-    /* wheel_base_second_moment_xx */
-    w[13] = 0.5 * (wheel_inertia_xx + wheel_inertia_xx + wheel_inertia_yy) - wheel_inertia_xx;
+    const wreal wheel_base_second_moment_xx = 0.5 * (wheel_inertia_xx + wheel_inertia_xx
+        + wheel_inertia_yy) - wheel_inertia_xx;
+    w[13] = wheel_base_second_moment_xx + wheel_base_second_moment_xx; /* wheel_inertia_force */
 
     /* axle: coupling */
     w[5] = 1.0 / radius; /* axle_coupling */
@@ -251,12 +252,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_air_force_3 = right_hang_cos_2 * right_air_data
         + right_hang_R_yx * right_air_data_2;
 
-    /* wheel: alpha, inertia force, n */
+    /* wheel: alpha, n */
     const wreal axle_coupling = w[5];
-    const wreal wheel_base_second_moment_xx = w[13];
+    const wreal wheel_inertia_force = w[13];
     const real wheel_alpha_y = axle_coupling * track_udot;
-    const real wheel_inertia_force = wheel_base_second_moment_xx * wheel_alpha_y;
-    const real wheel_n_y = wheel_inertia_force + wheel_inertia_force;
+    const real wheel_n_y = wheel_alpha_y * wheel_inertia_force;
 
     /* left.bucket: n, f */
     const real left_bucket_n_x = left_bucket_f

@@ -13,6 +13,9 @@ Told = tuple[tuple[str, ...], System]
 # inertias grow with the number of bodies outboard, and with them the rounding of what is left;
 # measured on chains, 30 joints lose a digit
 DEEPEST = 12
+# rewrites that save where much passes between bodies, and cost where their inertia has many zeros:
+# both ways are counted
+COUNTED = ("axes", "parallel")
 
 
 def check_names(names: Sequence[str]) -> tuple[str, ...]:
@@ -52,9 +55,12 @@ def candidates(system: System, method: str, names: tuple[str, ...] | None) -> li
     elif names is None and method == "articulated" and system.depth() > DEEPEST:
         wanted = tuple(name for name in wanted if name != "base_parameters")
     found = [_rewritten(system, wanted)]
-    # axes that do not turn save where much passes between bodies: both ways are counted
-    if names is None and "parallel" in found[0][0]:
-        found.append(_rewritten(system, tuple(n for n in wanted if n != "parallel")))
+    if names is None:
+        found += [
+            _rewritten(system, tuple(n for n in wanted if n != name))
+            for name in COUNTED
+            if name in found[0][0]
+        ]
     return found
 
 

@@ -45,6 +45,7 @@ def retold(
         joints: Joints that change in another way too: their parent side is taken as it stands.
             Of all others the motion must commute with the change of the outer frame.
     """
+    assert all(body.second_moment is None for body in system.bodies), "regrouping comes last"
     told = []
     for i, joint in enumerate(system.joints):
         if i in joints:

@@ -110,7 +110,10 @@ def _turning(u: Matrix, j: Matrix) -> Matrix:
     """2 vee(skew(U J)) of a symmetric J; entries off the diagonal of J meet differences of U."""
     rows = []
     for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        along = u[z, y] * j[y, y] - u[y, z] * j[z, z]
+        if (-u[y, z]).node == u[z, y].node:
+            along = u[z, y] * (j[y, y] + j[z, z])
+        else:
+            along = u[z, y] * j[y, y] - u[y, z] * j[z, z]
         across = j[y, z] * (u[z, z] - u[y, y]) + u[z, x] * j[x, y] - u[y, x] * j[x, z]
         rows.append(along + across)
     return Matrix.vector(u.graph, rows)

@@ -18,7 +18,6 @@ from ...ir.arithmetic import atan2, select, sqrt
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, principal, unit
-from ...spatial.moments import planar_axis
 from ..retold import Placed, reached, retold
 from ..system import Joint, System
 
@@ -115,7 +114,7 @@ class _Work:
         # the parent side that leads the axis where it belongs, with the most zeros
         (k, sign), b = given, self._outward(i, placed, whole)
         first = self._across(i, b)
-        if planar_axis(whole) is not None and principal(b) is None:
+        if _best(whole, k, b):
             return plain if turned else None
         column = b * sign
         columns = {k: column, (k + 1) % 3: first, (k + 2) % 3: column.cross(first)}
@@ -146,6 +145,16 @@ class _Work:
         if empty:
             return identity.column(empty[0])
         return _normal(identity.column(2), b, identity.column(0))
+
+
+def _best(whole: Matrix, k: int, b: Matrix) -> bool:
+    """Whether a rotation that leads axis k along b has its zeros already."""
+    if principal(b) is not None:
+        return False
+    others = [whole.column(j) for j in range(3) if j != k]
+    if ZERO in b.nodes:
+        return any(principal(column) is not None for column in others)
+    return any(ZERO in column.nodes for column in others)
 
 
 def _normal(a: Matrix, b: Matrix, otherwise: Matrix) -> Matrix:

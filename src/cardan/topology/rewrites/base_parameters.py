@@ -101,6 +101,8 @@ def base_parameters(system: System) -> System:
     What goes inward leaves a zero in the inertia tensor, which composite and articulated bodies
     read, or in the second moment, which the recursion of forces reads; each body gets both.
     """
+    if any(body.second_moment is not None for body in system.bodies):
+        return system
     graph = system.graph.fork()
     forms = [_regrouped(graph, system, second) for second in (False, True)]
     bodies = [

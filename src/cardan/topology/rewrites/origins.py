@@ -14,7 +14,11 @@ from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import principal
 from ..retold import Placed, reached, retold
-from ..system import System
+from ..system import Body, System
+
+# operations: of a component of a position, of one that is a joint further out, and of a product of
+# inertia that was zero
+GAIN, LEVER, FILLED = 10, 4, 7
 
 
 def origins(system: System) -> System:
@@ -50,12 +54,20 @@ def _shift(
     outer = principal(rotation.column(k))
     if outer is None or position.nodes[outer[0]] == ZERO:
         return None
-    # what is passed on must take no zero from several joints, nor from one that has no offset yet
-    # unless this one gets none: such joints cost least
+    # what is passed on takes zeros from joints outboard, and at a tip from products of inertia
     outer_joints = [system.joints[child].position for child in children]
     new = [at for at in outer_joints if at[k] == ZERO]
     left = any(node for j, node in enumerate(position.nodes) if j != outer[0])
-    if len(new) > 1 or (left and new and not all(any(at) for at in outer_joints)):
+    if left and new and not all(any(at) for at in outer_joints):
+        return None
+    filled = 0 if children else _filled(system.bodies[i], k)
+    if GAIN * (1 - len(new)) + LEVER - FILLED * filled <= 0:
         return None
     distance = position[outer[0]] * -outer[1]
     return Matrix.vector(graph, [distance if j == k else 0.0 for j in range(3)])
+
+
+def _filled(body: Body, k: int) -> int:
+    """Products of inertia that are zero before a shift along axis k and not after it."""
+    across = [j for j in range(3) if j != k]
+    return sum(body.inertia[3 * j + k] == ZERO != body.first_moment[j] for j in across)

@@ -23,7 +23,7 @@ def parallel(system: System) -> System:
     """The system with bodies of parallel joints in common axes."""
     graph = system.graph.fork()
     followers = {i for i in range(len(system.joints)) if _follows(system, graph, i)}
-    if not followers:
+    if all(system.joints[i].follows for i in followers):
         return system
     told = _lined_up(system, graph, followers)
     leading = {system.bodies[i].parent for i in followers}
