@@ -11,7 +11,9 @@ SECONDS: dict[str, float] = defaultdict(float)
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        "--accept", action="store_true", help="write generated/ anew instead of comparing with it"
+        "--accept",
+        action="store_true",
+        help="write generated/ and counts.json anew instead of comparing with them",
     )
 
 

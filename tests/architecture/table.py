@@ -17,6 +17,7 @@ ORDER = (
     "analyses",
     "view",
     "pipeline",
+    "peers",
     "cli",
     "__init__",
     "__main__",
@@ -60,12 +61,16 @@ FAMILIES: dict[str, frozenset[str]] = {
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
     "passes": frozenset(),
+    "peers": frozenset(
+        {
+            *("peer", "coordinates", "tree", "loop", "ours", "contest", "comparison", "urdf"),
+            *("processor", "cplusplus", "casadi_algorithms"),
+        }
+    ),
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options"}),
-    "cli": frozenset(
-        {"terminal", "tour", "peer", "screen", "health", "reading", "sheet", "sheet_page"}
-    ),
+    "cli": frozenset({"terminal", "tour", "screen", "health", "reading", "sheet", "sheet_page"}),
 }
 
 FILE_LINES = 400

@@ -20,6 +20,7 @@ WORKING = {
     "check": (ARM,),
     "inspect": (ARM,),
     "simulate": (ARM, "--time", "0.1"),
+    "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
     "doctor": (),
 }

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pinocchio as pin
 from scipy.spatial.transform import Rotation
+
+from mechanisms.robots import folder
 
 # Pinocchio's XML reader stops at a robot without a name
 UNREADABLE = frozenset({"ur_description/urdf/ur3.urdf"})
@@ -24,20 +24,6 @@ SINGULAR = frozenset(
         "romeo_description/urdf/romeo_laas_small.urdf",
     }
 )
-
-
-def folder() -> Path:
-    """Where the package keeps its robots.
-
-    Raises:
-        FileNotFoundError: the installed package has no URDF.
-    """
-    for entry in importlib.metadata.files("example-robot-data") or ():
-        parts = entry.parts
-        if entry.suffix == ".urdf" and "robots" in parts:
-            depth = len(parts) - parts.index("robots") - 1
-            return Path(str(entry.locate())).resolve().parents[depth - 1]
-    raise FileNotFoundError("example-robot-data is installed without its robots")
 
 
 ROBOTS = folder()

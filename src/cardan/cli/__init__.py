@@ -23,6 +23,7 @@ COMMANDS = {
     "check": (".check", "complaints about a scene, each with its cure"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
 }
@@ -38,6 +39,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
+  cardan bench arm.urdf                      how fast, how exact, beside other programs
   cardan simulate --help                     all that can be said about a run
   cardan doctor                              what works on this machine
 

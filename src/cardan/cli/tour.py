@@ -14,8 +14,8 @@ import numpy as np
 from ..codegen import generate
 from ..ir.interpreter import evaluate
 from ..model import load
+from ..peers.urdf import agreement
 from ..pipeline import compile, derive
-from .peer import agreement
 
 if TYPE_CHECKING:
     from ..equations.record import Equations

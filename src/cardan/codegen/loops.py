@@ -179,6 +179,7 @@ class _Lowering:
             routines=(*routines, *main),
             blocks=tuple(block.name for block in r.inputs if block.name in read),
             operations=cost.run,
+            prepare_operations=cost.prepare,
             work_size=work,
             prepared_size=length,
         )

@@ -52,6 +52,7 @@ def lower(
         routines=prepare.routines + body.routines,
         blocks=tuple(block.name for block in function.inputs if block.name in read),
         operations=counts[0],
+        prepare_operations=counts[1],
         work_size=body.length,
         prepared_size=prepare.length,
     )

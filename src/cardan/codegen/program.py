@@ -196,6 +196,7 @@ class Program:
         routines: Functions, every one before those that call it.
         blocks: Input blocks that are read, p by the parameter stage.
         operations: Number of operations per call, by operator.
+        prepare_operations: The same of the parameter stage.
         work_size, prepared_size: Lengths of work and w.
     """
 
@@ -208,3 +209,4 @@ class Program:
     operations: dict[str, int]
     work_size: int
     prepared_size: int
+    prepare_operations: dict[str, int] = field(default_factory=dict)

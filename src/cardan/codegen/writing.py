@@ -27,12 +27,14 @@ class CFile:
         text: The file.
         entry: What the manifest says about it.
         includes: Headers of cardan it needs.
+        prepare_operations: Number of operations of its parameter stage, by operator.
     """
 
     name: str
     text: str = field(repr=False)
     entry: dict[str, Any] = field(repr=False)
     includes: tuple[str, ...] = ("cardan.h",)
+    prepare_operations: dict[str, int] = field(default_factory=dict, repr=False)
 
 
 def generate(
@@ -70,7 +72,8 @@ def generate(
             program = loops.lower(function, staged, model, notes)
         text = language.write(program)
     file = function.name + language.SUFFIX
-    return CFile(function.name, text, _entry(function, program, file, text, of), program.includes)
+    entry = _entry(function, program, file, text, of)
+    return CFile(function.name, text, entry, program.includes, program.prepare_operations)
 
 
 def _entry(

@@ -140,17 +140,23 @@ def key(sources: Sequence[Path], headers: Iterable[Path], by: Compiler, reproduc
 
 
 def build(
-    sources: Sequence[Path], include: Sequence[Path] = (), reproducible: bool = False
+    sources: Sequence[Path],
+    include: Sequence[Path] = (),
+    reproducible: bool = False,
+    by: Compiler | None = None,
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and put there.
 
     Args and Raises: as :func:`compiled`.
     """
-    return compiled(sources, include, reproducible).published()
+    return compiled(sources, include, reproducible, by).published()
 
 
 def compiled(
-    sources: Sequence[Path], include: Sequence[Path] = (), reproducible: bool = False
+    sources: Sequence[Path],
+    include: Sequence[Path] = (),
+    reproducible: bool = False,
+    by: Compiler | None = None,
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and not yet published.
 
@@ -158,11 +164,12 @@ def compiled(
         sources: C files, linked together.
         include: Directories; every header in them is part of the key.
         reproducible: Equal bits from every compiler.
+        by: The compiler; by default the one in use.
 
     Raises:
         CompilerMissing: no compiler. BuildError: it failed, or there is no room to write.
     """
-    cache, by = folder.directory(), compiler()
+    cache, by = folder.directory(), by or compiler()
     headers = [header for place in include for header in place.glob("*.h")]
     try:
         name = f"{key(sources, headers, by, reproducible)}.so"

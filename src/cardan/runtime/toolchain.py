@@ -39,11 +39,13 @@ class Compiler:
         command: How it is called, without flags.
         binary: The program whose change means another compiler.
         identity: What it says about its version.
+        options: Language, level and processor.
     """
 
     command: tuple[str, ...]
     binary: Path
     identity: str
+    options: tuple[str, ...] = COMMON_FLAGS
 
     @property
     def family(self) -> str:
@@ -57,7 +59,7 @@ class Compiler:
             reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         """
         contract = "off" if reproducible else {"gcc": "fast", "clang": "on"}[self.family]
-        return (*COMMON_FLAGS, f"-ffp-contract={contract}", *SHARED_FLAGS)
+        return (*self.options, f"-ffp-contract={contract}", *SHARED_FLAGS)
 
 
 class Candidate(NamedTuple):

@@ -1,4 +1,4 @@
-"""Agreement with Pinocchio, for whoever has it installed."""
+"""Agreement with what Pinocchio reads from a URDF itself: nothing of our reader is shared."""
 
 from __future__ import annotations
 

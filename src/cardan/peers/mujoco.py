@@ -1,0 +1,150 @@
+"""MuJoCo's C library: the steps that smooth dynamics needs and no more, without contacts.
+
+Source: E. Todorov, T. Erez, Y. Tassa, MuJoCo: A physics engine for model-based control, IROS 2012.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.metadata
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..runtime.cache import build
+from ..runtime.newton_euler import Scene
+from . import coordinates
+from .coordinates import Convention
+from .loop import HERE, Loop, peer_loop
+from .peer import Contender, Peer, installed
+from .tree import central, directions
+
+CONVENTION = Convention(scalar_last=False, position_first=True, linear_first=True, body_axes=False)
+JOINT = {"revolute": "hinge", "prismatic": "slide", "spherical": "ball", "free": "free"}
+PLACE = ("mj_kinematics", "mj_comPos")
+STEPS = {
+    "forward_dynamics": (*PLACE, "mj_makeM", "mj_factorM", "mj_comVel"),
+    "inverse_dynamics": (*PLACE, "mj_comVel"),
+    "mass_matrix": (*PLACE, "mj_makeM"),
+}
+MOST = 8
+STEP = ctypes.c_void_p * MOST
+
+
+class Program(ctypes.Structure):
+    """``peer`` of mujoco.c."""
+
+    _fields_ = (
+        *((name, ctypes.c_void_p) for name in ("model", "data")),
+        ("steps", STEP * len(STEPS)),
+        *((name, ctypes.c_void_p) for name in ("accelerate", "rne", "full")),
+        *((name, ctypes.c_void_p) for name in ("qpos", "qvel", "force", "qacc", "bias", "result")),
+        ("nq", ctypes.c_int),
+        ("nv", ctypes.c_int),
+    )
+
+
+def missing() -> str:
+    """What keeps it from being called, "" where nothing does."""
+    return installed("mujoco", "mujoco")
+
+
+def refusal(scene: Scene) -> str:
+    """Free joints give the pose in ground axes there."""
+    for i, kind in enumerate(scene.kinds):
+        n = scene.numbers
+        placed = np.any(n["position"][i]) or np.any(n["rotation"][i] != np.eye(3))
+        if kind == "free" and (scene.parents[i] >= 0 or placed):
+            return f"joint {i} is free, but not of the ground's origin"
+    return coordinates.refusal(scene)
+
+
+def _text(scene: Scene) -> str:
+    """The tree as MJCF; masses follow later, as its reader would correct them."""
+    n, axes = scene.numbers, directions(scene)
+    children: dict[int, list[int]] = {}
+    for body, parent in enumerate(scene.parents):
+        children.setdefault(parent, []).append(body)
+    lines: list[str] = []
+    # a body, and whether its end is meant
+    waiting = [(body, False) for body in children.get(-1, [])[::-1]]
+    while waiting:
+        body, closes = waiting.pop()
+        if closes:
+            lines.append("</body>")
+            continue
+        turn = Rotation.from_matrix(n["rotation"][body]).as_quat(scalar_first=True)
+        place = f'pos="{_row(n["position"][body])}" quat="{_row(turn)}"'
+        kind = scene.kinds[body]
+        axis = "" if kind in ("free", "spherical") else f' axis="{_row(axes[body])}"'
+        lines += [
+            f'<body name="b{body}" {place}><joint name="j{body}" type="{JOINT[kind]}"{axis}/>',
+            '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>',
+        ]
+        waiting.append((body, True))
+        waiting += [(child, False) for child in children.get(body, [])[::-1]]
+    option = f'<option gravity="{_row(n["gravity"])}"><flag contact="disable" '
+    tree = "\n".join(lines)
+    return f'<mujoco>{option}constraint="disable"/></option><worldbody>{tree}</worldbody></mujoco>'
+
+
+def _row(numbers: Any) -> str:
+    return " ".join(repr(float(x)) for x in numbers)
+
+
+def _model(mujoco: Any, scene: Scene) -> tuple[Any, Any]:
+    """Model and data with the masses of the tree."""
+    model = mujoco.MjModel.from_xml_string(_text(scene))
+    data = mujoco.MjData(model)
+    com, inertia = central(scene)
+    moments, axes = np.linalg.eigh(inertia)
+    axes[np.linalg.det(axes) < 0, :, 0] *= -1
+    turns = Rotation.from_matrix(axes).as_quat(scalar_first=True)
+    for body in range(len(scene.parents)):
+        i = model.body(f"b{body}").id
+        model.body_mass[i] = scene.numbers["mass"][body]
+        model.body_ipos[i], model.body_iquat[i] = com[body], turns[body]
+        model.body_inertia[i] = moments[body]
+        # flags that say: no offset, no turn
+        model.body_sameframe[i] = 0
+        model.body_simple[i] = 0
+    model.dof_simplenum[:] = 0
+    mujoco.mj_setConst(model, data)
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+def contender(scene: Scene) -> Contender:
+    """MuJoCo on a tree."""
+    import mujoco
+
+    model, data = _model(mujoco, scene)
+    joints = [model.joint(f"j{body}") for body in range(len(scene.parents))]
+    places = [(int(j.qposadr[0]), int(j.dofadr[0])) for j in joints]
+    found = next(Path(mujoco.__file__).parent.glob("libmujoco*.so*"))
+    own, shared = build([HERE / "mujoco.c"]).load(), ctypes.CDLL(str(found))
+
+    def at(name: str) -> int | None:
+        return ctypes.cast(shared[name], ctypes.c_void_p).value
+
+    rows = [STEP(*(at(name) for name in names)) for names in STEPS.values()]
+    arrays = (data.qpos, data.qvel, data.qfrc_applied, data.qacc, data.qfrc_bias, data.qacc_smooth)
+    program = Program(
+        model._address,
+        data._address,
+        (STEP * len(STEPS))(*rows),
+        *(at(name) for name in ("mj_fwdAcceleration", "mj_rne", "mj_fullM")),
+        *(array.ctypes.data for array in arrays),
+        model.nq,
+        model.nv,
+    )
+    own_map = coordinates.coordinates(scene, CONVENTION, places)
+    loop = Loop(peer_loop(own), ctypes.byref(program), own_map)
+    title = f"MuJoCo {importlib.metadata.version('mujoco')}"
+    held = (model, data, program, own, shared)
+    return Contender(title, tuple(STEPS), loop.start, loop.results, held)
+
+
+PEER = Peer("MuJoCo", "mujoco", missing, refusal, contender)

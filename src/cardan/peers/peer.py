@@ -1,0 +1,81 @@
+"""What a peer is, and what takes part in a contest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.newton_euler import Scene
+
+Array = NDArray[np.float64]
+
+# what is compared; derivatives are those of forward dynamics by q and u
+FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives")
+
+
+@dataclass(frozen=True)
+class States:
+    """Where functions are called, in our coordinates.
+
+    Attributes:
+        q: (n, nq). u: (n, nu).
+        third: (n, nu): tau of forward dynamics and its derivatives, udot of inverse dynamics.
+    """
+
+    q: Array
+    u: Array
+    third: Array
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+
+@dataclass(frozen=True)
+class Contender:
+    """A program that can be called on one mechanism.
+
+    Attributes:
+        title: Program, version, compiler.
+        functions: What it can do, of ``FUNCTIONS``.
+        start: ``start(function, states)`` makes a run ready: ``run(repeats)`` calls the function
+            so often at every state and returns the seconds per call.
+        results: ``results(function, states)`` in our coordinates, (n, ...); derivatives (n, 2, nu,
+            nu) by q and by u.
+        held: What must stay alive meanwhile.
+    """
+
+    title: str
+    functions: tuple[str, ...]
+    start: Callable[[str, States], Callable[[int], float]] = field(repr=False)
+    results: Callable[[str, States], Array] = field(repr=False)
+    held: tuple[Any, ...] = field(default=(), repr=False)
+
+
+@dataclass(frozen=True)
+class Peer:
+    """Another program.
+
+    Attributes:
+        name: As people call it.
+        package: What to install from PyPI.
+        missing: Why it cannot take part here, "" if it can.
+        refusal: Why it cannot take part on a mechanism, "" if it can.
+        contender: Makes the program for a mechanism.
+    """
+
+    name: str
+    package: str
+    missing: Callable[[], str] = field(repr=False)
+    refusal: Callable[[Scene], str] = field(repr=False)
+    contender: Callable[[Scene], Contender] = field(repr=False)
+
+
+def installed(module: str, package: str) -> str:
+    """What to say where a module is not there, "" where it is."""
+    from importlib.util import find_spec
+
+    return "" if find_spec(module) else f"not installed: pip install {package}"

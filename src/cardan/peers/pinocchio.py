@@ -1,0 +1,136 @@
+"""Pinocchio as C++ headers of its wheel, in the fastest build of the compilers here.
+
+Source: J. Carpentier et al., The Pinocchio C++ library, SII 2019.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.metadata
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from ..runtime.cache import build
+from ..runtime.newton_euler import Scene
+from ..runtime.toolchain import Compiler
+from . import cplusplus
+from .coordinates import Convention, after_each_other, coordinates, refusal
+from .loop import HERE, Loop, address, peer_loop
+from .peer import FUNCTIONS, Contender, Peer
+from .tree import central, depth_first, directions
+
+CONVENTION = Convention(
+    scalar_last=True, position_first=True, linear_first=True, body_axes=True
+)  # fmt: skip
+KIND = {"revolute": 0, "prismatic": 1, "spherical": 2, "free": 3}
+# what its own build defines; Boost's lists are too short for its joints otherwise
+OPTIONS = (
+    "-std=c++17", "-O3", "-march=native", "-DNDEBUG", "-g0", "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
+    "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
+    "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
+)  # fmt: skip
+
+
+def _headers(package: str, file: str) -> Path | None:
+    """The folder of a wheel that a header is included from."""
+    try:
+        entries = importlib.metadata.files(package) or ()
+    except importlib.metadata.PackageNotFoundError:
+        return None
+    for entry in entries:
+        if str(entry).endswith(f"include/{file}"):
+            return Path(str(entry.locate())).resolve().parents[file.count("/")]
+    return None
+
+
+@cache
+def _include() -> dict[str, Path | None]:
+    return {
+        "pip install pin": _headers("libpinocchio", "pinocchio/algorithm/aba.hpp"),
+        "pip install cmeel-boost": _headers("cmeel-boost", "boost/variant.hpp"),
+        "pip install cmeel-eigen": _headers("cmeel-eigen", "eigen3/Eigen/Core"),
+    }
+
+
+def missing() -> str:
+    """What keeps the program from being built, "" where nothing does."""
+    for cure, place in _include().items():
+        if place is None:
+            return f"no headers: {cure}"
+    return "" if cplusplus.compilers(()) else "no C++ compiler: pip install ziglang"
+
+
+def _compilers() -> list[Compiler]:
+    """Compilers with all they need, among it what changes with the version of the headers."""
+    places = [str(place) for place in _include().values() if place is not None]
+    places[-1] += "/eigen3"
+    version = importlib.metadata.version("libpinocchio")
+    options = (*OPTIONS, f'-DPINOCCHIO_WHEEL="{version}"', *(f"-isystem{p}" for p in places))
+    return cplusplus.compilers(options)
+
+
+@cache
+def _library() -> tuple[ctypes.CDLL, Compiler]:
+    """The fastest build: tried once on a chain of seven hinges."""
+    compilers, source = _compilers(), HERE / "pinocchio.cpp"
+    with ThreadPoolExecutor() as pool:
+        built = list(pool.map(lambda by: build([source], by=by).load(), compilers))
+    if len(built) == 1:
+        return built[0], compilers[0]
+    times = [_tried(library) for library in built]
+    best = int(np.argmin(times))
+    return built[best], compilers[best]
+
+
+def _tried(library: ctypes.CDLL) -> float:
+    """Seconds of forward dynamics of a small arm."""
+    n = 7
+    axes = np.eye(3)[[1 + i % 2 for i in range(n)]]
+    inertia = np.broadcast_to(np.diag([0.1, 1.0, 1.0]), (n, 3, 3)) / 12
+    turns = np.broadcast_to(np.eye(3), (n, 3, 3))
+    rods = np.full((n, 3), [1.0, 0, 0])
+    numbers = (axes, turns, rods, np.ones(n), rods / 2, inertia, np.array([0, 0, -9.81]))
+    self = _model(library, [-1, *range(n - 1)], [0] * n, numbers)
+    x = np.random.default_rng(1).uniform(-1, 1, (4, 50, n))
+    blocks = [address(block) for block in x]
+    return min(peer_loop(library)(self, 0, *blocks, n, 50, 20) for _ in range(9))
+
+
+def _model(
+    library: ctypes.CDLL, parents: list[int], kinds: list[int], numbers: tuple[np.ndarray, ...]
+) -> ctypes.c_void_p:
+    """A model made from arrays."""
+    make = library.peer_model
+    make.restype = ctypes.c_void_p
+    whole = [np.array(block, dtype=np.int32) for block in (parents, kinds)]
+    arrays = [np.ascontiguousarray(block, dtype=np.float64) for block in numbers]
+    places = [*map(address, whole), *map(address, arrays)]
+    return ctypes.c_void_p(make(len(parents), *places))
+
+
+def contender(scene: Scene) -> Contender:
+    """Pinocchio on a tree.
+
+    Raises:
+        BuildError: the compiler does not take its headers.
+    """
+    library, by = _library()
+    com, inertia = central(scene)
+    n, order = scene.numbers, depth_first(scene)
+    rows = (directions(scene), n["rotation"], n["position"], n["mass"], com, inertia)
+    numbers = (*(row[order] for row in rows), n["gravity"])
+    place = {-1: -1, **{body: k for k, body in enumerate(order)}}
+    parents = [place[scene.parents[body]] for body in order]
+    self = _model(library, parents, [KIND[scene.kinds[body]] for body in order], numbers)
+    loop = Loop(
+        peer_loop(library), self, coordinates(scene, CONVENTION, after_each_other(scene, order))
+    )
+    version = importlib.metadata.version("libpinocchio")
+    title = f"Pinocchio {version}, {cplusplus.version(by)}"
+    return Contender(title, FUNCTIONS, loop.start, loop.results, (library,))
+
+
+PEER = Peer("Pinocchio", "pin", missing, refusal, contender)
