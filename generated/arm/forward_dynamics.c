@@ -32,8 +32,16 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
+    /* wrist: placement */
+    const wreal wrist_rotation_yaw = p[21]; /* rad */
+    const wreal angle[CARDAN_PADDED(1)] = {wrist_rotation_yaw};
+    wreal sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const wreal wrist_placement = cosine[0];
+    const wreal wrist_placement_2 = sine[0];
+
     /* upper_arm: first moment, mass, inertia, inertia force, second moment */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
@@ -57,37 +65,32 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     const wreal forearm_com_x = p[14]; /* m */
     const wreal forearm_com_y = p[15]; /* m */
     const wreal hand_mass = p[22]; /* kg */
+    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
+    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
     const wreal forearm_mass_3 = forearm_mass * forearm_com_x;
     const wreal forearm_first_moment_y = forearm_mass * forearm_com_y;
     const wreal forearm_mass_4 = forearm_com_x * forearm_mass_3;
     const wreal forearm_mass_5 = forearm_com_y * forearm_first_moment_y;
     const wreal forearm_mass_2 = forearm_mass + hand_mass;
+    const wreal forearm_mass_6 = wrist_placement_2 * hand_inertia_xx * wrist_placement_2
+        + wrist_placement * hand_inertia_yy * wrist_placement;
     w[5] = forearm_first_moment_y; /* forearm_first_moment_y */
     w[9] = forearm_mass_2; /* forearm_mass_2 */
 
-    /* wrist: placement */
-    const wreal wrist_rotation_yaw = p[21]; /* rad */
-    const wreal wrist_placement = cardan_cos(wrist_rotation_yaw);
-    const wreal wrist_placement_2 = cardan_sin(wrist_rotation_yaw);
-
     /* hand: mass */
     const wreal wrist_position_x = p[20]; /* m */
-    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
-    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
     const wreal hand_mass_2 = wrist_position_x * hand_mass;
     const wreal hand_mass_3 = wrist_placement * hand_inertia_xx;
     const wreal hand_mass_4 = wrist_placement_2 * hand_inertia_yy;
     const wreal hand_mass_5 = wrist_position_x * hand_mass_2;
 
-    /* forearm: first moment, inertia, mass, inertia force, second moment */
+    /* forearm: first moment, inertia, inertia force, second moment */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
     const wreal forearm_inertia_zz = p[19]; /* kg m^2 */
     const wreal hand_inertia_zz = p[25]; /* kg m^2 */
     const wreal forearm_inertia_xx_2 = forearm_inertia_xx + forearm_mass_5
         + (wrist_placement * hand_mass_3 + wrist_placement_2 * hand_mass_4);
-    const wreal forearm_mass_6 = wrist_placement_2 * hand_inertia_xx * wrist_placement_2
-        + wrist_placement * hand_inertia_yy * wrist_placement;
     const wreal forearm_inertia_yy_2 = forearm_inertia_yy + forearm_mass_4 + hand_mass_5
         + forearm_mass_6;
     const wreal forearm_inertia_zz_2 = forearm_mass_5 + hand_inertia_zz + (forearm_inertia_zz
@@ -125,6 +128,8 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[8] = p[28]; /* elbow.damping [N*m*s/rad] */
 }
 
+#include "lanes.h"
+
 /* udot with M udot + h = f + tau */
 CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -135,15 +140,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shoulder: cos, sin */
+    /* shared by several: cos, sin */
     const real shoulder_q = q[1]; /* rad */
-    const real shoulder_cos = cardan_cos(shoulder_q);
-    const real shoulder_sin = cardan_sin(shoulder_q);
-
-    /* elbow: cos, sin */
     const real elbow_q = q[2]; /* rad */
-    const real elbow_cos = cardan_cos(elbow_q);
-    const real elbow_sin = cardan_sin(elbow_q);
+    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
+    real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle_2, sine_2, cosine_2);
+    const real shoulder_cos = cosine_2[0];
+    const real shoulder_sin = sine_2[0];
+    const real elbow_cos = cosine_2[1];
+    const real elbow_sin = sine_2[1];
 
     /* upper_arm: inertia, composite inertia, alpha, omega, U, a, n */
     const real waist_u = u[0]; /* rad/s */

@@ -19,8 +19,16 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
+    /* wrist: placement */
+    const wreal wrist_rotation_yaw = p[21]; /* rad */
+    const wreal angle[CARDAN_PADDED(1)] = {wrist_rotation_yaw};
+    wreal sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const wreal wrist_placement = cosine[0];
+    const wreal wrist_placement_2 = sine[0];
+
     /* upper_arm: first moment, mass, inertia */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
@@ -38,35 +46,30 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     const wreal forearm_com_x = p[14]; /* m */
     const wreal forearm_com_y = p[15]; /* m */
     const wreal hand_mass = p[22]; /* kg */
+    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
+    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
     const wreal forearm_mass_2 = forearm_mass * forearm_com_x;
     const wreal forearm_first_moment_y = forearm_mass * forearm_com_y;
     const wreal forearm_mass_3 = forearm_com_x * forearm_mass_2;
     const wreal forearm_mass_4 = forearm_com_y * forearm_first_moment_y;
     const wreal forearm_mass_5 = forearm_mass + hand_mass;
-
-    /* wrist: placement */
-    const wreal wrist_rotation_yaw = p[21]; /* rad */
-    const wreal wrist_placement = cardan_cos(wrist_rotation_yaw);
-    const wreal wrist_placement_2 = cardan_sin(wrist_rotation_yaw);
+    const wreal forearm_mass_6 = wrist_placement_2 * hand_inertia_xx * wrist_placement_2
+        + wrist_placement * hand_inertia_yy * wrist_placement;
 
     /* hand: mass */
     const wreal wrist_position_x = p[20]; /* m */
-    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
-    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
     const wreal hand_mass_2 = wrist_position_x * hand_mass;
     const wreal hand_mass_3 = wrist_placement * hand_inertia_xx;
     const wreal hand_mass_4 = wrist_placement_2 * hand_inertia_yy;
     const wreal hand_mass_5 = wrist_position_x * hand_mass_2;
 
-    /* forearm: first moment, inertia, mass */
+    /* forearm: first moment, inertia */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
     const wreal forearm_inertia_zz = p[19]; /* kg m^2 */
     const wreal hand_inertia_zz = p[25]; /* kg m^2 */
     const wreal forearm_inertia_xx_2 = forearm_inertia_xx + forearm_mass_4
         + (wrist_placement * hand_mass_3 + wrist_placement_2 * hand_mass_4);
-    const wreal forearm_mass_6 = wrist_placement_2 * hand_inertia_xx * wrist_placement_2
-        + wrist_placement * hand_inertia_yy * wrist_placement;
     const wreal forearm_inertia_yy_2 = forearm_inertia_yy + forearm_mass_3 + hand_mass_5
         + forearm_mass_6;
     const wreal forearm_inertia_zz_2 = forearm_mass_4 + hand_inertia_zz + (forearm_inertia_zz
@@ -93,6 +96,8 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[2] = p[17]; /* forearm.inertia.xz [kg m^2] */
 }
 
+#include "lanes.h"
+
 /* M: kinetic energy is 1/2 uᵀ M u */
 CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -101,15 +106,16 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shoulder: cos, sin */
+    /* shared by several: cos, sin */
     const real shoulder_q = q[1]; /* rad */
-    const real shoulder_cos = cardan_cos(shoulder_q);
-    const real shoulder_sin = cardan_sin(shoulder_q);
-
-    /* elbow: cos, sin */
     const real elbow_q = q[2]; /* rad */
-    const real elbow_cos = cardan_cos(elbow_q);
-    const real elbow_sin = cardan_sin(elbow_q);
+    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
+    real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle_2, sine_2, cosine_2);
+    const real shoulder_cos = cosine_2[0];
+    const real shoulder_sin = sine_2[0];
+    const real elbow_cos = cosine_2[1];
+    const real elbow_sin = sine_2[1];
 
     /* upper_arm: inertia, composite inertia */
     const wreal elbow_position_x = w[1]; /* m */
@@ -165,6 +171,6 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[6] = M_3_1; /* M: elbow.u,waist.u */
 
     /* results that are numbers or inputs */
-    out[8] = w[5]; /* M: elbow.u,elbow.u */
+    out[8] = CARDAN_REAL(w[5]); /* M: elbow.u,elbow.u */
     return CARDAN_OK;
 }

@@ -56,7 +56,7 @@ static const double table_0_inverse_dynamics_coefficients[16] = {
     0.2118644067796609, 5.402542372881356, -24.152542372881356, -95.0
 };
 
-CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* left.bucket: mass, inertia, inertia force, second moment */
     const wreal left_load = p[3]; /* kg */
@@ -114,6 +114,8 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[11] = p[12]; /* buffer.rest [m] */
 }
 
+#include "lanes.h"
+
 /* tau with M udot + h = f + tau */
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -126,20 +128,32 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* left.air: force */
+    /* shared by several: force, cos, sin */
     const real track_q = q[0]; /* m */
-    const wreal axle_coupling = w[9];
-    const real left_air_force = track_q * axle_coupling;
-
-    /* left.hang: cos, sin, R, drift */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
+    const real right_hang_angle1 = q[3]; /* rad */
+    const real right_hang_angle2 = q[4]; /* rad */
+    const wreal axle_coupling = w[9];
+    const real left_air_force = track_q * axle_coupling;
+    const real angle[CARDAN_PADDED(5)] = {left_hang_angle1, left_hang_angle2, right_hang_angle1,
+        right_hang_angle2, left_air_force};
+    real sine[CARDAN_PADDED(5)], cosine[CARDAN_PADDED(5)];
+    cardan_sincos(5, angle, sine, cosine);
+    const real left_hang_cos = cosine[0];
+    const real left_hang_sin = sine[0];
+    const real left_hang_cos_2 = cosine[1];
+    const real left_hang_sin_2 = sine[1];
+    const real right_hang_cos = cosine[2];
+    const real right_hang_sin = sine[2];
+    const real right_hang_cos_2 = cosine[3];
+    const real right_hang_sin_2 = sine[3];
+    const real axle_cos = cosine[4];
+    const real axle_sin = sine[4];
+
+    /* left.hang: R, drift */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
-    const real left_hang_cos = cardan_cos(left_hang_angle1);
-    const real left_hang_sin = cardan_sin(left_hang_angle1);
-    const real left_hang_cos_2 = cardan_cos(left_hang_angle2);
-    const real left_hang_sin_2 = cardan_sin(left_hang_angle2);
     const real left_hang_R_yx = left_hang_sin * left_hang_sin_2;
     const real left_hang_R = left_hang_sin * left_hang_cos_2;
     const real left_hang_R_zz = left_hang_cos * left_hang_cos_2;
@@ -183,15 +197,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real left_bucket_f_2 = left_bucket_U_xz * left_bucket_second_moment_zz
         - left_bucket_U_zx * left_bucket_second_moment_xx;
 
-    /* right.hang: cos, sin, R, drift */
-    const real right_hang_angle1 = q[3]; /* rad */
-    const real right_hang_angle2 = q[4]; /* rad */
+    /* right.hang: R, drift */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
-    const real right_hang_cos = cardan_cos(right_hang_angle1);
-    const real right_hang_sin = cardan_sin(right_hang_angle1);
-    const real right_hang_cos_2 = cardan_cos(right_hang_angle2);
-    const real right_hang_sin_2 = cardan_sin(right_hang_angle2);
     const real right_hang_R_yx = right_hang_sin * right_hang_sin_2;
     const real right_hang_R = right_hang_sin * right_hang_cos_2;
     const real right_hang_R_zz = right_hang_cos * right_hang_cos_2;
@@ -231,10 +239,6 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - gravity_z * right_hang_sin * right_bucket_mass;
     const real right_bucket_f_2 = right_bucket_U_xz * right_bucket_second_moment_zz
         - right_bucket_U_zx * right_bucket_second_moment_xx;
-
-    /* axle: cos, sin */
-    const real axle_cos = cardan_cos(left_air_force);
-    const real axle_sin = cardan_sin(left_air_force);
 
     /* left.air: force, data */
     const wreal left_rope = w[2]; /* m */
