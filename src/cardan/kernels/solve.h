@@ -3,7 +3,8 @@
  *
  * A (n x n) and B (n x m) are stored row by row. Both are overwritten: B by the solution, A by the
  * factors. `scratch` holds 2 n numbers for a system, n (n + m) / 2 more for systems of lanes.
- * Included where needed; static functions only.
+ * Included where needed; static functions only. (cardan_max) is the function of plain numbers,
+ * whatever lanes.h makes of its name.
  */
 #ifndef CARDAN_SOLVE_H
 #define CARDAN_SOLVE_H
@@ -79,7 +80,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
     for (int i = 0; i < n; ++i) {
         order[i] = i;
         scale[i] = 0.0;
-        for (int k = 0; k < m; ++k) scale[i] = cardan_max(scale[i], fabs(b[i * m + k]));
+        for (int k = 0; k < m; ++k) scale[i] = (cardan_max)(scale[i], fabs(b[i * m + k]));
     }
     for (; rank < n; ++rank) {
         /* the largest entry left becomes the pivot */
@@ -106,7 +107,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
             if (factor == 0.0) continue;
             for (int j = rank + 1; j < n; ++j) a[i * n + j] -= factor * a[rank * n + j];
             for (int k = 0; k < m; ++k) b[i * m + k] -= factor * b[rank * m + k];
-            scale[i] = cardan_max(scale[i], fabs(factor) * scale[rank]);
+            scale[i] = (cardan_max)(scale[i], fabs(factor) * scale[rank]);
         }
     }
 
@@ -162,7 +163,7 @@ CARDAN_INLINE int cardan_find_pivot(int n, const double *a, int k, double tolera
     const int single = size >= alpha * beside;
     *one = single ? diagonal : column;
     *two = row;
-    if (!(size - size == 0.0) || cardan_max(size, beside) <= tolerance) return 0;
+    if (!(size - size == 0.0) || (cardan_max)(size, beside) <= tolerance) return 0;
     return single ? 1 : 2;
 }
 
@@ -203,7 +204,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
         block[i] = 0.0;
         for (int j = 0; j <= i; ++j) {
             a[j * n + i] = a[i * n + j];
-            largest = cardan_max(largest, fabs(a[i * n + j]));
+            largest = (cardan_max)(largest, fabs(a[i * n + j]));
         }
     }
 
