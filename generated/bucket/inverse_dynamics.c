@@ -29,7 +29,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bucket: mass, inertia */
     const wreal load = p[0]; /* kg */
@@ -53,6 +53,8 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[1] = p[3]; /* gravity.z [m/s^2] */
 }
 
+#include "lanes.h"
+
 /* tau with M udot + h = f + tau */
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -63,15 +65,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* hang: cos, sin, R, drift */
+    /* hang: cos, sin */
     const real hang_angle1 = q[0]; /* rad */
     const real hang_angle2 = q[1]; /* rad */
+    const real angle[CARDAN_PADDED(2)] = {hang_angle1, hang_angle2};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real hang_cos = cosine[0];
+    const real hang_sin = sine[0];
+    const real hang_cos_2 = cosine[1];
+    const real hang_sin_2 = sine[1];
+
+    /* hang: R, drift */
     const real hang_u_angle1 = u[0]; /* rad/s */
     const real hang_u_angle2 = u[1]; /* rad/s */
-    const real hang_cos = cardan_cos(hang_angle1);
-    const real hang_sin = cardan_sin(hang_angle1);
-    const real hang_cos_2 = cardan_cos(hang_angle2);
-    const real hang_sin_2 = cardan_sin(hang_angle2);
     const real hang_R_yx = hang_sin * hang_sin_2;
     const real hang_drift = hang_u_angle1 * hang_u_angle2;
 

@@ -19,7 +19,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bucket: mass, inertia */
     const wreal load = p[0]; /* kg */
@@ -30,6 +30,8 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[1] = 0.3333333333333333 * load * bucket_mass + load * rope * rope; /* bucket_inertia_xx */
 }
 
+#include "lanes.h"
+
 /* M: kinetic energy is 1/2 uᵀ M u */
 CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -38,12 +40,17 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* hang: cos, sin, momentum mx, momentum mz */
+    /* hang: cos, sin */
     const real hang_angle2 = q[1]; /* rad */
+    const real angle[CARDAN_PADDED(1)] = {hang_angle2};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real hang_cos = cosine[0];
+    const real hang_sin = sine[0];
+
+    /* hang: momentum mx, momentum mz */
     const wreal bucket_inertia_zz = w[0];
     const wreal bucket_inertia_xx = w[1];
-    const real hang_cos = cardan_cos(hang_angle2);
-    const real hang_sin = cardan_sin(hang_angle2);
     const real hang_momentum_mx = bucket_inertia_xx * hang_cos;
     const real hang_momentum_mz = bucket_inertia_zz * hang_sin;
 
@@ -52,8 +59,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = hang_cos * hang_momentum_mx + hang_sin * hang_momentum_mz;
 
     /* results that are numbers or inputs */
-    out[1] = 0.0; /* M: hang.u.angle1,hang.u.angle2 */
-    out[2] = 0.0; /* M: hang.u.angle2,hang.u.angle1 */
-    out[3] = w[1]; /* M: hang.u.angle2,hang.u.angle2 */
+    out[1] = CARDAN_REAL(0.0); /* M: hang.u.angle1,hang.u.angle2 */
+    out[2] = CARDAN_REAL(0.0); /* M: hang.u.angle2,hang.u.angle1 */
+    out[3] = CARDAN_REAL(w[1]); /* M: hang.u.angle2,hang.u.angle2 */
     return CARDAN_OK;
 }

@@ -4,18 +4,18 @@
 #include "functions.h"
 
 /* generalized coordinates */
-const real cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.0, /* hang.angle1 [rad] */
     0.0, /* hang.angle2 [rad] */
 };
 
 /* inputs */
-const real cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* nothing */
 };
 
 /* parameters */
-const real cardan_default_p[cardan_np + (cardan_np == 0)] = {
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     40.0, /* load [kg] */
     1.5, /* rope [m] */
     0.3, /* size [m] */

@@ -32,7 +32,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* pole: first moment, inertia */
     const wreal pole_mass = p[2]; /* kg */
@@ -53,6 +53,8 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[0] = p[0]; /* gravity.z [m/s^2] */
 }
 
+#include "lanes.h"
+
 /* udot with M udot + h = f + tau */
 CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -66,8 +68,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* hinge: cos, sin */
     const real hinge_q = q[1]; /* rad */
-    const real hinge_cos = cardan_cos(hinge_q);
-    const real hinge_sin = cardan_sin(hinge_q);
+    const real angle[CARDAN_PADDED(1)] = {hinge_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real hinge_cos = cosine[0];
+    const real hinge_sin = sine[0];
 
     /* cart: composite moment */
     const wreal pole_first_moment_z = w[1];

@@ -32,7 +32,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* pole: first moment, mass, inertia, base second moment, inertia force */
     const wreal pole_mass = p[2]; /* kg */
@@ -56,6 +56,8 @@ CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[0] = p[0]; /* gravity.z [m/s^2] */
 }
 
+#include "lanes.h"
+
 /* tau with M udot + h = f + tau */
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -69,8 +71,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* hinge: cos, sin */
     const real hinge_q = q[1]; /* rad */
-    const real hinge_cos = cardan_cos(hinge_q);
-    const real hinge_sin = cardan_sin(hinge_q);
+    const real angle[CARDAN_PADDED(1)] = {hinge_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real hinge_cos = cosine[0];
+    const real hinge_sin = sine[0];
 
     /* pole: a, n, f */
     const real track_udot = udot[0]; /* m/s^2 */

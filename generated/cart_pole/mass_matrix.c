@@ -19,7 +19,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* pole: first moment, inertia */
     const wreal pole_mass = p[2]; /* kg */
@@ -34,6 +34,8 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[2] = cart_mass + pole_mass; /* cart_base_mass */
 }
 
+#include "lanes.h"
+
 /* M: kinetic energy is 1/2 uᵀ M u */
 CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -44,7 +46,10 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* hinge: cos */
     const real hinge_q = q[1]; /* rad */
-    const real hinge_cos = cardan_cos(hinge_q);
+    const real angle[CARDAN_PADDED(1)] = {hinge_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real hinge_cos = cosine[0];
 
     /* cart: composite moment */
     const wreal pole_first_moment_z = w[0];
@@ -53,7 +58,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = cart_composite_moment_z; /* M: hinge.u,track.u */
 
     /* results that are numbers or inputs */
-    out[0] = w[2]; /* M: track.u,track.u */
-    out[3] = w[1]; /* M: hinge.u,hinge.u */
+    out[0] = CARDAN_REAL(w[2]); /* M: track.u,track.u */
+    out[3] = CARDAN_REAL(w[1]); /* M: hinge.u,hinge.u */
     return CARDAN_OK;
 }

@@ -4,18 +4,18 @@
 #include "functions.h"
 
 /* generalized coordinates */
-const real cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.0, /* track [m] */
     0.0, /* hinge [rad] */
 };
 
 /* inputs */
-const real cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* push */
 };
 
 /* parameters */
-const real cardan_default_p[cardan_np + (cardan_np == 0)] = {
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     -9.81, /* gravity.z [m/s^2] */
     2.0, /* cart.mass [kg] */
     0.5, /* pole.mass [kg] */

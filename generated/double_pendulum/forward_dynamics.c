@@ -29,7 +29,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* shared by several: mass */
     const wreal m = p[0]; /* kg */
@@ -55,6 +55,8 @@ CARDAN_API void prepare_forward_dynamics(const real *p, wreal *CARDAN_RESTRICT w
     w[1] = p[2]; /* gravity.z [m/s^2] */
 }
 
+#include "lanes.h"
+
 /* udot with M udot + h = f + tau */
 CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -65,15 +67,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shoulder: cos, sin */
+    /* shared by several: cos, sin */
     const real shoulder_q = q[0]; /* rad */
-    const real shoulder_cos = cardan_cos(shoulder_q);
-    const real shoulder_sin = cardan_sin(shoulder_q);
-
-    /* elbow: cos, sin */
     const real elbow_q = q[1]; /* rad */
-    const real elbow_cos = cardan_cos(elbow_q);
-    const real elbow_sin = cardan_sin(elbow_q);
+    const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real shoulder_cos = cosine[0];
+    const real shoulder_sin = sine[0];
+    const real elbow_cos = cosine[1];
+    const real elbow_sin = sine[1];
 
     /* shared by several: inertia */
     const wreal l = w[0]; /* m */

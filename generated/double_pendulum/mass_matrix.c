@@ -19,7 +19,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* shared by several: mass */
     const wreal m = p[0]; /* kg */
@@ -38,6 +38,8 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[0] = p[1]; /* l [m] */
 }
 
+#include "lanes.h"
+
 /* M: kinetic energy is 1/2 uᵀ M u */
 CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -48,7 +50,10 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* elbow: cos */
     const real elbow_q = q[1]; /* rad */
-    const real elbow_cos = cardan_cos(elbow_q);
+    const real angle[CARDAN_PADDED(1)] = {elbow_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real elbow_cos = cosine[0];
 
     /* shared by several: inertia */
     const wreal l = w[0]; /* m */
@@ -66,6 +71,6 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = M_2_1; /* M: elbow.u,shoulder.u */
 
     /* results that are numbers or inputs */
-    out[3] = w[2]; /* M: elbow.u,elbow.u */
+    out[3] = CARDAN_REAL(w[2]); /* M: elbow.u,elbow.u */
     return CARDAN_OK;
 }

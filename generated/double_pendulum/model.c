@@ -4,18 +4,18 @@
 #include "functions.h"
 
 /* generalized coordinates */
-const real cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.0, /* shoulder [rad] */
     0.0, /* elbow [rad] */
 };
 
 /* inputs */
-const real cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* nothing */
 };
 
 /* parameters */
-const real cardan_default_p[cardan_np + (cardan_np == 0)] = {
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     1.0, /* m [kg] */
     0.5, /* l [m] */
     -9.81, /* gravity.z [m/s^2] */

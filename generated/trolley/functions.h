@@ -9,9 +9,9 @@
 #include "model.h"
 
 /* model.c: values to start from; speeds start from 0 */
-extern const real cardan_default_q[cardan_nq + (cardan_nq == 0)];
-extern const real cardan_default_r[cardan_nr + (cardan_nr == 0)];
-extern const real cardan_default_p[cardan_np + (cardan_np == 0)];
+extern const double cardan_default_q[cardan_nq + (cardan_nq == 0)];
+extern const double cardan_default_r[cardan_nr + (cardan_nr == 0)];
+extern const double cardan_default_p[cardan_np + (cardan_np == 0)];
 
 /* udot with M udot + h = f + tau; reads t, q, u, r, p, tau */
 enum {
@@ -20,7 +20,7 @@ enum {
     forward_dynamics_w_size = 18
 };
 CARDAN_API int forward_dynamics(const cardan_in *in, real *out, real *work);
-CARDAN_API void prepare_forward_dynamics(const real *p, wreal *w);
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *w);
 
 /* tau with M udot + h = f + tau; reads t, q, u, r, p, udot */
 enum {
@@ -29,7 +29,7 @@ enum {
     inverse_dynamics_w_size = 14
 };
 CARDAN_API int inverse_dynamics(const cardan_in *in, real *out, real *work);
-CARDAN_API void prepare_inverse_dynamics(const real *p, wreal *w);
+CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *w);
 
 /* M: kinetic energy is 1/2 uᵀ M u; reads q, p */
 enum {
@@ -38,6 +38,6 @@ enum {
     mass_matrix_w_size = 7
 };
 CARDAN_API int mass_matrix(const cardan_in *in, real *out, real *work);
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *w);
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *w);
 
 #endif

@@ -22,7 +22,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* left.bucket: mass, inertia */
     const wreal left_load = p[3]; /* kg */
@@ -63,6 +63,8 @@ CARDAN_API void prepare_mass_matrix(const real *p, wreal *CARDAN_RESTRICT w)
     w[6] = trolley_base_mass + axle_coupling * axle_momentum_my; /* M_1_1 */
 }
 
+#include "lanes.h"
+
 /* M: kinetic energy is 1/2 uᵀ M u */
 CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
@@ -71,59 +73,66 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* left.hang: cos, sin, momentum mx, momentum mz, momentum fy */
+    /* shared by several: cos, sin */
     const real left_hang_angle2 = q[2]; /* rad */
-    const wreal left_bucket_inertia_zz = w[0];
-    const wreal left_bucket_mass = w[1];
-    const wreal left_bucket_inertia_xx = w[2];
-    const real left_hang_cos = cardan_cos(left_hang_angle2);
-    const real left_hang_sin = cardan_sin(left_hang_angle2);
-    const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos;
-    const real left_hang_momentum_mz = left_bucket_inertia_zz * left_hang_sin;
-    const real left_hang_momentum_fy = left_bucket_mass * left_hang_cos;
-
-    /* right.hang: cos, sin, momentum mx, momentum mz, momentum fy */
     const real right_hang_angle2 = q[4]; /* rad */
+    const real angle[CARDAN_PADDED(2)] = {left_hang_angle2, right_hang_angle2};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real left_hang_cos = cosine[0];
+    const real left_hang_sin = sine[0];
+    const real right_hang_cos = cosine[1];
+    const real right_hang_sin = sine[1];
+
+    /* right.hang: momentum mx, momentum mz, momentum fy */
     const wreal right_bucket_inertia_zz = w[3];
     const wreal right_bucket_mass = w[4];
     const wreal right_bucket_inertia_xx = w[5];
-    const real right_hang_cos = cardan_cos(right_hang_angle2);
-    const real right_hang_sin = cardan_sin(right_hang_angle2);
     const real right_hang_momentum_mx = right_bucket_inertia_xx * right_hang_cos;
     const real right_hang_momentum_mz = right_bucket_inertia_zz * right_hang_sin;
     const real right_hang_momentum_fy = right_bucket_mass * right_hang_cos;
 
     /* M */
     const real M_5_1 = -right_hang_momentum_fy;
-    const real M_3_1 = -left_hang_momentum_fy;
     /* M: right.hang.u.angle1,right.hang.u.angle1 */
     out[18] = right_hang_cos * right_hang_momentum_mx + right_hang_sin * right_hang_momentum_mz;
-    /* M: left.hang.u.angle1,left.hang.u.angle1 */
-    out[6] = left_hang_cos * left_hang_momentum_mx + left_hang_sin * left_hang_momentum_mz;
     out[4] = M_5_1; /* M: track.u,right.hang.u.angle2 */
     out[20] = M_5_1; /* M: right.hang.u.angle2,track.u */
+
+    /* left.hang: momentum mx, momentum mz, momentum fy */
+    const wreal left_bucket_inertia_zz = w[0];
+    const wreal left_bucket_mass = w[1];
+    const wreal left_bucket_inertia_xx = w[2];
+    const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos;
+    const real left_hang_momentum_mz = left_bucket_inertia_zz * left_hang_sin;
+    const real left_hang_momentum_fy = left_bucket_mass * left_hang_cos;
+
+    /* M */
+    const real M_3_1 = -left_hang_momentum_fy;
+    /* M: left.hang.u.angle1,left.hang.u.angle1 */
+    out[6] = left_hang_cos * left_hang_momentum_mx + left_hang_sin * left_hang_momentum_mz;
     out[2] = M_3_1; /* M: track.u,left.hang.u.angle2 */
     out[10] = M_3_1; /* M: left.hang.u.angle2,track.u */
 
     /* results that are numbers or inputs */
-    out[0] = w[6]; /* M: track.u,track.u */
-    out[1] = 0.0; /* M: track.u,left.hang.u.angle1 */
-    out[3] = 0.0; /* M: track.u,right.hang.u.angle1 */
-    out[5] = 0.0; /* M: left.hang.u.angle1,track.u */
-    out[7] = 0.0; /* M: left.hang.u.angle1,left.hang.u.angle2 */
-    out[8] = 0.0; /* M: left.hang.u.angle1,right.hang.u.angle1 */
-    out[9] = 0.0; /* M: left.hang.u.angle1,right.hang.u.angle2 */
-    out[11] = 0.0; /* M: left.hang.u.angle2,left.hang.u.angle1 */
-    out[12] = w[2]; /* M: left.hang.u.angle2,left.hang.u.angle2 */
-    out[13] = 0.0; /* M: left.hang.u.angle2,right.hang.u.angle1 */
-    out[14] = 0.0; /* M: left.hang.u.angle2,right.hang.u.angle2 */
-    out[15] = 0.0; /* M: right.hang.u.angle1,track.u */
-    out[16] = 0.0; /* M: right.hang.u.angle1,left.hang.u.angle1 */
-    out[17] = 0.0; /* M: right.hang.u.angle1,left.hang.u.angle2 */
-    out[19] = 0.0; /* M: right.hang.u.angle1,right.hang.u.angle2 */
-    out[21] = 0.0; /* M: right.hang.u.angle2,left.hang.u.angle1 */
-    out[22] = 0.0; /* M: right.hang.u.angle2,left.hang.u.angle2 */
-    out[23] = 0.0; /* M: right.hang.u.angle2,right.hang.u.angle1 */
-    out[24] = w[5]; /* M: right.hang.u.angle2,right.hang.u.angle2 */
+    out[0] = CARDAN_REAL(w[6]); /* M: track.u,track.u */
+    out[1] = CARDAN_REAL(0.0); /* M: track.u,left.hang.u.angle1 */
+    out[3] = CARDAN_REAL(0.0); /* M: track.u,right.hang.u.angle1 */
+    out[5] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,track.u */
+    out[7] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,left.hang.u.angle2 */
+    out[8] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,right.hang.u.angle1 */
+    out[9] = CARDAN_REAL(0.0); /* M: left.hang.u.angle1,right.hang.u.angle2 */
+    out[11] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,left.hang.u.angle1 */
+    out[12] = CARDAN_REAL(w[2]); /* M: left.hang.u.angle2,left.hang.u.angle2 */
+    out[13] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,right.hang.u.angle1 */
+    out[14] = CARDAN_REAL(0.0); /* M: left.hang.u.angle2,right.hang.u.angle2 */
+    out[15] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,track.u */
+    out[16] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,left.hang.u.angle1 */
+    out[17] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,left.hang.u.angle2 */
+    out[19] = CARDAN_REAL(0.0); /* M: right.hang.u.angle1,right.hang.u.angle2 */
+    out[21] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,left.hang.u.angle1 */
+    out[22] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,left.hang.u.angle2 */
+    out[23] = CARDAN_REAL(0.0); /* M: right.hang.u.angle2,right.hang.u.angle1 */
+    out[24] = CARDAN_REAL(w[5]); /* M: right.hang.u.angle2,right.hang.u.angle2 */
     return CARDAN_OK;
 }

@@ -4,7 +4,7 @@
 #include "functions.h"
 
 /* generalized coordinates */
-const real cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.0, /* track [m] */
     0.0, /* left.hang.angle1 [rad] */
     0.0, /* left.hang.angle2 [rad] */
@@ -13,12 +13,12 @@ const real cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
 };
 
 /* inputs */
-const real cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* push [N] */
 };
 
 /* parameters */
-const real cardan_default_p[cardan_np + (cardan_np == 0)] = {
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     1.2, /* span [m] */
     5.0, /* wheel [kg] */
     0.1, /* radius [m] */

@@ -7,7 +7,6 @@ from cardan.codegen import CFile, generate
 from cardan.codegen.languages import c
 from cardan.codegen.program import (
     Assign,
-    Branch,
     Declare,
     Index,
     Loop,
@@ -72,24 +71,6 @@ def test_loop_over_a_table(compiler: str) -> None:
     answer = call(cfile, {"q": [1.0, 10.0, 100.0]}, compiler)
     x = np.array([100.0, 1.0, 10.0])
     assert answer.out.tolist() == [*(2 * x + x * x), 1.0, 10.0, 100.0]
-
-
-@pytest.mark.parametrize("compiler", sorted(compilers()))
-def test_branch_takes_one_side(compiler: str) -> None:
-    g = Graph()
-    mode, x = g.var("q", 0), g.var("q", 1)
-    root = g.apply("sqrt", x)
-    scope = Scope(g, range(len(g)), {mode: "mode", x: "x"}, frozenset({mode, x}))
-    rest = tuple(Assign(Place("out", k), 0) for k in range(1, 6))
-    body = (
-        Declare("mode", Place("q", 0)),
-        Declare("x", Place("q", 1)),
-        Branch(mode, (Assign(Place("out", 0), root),), (Assign(Place("out", 0), x),)),
-        Branch(x, rest),
-    )
-    cfile = program(body, scope)
-    assert call(cfile, {"q": [1.0, 9.0]}, compiler).out.tolist() == [3.0, 0, 0, 0, 0, 0]
-    assert call(cfile, {"q": [0.0, 9.0]}, compiler).out.tolist() == [9.0, 0, 0, 0, 0, 0]
 
 
 def test_number_tables_are_complete() -> None:

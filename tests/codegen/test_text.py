@@ -1,5 +1,6 @@
 """The C as a reader sees it: head, sections, names, lines; the same bytes every time."""
 
+import math
 import os
 import re
 import shutil
@@ -7,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import cardan as cd
@@ -17,7 +19,7 @@ from cardan.ir.function import Block, Function, Output, Staged
 from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from codegen.functions import random_function
-from codegen.running import KERNELS, SPEED, STRICT, compilers, shared
+from codegen.running import KERNELS, SPEED, STRICT, call, compilers, shared
 from mechanisms import ZOO, Mechanism
 
 SCREENED = ("rhs", "inverse_dynamics", "energy", "integrate", "difference", "outputs", "power")
@@ -80,20 +82,30 @@ def test_sections_stand_in_the_order_of_the_joints() -> None:
 
 def test_temporaries_are_called_after_owner_and_quantity() -> None:
     text = generate(pendulums()).text
-    assert "const real joint2_sin = cardan_sin(joint2_q);" in text
+    assert "const real joint2_sin = sine[0];" in text
     assert "const real joint3_omega_z = " in text
     assert "const wreal joint2_length = w[0]; /* m */" in text
     assert re.search(r"out\[1\] = .*; /\* f: joint2 \[N\] \*/", text)
     assert "_tmp" not in text
 
 
-def test_sine_and_cosine_of_an_angle_stand_side_by_side() -> None:
-    lines = generate(pendulums()).text.splitlines()
-    for k, line in enumerate(lines):
-        if "cardan_sin(" in line:
-            angle = line.split("cardan_sin(")[1]
-            near = " ".join((lines[k - 1], lines[k + 1]))
-            assert f"cardan_cos({angle}" in near
+def test_sines_and_cosines_of_inputs_are_computed_at_once() -> None:
+    text = generate(pendulums()).text
+    assert "const real angle[CARDAN_PADDED(2)] = {joint2_q, joint3_q};" in text
+    assert text.count("cardan_sincos(2, angle, sine, cosine);") == 1
+    assert "cardan_sin(" not in text
+
+
+def test_angles_that_need_other_angles_follow() -> None:
+    g = Graph()
+    q = g.var("q", 0)
+    inner = g.apply("sin", g.mul(q, q))
+    roots = (g.apply("cos", g.add(inner, q)), g.apply("sin", g.add(inner, q)), inner)
+    block = Block("q", ("a",), ("rad",))
+    cfile = generate(Function("nested", g, (block,), (Output("y", (3,), roots),)))
+    assert cfile.text.count("cardan_sincos(1, ") == 2
+    expected = [math.cos(math.sin(0.49) + 0.7), math.sin(math.sin(0.49) + 0.7), math.sin(0.49)]
+    assert np.abs(call(cfile, {"q": [0.7]}).out - expected).max() <= 2.3e-16
 
 
 @pytest.mark.parametrize("seed", range(4))

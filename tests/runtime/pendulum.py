@@ -221,7 +221,8 @@ def write(directory: Path, names: list[str] | None = None) -> Path:
     """A model directory with some of the functions, all by default."""
     chosen = list(FUNCTIONS) if names is None else names
     directory.mkdir(parents=True, exist_ok=True)
-    shutil.copy(KERNELS / "cardan.h", directory / "cardan.h")
+    for header in ("cardan.h", "lanes.h", "sincos.h"):
+        shutil.copy(KERNELS / header, directory / header)
     for name in chosen:
         (directory / f"{name}.c").write_text(text(name, FUNCTIONS[name]))
     (directory / "manifest.json").write_text(json.dumps(manifest(chosen)))

@@ -27,7 +27,7 @@ def prototypes(manifest: dict[str, Any]) -> str:
         '#include "model.h"',
         "",
         "/* model.c: values to start from; speeds start from 0 */",
-        *(f"extern const real {header.array(block)};" for block in "qrp"),
+        *(f"extern const double {header.array(block)};" for block in "qrp"),
     ]
     for name, entry in manifest["functions"].items():
         reads = ", ".join(entry["inputs"]) or "nothing"
@@ -38,7 +38,7 @@ def prototypes(manifest: dict[str, Any]) -> str:
             f"    {name}_w_size = {entry['prepared_size']}",
             "};",
             f"CARDAN_API int {name}(const cardan_in *in, real *out, real *work);",
-            f"CARDAN_API void prepare_{name}(const real *p, wreal *w);",
+            f"CARDAN_API void prepare_{name}(const wreal *p, wreal *w);",
         ]
     return "\n".join([*lines, "", "#endif"]) + "\n"
 

@@ -55,7 +55,7 @@ def defaults(manifest: dict[str, Any]) -> str:
     for block, key, meaning in BLOCKS:
         if block == "u":
             continue
-        lines += ["", f"/* {meaning} */", f"const real {array(block)} = {{"]
+        lines += ["", f"/* {meaning} */", f"const double {array(block)} = {{"]
         # an array has at least one element in C
         rows = manifest[key] or [{"name": "nothing", "unit": "", "default": 0.0}]
         if block == "q" and manifest[key]:

@@ -25,6 +25,8 @@ from .manifest import Base
 from .writing import CFile
 
 KERNELS = Path(__file__).parents[1] / "kernels"
+# what every function stands on
+HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 MANIFEST, SAVED, LOCK = "manifest.json", "functions.json", ".lock"
 
 
@@ -52,10 +54,8 @@ def write_model(directory: Path, base: Base) -> None:
             )
         for name in (there or {}).get("sha256", {}):
             (directory / Path(name).name).unlink(missing_ok=True)
-        hashes = {
-            "cardan.h": _write(directory / "cardan.h", kernel("cardan.h")),
-            "model.h": _write(directory / "model.h", header.slots(base.data)),
-        }
+        hashes = {name: _write(directory / name, kernel(name)) for name in HEADERS}
+        hashes["model.h"] = _write(directory / "model.h", header.slots(base.data))
         saved = [(f.name, to_dict(f)) for f in base.saved()]
         hashes[SAVED] = _write(directory / SAVED, _joined(saved))
         _write_manifest(directory, {**base.data, "sha256": hashes})

@@ -64,6 +64,20 @@ class Assign(NamedTuple):
     comment: str = ""
 
 
+class Angles(NamedTuple):
+    """Sines and cosines of some values, computed at once.
+
+    Attributes:
+        angles: Their nodes.
+        names: The arrays of angles, of sines and of cosines that are made here.
+        prepared: They are values of parameters only.
+    """
+
+    angles: tuple[int, ...]
+    names: tuple[str, str, str]
+    prepared: bool = False
+
+
 class Call(NamedTuple):
     """A part of a long function runs with the arguments of the function."""
 
@@ -112,14 +126,6 @@ class Dispatch(NamedTuple):
     steps: tuple[str, ...]
 
 
-class Branch(NamedTuple):
-    """One of two lists of statements, by a node that is not 0 or 0."""
-
-    condition: int
-    then: tuple[Statement, ...]
-    otherwise: tuple[Statement, ...] = ()
-
-
 class Section(NamedTuple):
     """Statements that belong together, under a title."""
 
@@ -127,7 +133,7 @@ class Section(NamedTuple):
     body: tuple[Statement, ...]
 
 
-Statement: TypeAlias = Declare | Assign | Call | Dispatch | Solve | Loop | Branch | Section
+Statement: TypeAlias = Declare | Assign | Angles | Call | Dispatch | Solve | Loop | Section
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,12 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from . import parts
+from . import angles, parts
 from .naming import comment
 from .owners import SHARED
 from .plan import Plan, make_plan
 from .program import (
+    Angles,
     Assign,
     Call,
     Declare,
@@ -117,6 +118,11 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     return Built(tuple(routines), computed, dict(operators), blocks, builder.tables, length)
 
 
+def room(n: int, m: int) -> int:
+    """Numbers that a linear system needs: A, B and the scratch of its kernel, as in solve.h."""
+    return n * (n + m) + 2 * n + (n * (n + m) + 1) // 2
+
+
 class _Builder:
     """Statements of a planned stage."""
 
@@ -133,13 +139,14 @@ class _Builder:
             self.results.setdefault(result.node, []).append(result)
         # room for A, B and the scratch of the kernel of every linear system
         self.systems: dict[int, int] = {}
+        self.turned: dict[int, Place] = {}
         self.tables: tuple[Table, ...] = ()
         self.length = stage.start
         for i in plan.reads:
             node = self.graph.nodes[i]
             if node[0] == "solve":
                 self.systems[i] = self.length
-                self.length += node[2] * (node[2] + node[3]) + 2 * node[2]
+                self.length += room(node[2], node[3])
 
     def part(self, sections: Sections) -> list[Statement]:
         """The statements of some sections; each section after what it loads from outside.
@@ -154,18 +161,21 @@ class _Builder:
             outer: list[int] = []
             lines: list[Statement] = []
             results: list[Statement] = []
-            for i in statements:
-                for k in reads[i]:
+            for group in angles.groups(self.graph, reads, statements):
+                for k in (k for i in group for k in reads[i]):
                     if k not in here:
                         here.add(k)
                         if k in crossing:
                             lines.append(self._load(k))
                         else:
                             outer.append(k)
-                here.add(i)
-                self._state(i, lines, results)
-                if i in crossing:
-                    lines.append(Assign(Place(self.stage.array, crossing[i]), i))
+                if self.graph.nodes[group[0]][0] in angles.OPERATORS:
+                    self._turn(group, lines)
+                for i in group:
+                    here.add(i)
+                    self._state(i, lines, results)
+                    if i in crossing:
+                        lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
             found.append(Section(self._title(title, statements), (*loads, *lines, *results)))
         return found
@@ -212,19 +222,29 @@ class _Builder:
         self.names[k] = load.name
         return load
 
+    def _turn(self, group: Sequence[int], lines: list[Statement]) -> None:
+        """Add the statement that computes some sines and cosines."""
+        nodes = self.graph.nodes
+        number = {angle: k for k, angle in enumerate(dict.fromkeys(nodes[i][1] for i in group))}
+        angle, sine, cosine = (self.values.local(name) for name in ("angle", "sine", "cosine"))
+        lines.append(Angles(tuple(number), (angle, sine, cosine), not self.after))
+        for i in group:
+            op, turned = nodes[i]
+            self.turned[i] = Place(sine if op == "sin" else cosine, number[turned])
+
     def _state(self, i: int, lines: list[Statement], results: list[Statement]) -> None:
         """Add a statement to the lines, and the results it serves to the results."""
         node = self.graph.nodes[i]
+        value: int | Place = self.turned.get(i, i)
         if i in self.plan.direct:
             result = self.results[i][0]
-            results.append(Assign(result.place, i, result.comment))
+            results.append(Assign(result.place, value, result.comment))
             return
         if node[0] == "solve":
             kind, n, m = node[1:4]
             lines.append(Solve(kind, n, m, node[4:], self.stage.array, self.systems[i]))
             return
         name = self.names[i] = self.values.named(i, self.plan.owners[i])
-        value: int | Place = i
         if node[0] == "item":
             n = self.graph.nodes[node[1]][2]
             value = Place(self.stage.array, self.systems[node[1]] + n * n + node[2])

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from heapq import heapify, heappop, heappush
 
+from . import angles
+from .owners import SHARED
 from .plan import Plan
 
 Sections = list[tuple[str, list[int]]]
@@ -30,16 +32,26 @@ def arrange(plan: Plan) -> Sections:
                 readers[number[k]].append(n)
                 waiting[n] += 1
 
+    sections: Sections = []
+    done = bytearray(len(statements) + 1)
+    begin = angles.first(plan)
+    if begin:
+        begun = {home[number[i]] for i in begin}
+        sections.append((begun.pop() if len(begun) == 1 else SHARED, begin))
+        for i in begin:
+            done[number[i]] = 1
+        for i in begin:
+            for k in readers[number[i]]:
+                waiting[k] -= 1
+
     # ready statements of every section, and of all of them
-    anywhere = [n for n, missing in enumerate(waiting) if not missing]
+    anywhere = [n for n, missing in enumerate(waiting) if not missing and not done[n]]
     ready: dict[str, list[int]] = {title: [] for title in home}
     for n in anywhere:
         ready[home[n]].append(n)
     for queue in ready.values():
         heapify(queue)
 
-    sections: Sections = []
-    done = bytearray(len(statements) + 1)
     first = 0
     while anywhere:
         n = heappop(anywhere)

@@ -70,6 +70,10 @@ class Values:
             found = self.names[i] = self._unique.new(base)
         return found
 
+    def local(self, base: str) -> str:
+        """An identifier that belongs to no node."""
+        return self._unique.new(base)
+
     def entry(self, i: int) -> tuple[str, str]:
         """(name, unit) of an input entry as the user knows it, ("", "") for other nodes."""
         node = self.function.graph.nodes[i]

@@ -99,7 +99,7 @@ def _entry(
         "output_size": sum(output.size for output in function.outputs),
         "work_size": program.work_size,
         "prepared_size": program.prepared_size,
-        "lanes": [1],
+        "lanes": [1, 2, 4, 8],
         "operations": program.operations,
         "headers": list(program.includes),
         "sha256": hashlib.sha256(text.encode()).hexdigest(),

@@ -2,7 +2,9 @@
  * solve.h: linear systems inside generated functions that need pivoting.
  *
  * A (n x n) and B (n x m) are stored row by row. Both are overwritten: B by the solution, A by the
- * factors. `order` holds 2 n scratch numbers. Included where needed; static functions only.
+ * factors. `scratch` holds 2 n numbers for a system, n (n + m) / 2 more for systems of lanes.
+ * Included where needed; static functions only. (cardan_max) is the function of plain numbers,
+ * whatever lanes.h makes of its name.
  */
 #ifndef CARDAN_SOLVE_H
 #define CARDAN_SOLVE_H
@@ -10,38 +12,41 @@
 #include "cardan.h"
 #include <float.h>
 
-/* scratch of the functions below */
-#define CARDAN_SOLVE_SCRATCH(n) (2 * (n))
+/* the functions below, and the way to call one; from lanes.h on there are several systems */
+typedef int cardan_solver(int n, int m, double *a, double *b, double *scratch);
+#ifndef CARDAN_SOLVE
+#define CARDAN_SOLVE(kind, n, m, a, b, scratch) cardan_solve_##kind(n, m, a, b, scratch)
+#endif
 
 /* Exchange two rows of a matrix with m columns. */
-CARDAN_INLINE void cardan_swap_rows(int m, real *a, int i, int j)
+CARDAN_INLINE void cardan_swap_rows(int m, double *a, int i, int j)
 {
     for (int k = 0; k < m; ++k) {
-        const real held = a[i * m + k];
+        const double held = a[i * m + k];
         a[i * m + k] = a[j * m + k];
         a[j * m + k] = held;
     }
 }
 
 /* Exchange two columns of a matrix with n rows. */
-CARDAN_INLINE void cardan_swap_columns(int n, real *a, int i, int j)
+CARDAN_INLINE void cardan_swap_columns(int n, double *a, int i, int j)
 {
     for (int k = 0; k < n; ++k) {
-        const real held = a[k * n + i];
+        const double held = a[k * n + i];
         a[k * n + i] = a[k * n + j];
         a[k * n + j] = held;
     }
 }
 
-CARDAN_INLINE void cardan_swap(real *a, int i, int j)
+CARDAN_INLINE void cardan_swap(double *a, int i, int j)
 {
-    const real held = a[i];
+    const double held = a[i];
     a[i] = a[j];
     a[j] = held;
 }
 
 /* Unknowns back into their order after exchanges. */
-CARDAN_INLINE void cardan_restore_order(int n, int m, real *b, real *order)
+CARDAN_INLINE void cardan_restore_order(int n, int m, double *b, double *order)
 {
     for (int i = 0; i < n; ++i)
         while ((int)order[i] != i) {
@@ -52,9 +57,9 @@ CARDAN_INLINE void cardan_restore_order(int n, int m, real *b, real *order)
 }
 
 /* No solution: say so in the numbers and in the status. */
-CARDAN_INLINE int cardan_no_solution(int size, real *b)
+CARDAN_INLINE int cardan_no_solution(int size, double *b)
 {
-    for (int i = 0; i < size; ++i) b[i] = (real)NAN;
+    for (int i = 0; i < size; ++i) b[i] = (double)NAN;
     return CARDAN_SINGULAR;
 }
 
@@ -65,17 +70,17 @@ CARDAN_INLINE int cardan_no_solution(int size, real *b)
  * Returns CARDAN_SINGULAR where B contradicts A.
  * Source: G. H. Golub, C. F. Van Loan, Matrix Computations, section 3.4.8.
  */
-CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, real *scratch)
+CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b, double *scratch)
 {
-    real *const order = scratch, *const scale = scratch + n;
-    real tolerance = 0.0;
+    double *const order = scratch, *const scale = scratch + n;
+    double tolerance = 0.0;
     int rank = 0;
 
     /* the largest entry of every row of B tells rounding from contradiction */
     for (int i = 0; i < n; ++i) {
         order[i] = i;
         scale[i] = 0.0;
-        for (int k = 0; k < m; ++k) scale[i] = cardan_max(scale[i], fabs(b[i * m + k]));
+        for (int k = 0; k < m; ++k) scale[i] = (cardan_max)(scale[i], fabs(b[i * m + k]));
     }
     for (; rank < n; ++rank) {
         /* the largest entry left becomes the pivot */
@@ -86,7 +91,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, re
                     row = i;
                     column = j;
                 }
-        const real pivot = a[row * n + column];
+        const double pivot = a[row * n + column];
         if (!(pivot - pivot == 0.0)) return cardan_no_solution(n * m, b);
         if (rank == 0) tolerance = n * DBL_EPSILON * fabs(pivot);
         if (fabs(pivot) <= tolerance) break;
@@ -98,11 +103,11 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, re
 
         /* eliminate below */
         for (int i = rank + 1; i < n; ++i) {
-            const real factor = a[i * n + rank] / pivot;
+            const double factor = a[i * n + rank] / pivot;
             if (factor == 0.0) continue;
             for (int j = rank + 1; j < n; ++j) a[i * n + j] -= factor * a[rank * n + j];
             for (int k = 0; k < m; ++k) b[i * m + k] -= factor * b[rank * m + k];
-            scale[i] = cardan_max(scale[i], fabs(factor) * scale[rank]);
+            scale[i] = (cardan_max)(scale[i], fabs(factor) * scale[rank]);
         }
     }
 
@@ -117,7 +122,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, re
     /* back substitution */
     for (int i = rank - 1; i >= 0; --i)
         for (int k = 0; k < m; ++k) {
-            real sum = b[i * m + k];
+            double sum = b[i * m + k];
             for (int j = i + 1; j < rank; ++j) sum -= a[i * n + j] * b[j * m + k];
             b[i * m + k] = sum / a[i * n + i];
         }
@@ -127,21 +132,23 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, real *a, real *b, re
 }
 
 /* [x y] with D [x y]ᵀ = [e f]ᵀ for the symmetric block D of two rows of A from row k on. */
-CARDAN_INLINE void cardan_divide_block(int n, const real *a, int k, real e, real f, real *x, real *y)
+CARDAN_INLINE void cardan_divide_block(int n, const double *a, int k, double e, double f, double *x,
+                                       double *y)
 {
-    const real beside = a[k * n + k + 1];
-    const real first = a[k * n + k] / beside, second = a[(k + 1) * n + k + 1] / beside;
-    const real scale = 1.0 / (beside * (first * second - 1.0));
+    const double beside = a[k * n + k + 1];
+    const double first = a[k * n + k] / beside, second = a[(k + 1) * n + k + 1] / beside;
+    const double scale = 1.0 / (beside * (first * second - 1.0));
     *x = scale * (second * e - f);
     *y = scale * (first * f - e);
 }
 
 /* Where the next pivot is: one entry of the diagonal, or the block of two rows. 0 if none. */
-CARDAN_INLINE int cardan_find_pivot(int n, const real *a, int k, real tolerance, int *one, int *two)
+CARDAN_INLINE int cardan_find_pivot(int n, const double *a, int k, double tolerance, int *one,
+                                    int *two)
 {
-    const real alpha = 0.6403882032022076; /* (1 + sqrt(17)) / 8 bounds the growth */
+    const double alpha = 0.6403882032022076; /* (1 + sqrt(17)) / 8 bounds the growth */
     int diagonal = k, row = k, column = k;
-    real beside = 0.0;
+    double beside = 0.0;
 
     for (int i = k; i < n; ++i) {
         if (fabs(a[i * n + i]) > fabs(a[diagonal * n + diagonal])) diagonal = i;
@@ -152,19 +159,19 @@ CARDAN_INLINE int cardan_find_pivot(int n, const real *a, int k, real tolerance,
                 column = j;
             }
     }
-    const real size = fabs(a[diagonal * n + diagonal]);
+    const double size = fabs(a[diagonal * n + diagonal]);
     const int single = size >= alpha * beside;
     *one = single ? diagonal : column;
     *two = row;
-    if (!(size - size == 0.0) || cardan_max(size, beside) <= tolerance) return 0;
+    if (!(size - size == 0.0) || (cardan_max)(size, beside) <= tolerance) return 0;
     return single ? 1 : 2;
 }
 
 /* Subtract the share of the pivot rows k ... k + size - 1 from all rows below; keep L in A. */
-CARDAN_INLINE void cardan_eliminate(int n, int m, real *a, real *b, int k, int size)
+CARDAN_INLINE void cardan_eliminate(int n, int m, double *a, double *b, int k, int size)
 {
     for (int i = k + size; i < n; ++i) {
-        real x, y = 0.0;
+        double x, y = 0.0;
         if (size == 1)
             x = a[i * n + k] / a[k * n + k];
         else
@@ -185,10 +192,11 @@ CARDAN_INLINE void cardan_eliminate(int n, int m, real *a, real *b, int k, int s
  * Source: J. R. Bunch, B. N. Parlett, Direct methods for solving symmetric indefinite systems of
  * linear equations, SIAM J. Numer. Anal. 8 (1971).
  */
-CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, real *a, real *b, real *scratch)
+CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, double *b,
+                                                    double *scratch)
 {
-    real *const order = scratch, *const block = scratch + n;
-    real largest = 0.0;
+    double *const order = scratch, *const block = scratch + n;
+    double largest = 0.0;
 
     /* the whole matrix is kept, so that exchanges are simple */
     for (int i = 0; i < n; ++i) {
@@ -196,7 +204,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, real *a, real 
         block[i] = 0.0;
         for (int j = 0; j <= i; ++j) {
             a[j * n + i] = a[i * n + j];
-            largest = cardan_max(largest, fabs(a[i * n + j]));
+            largest = (cardan_max)(largest, fabs(a[i * n + j]));
         }
     }
 
@@ -220,7 +228,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, real *a, real 
     for (int k = n - 1; k >= 0; --k) {
         const int size = (int)block[k];
         for (int c = 0; c < m && size > 0; ++c) {
-            real *const x = b + k * m + c;
+            double *const x = b + k * m + c;
             if (size == 1)
                 *x /= a[k * n + k];
             else
@@ -232,5 +240,22 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, real *a, real 
     cardan_restore_order(n, m, b, order);
     return CARDAN_OK;
 }
+
+#if CARDAN_LANES > 1
+/* The systems of lanes one after the other, since pivots differ. */
+CARDAN_INLINE int cardan_solve_lanes(cardan_solver *solve, int n, int m, real *a, real *b,
+                                     real *scratch)
+{
+    double *const own_a = (double *)scratch, *const own_b = own_a + n * n;
+    int status = CARDAN_OK;
+    for (int lane = 0; lane < CARDAN_LANES; ++lane) {
+        for (int k = 0; k < n * n; ++k) own_a[k] = a[k][lane];
+        for (int k = 0; k < n * m; ++k) own_b[k] = b[k][lane];
+        status |= solve(n, m, own_a, own_b, own_b + n * m);
+        for (int k = 0; k < n * m; ++k) b[k][lane] = own_b[k];
+    }
+    return status;
+}
+#endif
 
 #endif

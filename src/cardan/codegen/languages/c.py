@@ -7,8 +7,8 @@ from typing import Any
 
 from ..naming import comment
 from ..program import (
+    Angles,
     Assign,
-    Branch,
     Call,
     Declare,
     Dispatch,
@@ -21,6 +21,7 @@ from ..program import (
     Solve,
     Statement,
     Table,
+    Value,
 )
 from .expressions import definitions
 
@@ -28,17 +29,19 @@ SUFFIX = ".c"
 COLUMNS = 100
 STEP = "    "
 
+# what stands below is about states: several of them side by side, if the compiler is told so
+LANES = '#include "lanes.h"'
 BLOCKS = ("t", "q", "u", "z", "s", "r", "w", "udot", "zdot", "lam", "tau", "wrench", "du", "q0")
 SIGNATURES = {
     "function": "CARDAN_API int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"
     " real *CARDAN_RESTRICT work)",
     "part": "CARDAN_PART int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"
     " real *CARDAN_RESTRICT work)",
-    "prepare": "CARDAN_API void {}(const real *p, wreal *CARDAN_RESTRICT w)",
-    "prepare_part": "CARDAN_PART void {}(const real *p, wreal *CARDAN_RESTRICT w)",
+    "prepare": "CARDAN_API void {}(const wreal *p, wreal *CARDAN_RESTRICT w)",
+    "prepare_part": "CARDAN_PART void {}(const wreal *p, wreal *CARDAN_RESTRICT w)",
     "step": "CARDAN_PART int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"
     " real *CARDAN_RESTRICT work, const int *at)",
-    "prepare_step": "CARDAN_PART void {}(const real *p, wreal *CARDAN_RESTRICT w, const int *at)",
+    "prepare_step": "CARDAN_PART void {}(const wreal *p, wreal *CARDAN_RESTRICT w, const int *at)",
 }
 RUNS, PREPARES = ("in", "out", "work"), ("p", "w")
 ARGUMENTS = {
@@ -63,6 +66,8 @@ def write(program: Program) -> str:
         lines.extend(["", *_table(table)])
     writer: _Writer | None = None
     for routine in program.routines:
+        if LANES not in lines and not routine.kind.startswith("prepare"):
+            lines.extend(["", LANES])
         # the parts of a routine share its expressions
         if writer is None or writer.scope is not routine.scope:
             writer = _Writer(routine.scope, program)
@@ -136,9 +141,42 @@ class _Writer:
         _line(head, text, s.comment, indent, lines)
 
     def _assign(self, s: Assign, indent: str, lines: list[str]) -> None:
-        value = s.value
-        text = self.pieces[value][0] if isinstance(value, int) else self._place(value)
+        text = self._number(s.value, s.target.array in PREPARES)
         _line(f"{indent}{self._place(s.target)} = ", text, s.comment, indent, lines)
+
+    def _number(self, value: Value, prepared: bool) -> str:
+        """A value as an array of states has it, or as one of prepared parameters.
+
+        Literals and, among states, parameters are plain numbers and become what the array holds.
+        """
+        text = self.pieces[value][0] if isinstance(value, int) else self._place(value)
+        if isinstance(value, Place):
+            plain = value.array == "w" and not prepared
+        else:
+            plain = self.scope.graph.nodes[value][0] == "const" if prepared else self._plain(value)
+        return f"CARDAN_{'W' if prepared else ''}REAL({text})" if plain else text
+
+    def _plain(self, i: int) -> bool:
+        """Whether a node of a stage of states is made of literals and parameters."""
+        node = self.scope.graph.nodes[i]
+        if node[0] == "const":
+            return True
+        if node[0] == "var":
+            return bool(node[1] == "p")
+        if i in self.scope.outside:
+            return True
+        # only a changed sign can stand here: everything else of parameters is prepared
+        return node[0] == "neg" and self._plain(node[1])
+
+    def _angles(self, s: Angles, indent: str, lines: list[str]) -> None:
+        """Three arrays and the call that fills two of them."""
+        kind, n = "wreal" if s.prepared else "real", len(s.angles)
+        angle, sine, cosine = s.names
+        values = ", ".join(self._number(i, s.prepared) for i in s.angles)
+        size = f"[CARDAN_PADDED({n})]"
+        _line(f"{indent}const {kind} {angle}{size} = ", f"{{{values}}}", "", indent, lines)
+        lines.append(f"{indent}{kind} {sine}{size}, {cosine}{size};")
+        lines.append(f"{indent}cardan_sincos({n}, {angle}, {sine}, {cosine});")
 
     def _section(self, s: Section, indent: str, lines: list[str]) -> None:
         lines.append("")
@@ -175,14 +213,14 @@ class _Writer:
         right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
         for k, node in enumerate(s.entries):
             head = f"{indent}{s.array}[{s.start + k}] = "
-            _line(head, self.pieces[node][0], "", indent, lines)
+            _line(head, self._number(node, s.array == "w"), "", indent, lines)
         # the static elimination of spd needs no kernel of its own: any pivoting does
         kernel = "symmetric_indefinite" if s.kind == "spd" else s.kind
         places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
         status = "status |= " if s.array == "work" else "(void)"
         self.touched.add(s.array)
         self.checked = True
-        lines.append(f"{indent}{status}cardan_solve_{kernel}({s.n}, {s.m}, {places});")
+        lines.append(f"{indent}{status}CARDAN_SOLVE({kernel}, {s.n}, {s.m}, {places});")
 
     def _loop(self, s: Loop, indent: str, lines: list[str]) -> None:
         inner = _Writer(s.scope, self.program)
@@ -192,14 +230,6 @@ class _Writer:
         i = s.counter
         lines.append(f"{indent}for (int {i} = 0; {i} < {s.times}; ++{i}) {{")
         lines.extend([*body, f"{indent}}}"])
-
-    def _branch(self, s: Branch, indent: str, lines: list[str]) -> None:
-        lines.append(f"{indent}if ({self.pieces[s.condition][0]} != 0.0) {{")
-        lines.extend(self.all(s.then, indent + STEP))
-        if s.otherwise:
-            lines.append(f"{indent}}} else {{")
-            lines.extend(self.all(s.otherwise, indent + STEP))
-        lines.append(f"{indent}}}")
 
     def _place(self, place: Place) -> str:
         """An array element."""
@@ -219,12 +249,12 @@ class _Writer:
 _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Declare: _Writer._declare,
     Assign: _Writer._assign,
+    Angles: _Writer._angles,
     Section: _Writer._section,
     Call: _Writer._call,
     Dispatch: _Writer._dispatch,
     Solve: _Writer._solve,
     Loop: _Writer._loop,
-    Branch: _Writer._branch,
 }
 
 
