@@ -42,6 +42,7 @@ STANDARD = (
     "power",
     "integrate",
     "difference",
+    "derivative",
 )
 
 

@@ -12,12 +12,14 @@ from ..errors import DerivationError, near
 from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
+from ..ir.request import Request
 from ..topology.system import Named, System
 from . import blocks
 from .counts import Counts, overview
 from .dynamics import Dynamics
-from .functions import RECIPES, Context
+from .functions import Context
 from .kinematics import Kinematics
+from .recipes import RECIPES, about, c_name, check
 from .relative import FORMALISMS, OTHER_NAMES
 from .steps import recursion
 from .sweeps import LATER, Sweeps
@@ -112,13 +114,7 @@ class Equations:
 
     def c_name(self, name: str, of: str | None = None) -> str:
         """C name of a function."""
-        if not of:
-            return name
-        if RECIPES[name].of == "joint":
-            known = [j.name for j in self.system.joints] + list(self.system.fixed)
-        else:
-            known = [f.name for f in self.system.frames]
-        return blocks.c_name(name, of, known)
+        return c_name(self.system, name, of)
 
     def function(self, name: str, of: str | None = None) -> Function:
         """One function as expressions.
@@ -131,21 +127,32 @@ class Equations:
             DerivationError: no such function, frame or joint; or it does not exist for this
                 system, such as udot where M is singular.
         """
-        self._check_name(name, of)
-        c_name = self.c_name(name, of)
-        if c_name not in self._made:
+        check(name, of)
+        symbol = self.c_name(name, of)
+        if symbol not in self._made:
             with collector_paused():
                 k = Kinematics(self.system, self.chosen)
-                self._made[c_name] = self._derive(name, c_name, of, k)
-        return self._made[c_name]
+                self._made[symbol] = self._derive(name, symbol, of, k)
+        return self._made[symbol]
 
-    def _check_name(self, name: str, of: str | None) -> None:
-        if name not in RECIPES:
-            raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
-        recipe = RECIPES[name]
-        if bool(recipe.of) != (of is not None):
-            wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
-            raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
+    def derivative(
+        self, function: str, wrt: Sequence[str] = ("q", "u", "r", "p"), of: str | None = None
+    ) -> Function:
+        """The derivative of a function as expressions.
+
+        Args:
+            function: Such as ``"forward_dynamics"``; ``of``: its frame or joint.
+            wrt: Blocks ``t q u r p udot tau``, or parameters and inputs by name; ``"q"`` stands
+                for columns along the speeds.
+
+        Returns:
+            One output ``d_<wrt>`` for each: the shape of the function, then the columns, which
+            t and single parameters and inputs do not have.
+
+        Raises:
+            DerivationError: no such function, block, parameter or input.
+        """
+        return self.function("derivative", str(Request(function, of, tuple(wrt))))
 
     def recursion(self, name: str) -> Recursion:
         """One function as a recursion: steps that visit the bodies, for loops over tables.
@@ -157,7 +164,7 @@ class Equations:
         Raises:
             DerivationError: the function is none of these, or the formalism has no recursion.
         """
-        self._check_name(name, None)
+        check(name, None)
         if not self.loops(name):
             raise DerivationError(
                 f"function '{name}' by method '{self.method}' is no recursion over the bodies. "
@@ -209,7 +216,7 @@ class Equations:
             homes += [LATER] * o.size if like is None else like
         return homes
 
-    def _derive(self, name: str, c_name: str, of: str | None, k: Kinematics) -> Function:
+    def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
         units = {b.name: b.units for b in self.blocks.values()}
         names["qdot"] = tuple(f"{n}dot" for n in names["q"])
@@ -222,12 +229,12 @@ class Equations:
         ]
         owners += [force.name for force in self.system.forces]
         return Function(
-            c_name,
+            symbol,
             k.graph,
             tuple(self.blocks[letter] for letter in ABI_ORDER),
             results,
             tuple(dict.fromkeys(owners)),
-            RECIPES[name].about,
+            about(name, of),
         )
 
     # readable forms
