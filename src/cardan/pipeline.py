@@ -43,6 +43,7 @@ STANDARD = (
     "power",
     "integrate",
     "difference",
+    "derivative",
 )
 
 

@@ -9,7 +9,8 @@ from typing import Any
 
 from .. import passes
 from ..ir.collector import collector_paused
-from ..ir.function import Function
+from ..ir.function import Function, Output
+from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
 from . import loops
 from .languages import LANGUAGES
@@ -87,15 +88,7 @@ def _entry(
         "of": of,
         "about": function.about,
         "inputs": [block.name for block in function.inputs if block.name in blocks],
-        "outputs": [
-            {
-                "name": output.name,
-                "shape": list(output.shape),
-                "entries": list(output.entries),
-                "units": list(output.units),
-            }
-            for output in function.outputs
-        ],
+        "outputs": [_result(output) for output in function.outputs],
         "output_size": sum(output.size for output in function.outputs),
         "work_size": program.work_size,
         "prepared_size": program.prepared_size,
@@ -104,3 +97,16 @@ def _entry(
         "headers": list(program.includes),
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
     }
+
+
+def _result(output: Output) -> dict[str, Any]:
+    """One result; of matrices also where they are not 0 for structural reasons."""
+    found: dict[str, Any] = {
+        "name": output.name,
+        "shape": list(output.shape),
+        "entries": list(output.entries),
+        "units": list(output.units),
+    }
+    if len(output.shape) > 1:
+        found["sparsity"] = [k for k, node in enumerate(output.nodes) if node != ZERO]
+    return found

@@ -26,6 +26,8 @@ class Dynamics:
     def __init__(self, k: Kinematics, method: str) -> None:
         self.k = k
         self.method = method
+        # (tau, udot) of everything that was solved for
+        self.solutions: list[tuple[Matrix, Matrix]] = []
 
     @cached_property
     def loads(self) -> Loads:
@@ -81,6 +83,11 @@ class Dynamics:
         Raises:
             DerivationError: M is structurally singular; names the joints.
         """
+        udot = self._forward(tau)
+        self.solutions.append((tau, udot))
+        return udot
+
+    def _forward(self, tau: Matrix) -> Matrix:
         if self.method == "articulated":
             return articulated.forward_dynamics(self.k, tau, self.loads, self.gravity)
         self._refuse_massless()

@@ -44,7 +44,7 @@ class Kinematics:
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
-        self._chosen = tuple(speeds)
+        self.chosen = tuple(speeds)
         self._replace: dict[int, int] = {}
         if speeds:
             self._choose_speeds()
@@ -81,13 +81,13 @@ class Kinematics:
         """Replace the joint speeds by the solution of Y(q) u_joint + Z(q) = u_chosen."""
         g, nu = self.graph, self.system.nu
         slots = [g.var("u", k) for k in range(nu)]
-        nodes = [s.node for s in self._chosen]
+        nodes = [s.node for s in self.chosen]
         y = jacobian(g, nodes, slots)
         _, z = rebuild(g, nodes, dict.fromkeys(slots, ZERO), into=g)
         if set(live(g, [n for row in y for n in row])) & set(slots):
             raise DerivationError(
                 "speeds: every chosen speed must be linear in the joint speeds; "
-                f"one of {', '.join(s.name for s in self._chosen)} is not"
+                f"one of {', '.join(s.name for s in self.chosen)} is not"
             )
         left = Matrix(g, nu, nu, [n for row in y for n in row])
         right = Matrix(g, nu, 1, slots) - Matrix(g, nu, 1, z)
@@ -189,14 +189,24 @@ class Kinematics:
     @cached_property
     def v(self) -> list[Matrix]:
         """Velocity of the origin of every body."""
+        return self._origin_velocities("v", from_root=False)
+
+    @cached_property
+    def v_from_root(self) -> list[Matrix]:
+        """The same less the velocity of the origin of the first body of its tree."""
+        return self._origin_velocities("v_from_root", from_root=True)
+
+    def _origin_velocities(self, quantity: str, from_root: bool) -> list[Matrix]:
         result: list[Matrix] = []
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
-            with self.graph.made_by(self.owner(i), "v"):
+            with self.graph.made_by(self.owner(i), quantity):
                 v = joint.velocity.block(slice(3, 6))
                 if body.parent >= 0:
                     carried = result[body.parent] + self.omega[body.parent].cross(joint.position)
                     v = joint.rotation.T @ carried + v
-                result.append(self.carry(i, "v", v))
+                elif from_root:
+                    v = Matrix.zeros(self.graph, 3)
+                result.append(self.carry(i, quantity, v))
         return result
 
     @cached_property

@@ -38,9 +38,22 @@ def velocity(k: Kinematics, frame: int) -> Matrix:
 
 def frame_jacobian(k: Kinematics, frame: int) -> Matrix:
     """Derivative of the velocity of a frame with respect to u (6, nu), ground axes."""
-    g, nodes = k.graph, velocity(k, frame).nodes
-    columns = [forward(g, nodes, {g.var("u", j): ONE}) for j in range(k.system.nu)]
-    return Matrix(g, 6, len(columns), [column[i] for i in range(6) for column in columns])
+    g, nu = k.graph, k.system.nu
+    if k.chosen:
+        nodes = velocity(k, frame).nodes
+        changes = [forward(g, nodes, {g.var("u", j): ONE}) for j in range(nu)]
+        return Matrix(g, 6, nu, [column[i] for i in range(6) for column in changes])
+    columns = [Matrix.zeros(g, 6) for _ in range(nu)]
+    body, at = k.system.frames[frame].body, k.position(frame)
+    while body >= 0:
+        # what moves with a joint turns about the origin of its body
+        arm = at - k.ground_position[body]
+        for slot, s in k.joints[body].columns:
+            turning = k.ground_rotation[body] @ s.block(slice(0, 3))
+            moving = k.ground_rotation[body] @ s.block(slice(3, 6)) + turning.cross(arm)
+            columns[slot] = columns[slot] + Matrix.vstack(turning, moving)
+        body = k.system.bodies[body].parent
+    return Matrix.hstack(*columns) if nu else Matrix(g, 6, 0, ())
 
 
 def system_accelerations(d: Dynamics, udot: Matrix) -> Accelerations:

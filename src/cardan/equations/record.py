@@ -8,18 +8,20 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import DerivationError, near
+from ..errors import DerivationError
 from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
+from ..ir.request import Request
 from ..ir.stage import stage
 from ..topology.system import Named, System
 from . import blocks
 from .counts import Counts, overview
 from .dynamics import Dynamics
-from .functions import RECIPES, Context
+from .functions import Context
 from .kinematics import Kinematics
 from .looped import LOOPED, homes, looped, repeats
+from .recipes import RECIPES, about, c_name, check, is_told
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .steps import recursion
@@ -53,6 +55,7 @@ class Equations:
     chosen: tuple[Named, ...] = ()
     reason: str = ""
     rewrites: tuple[str, ...] | None = None
+    _systems: dict[bool, list[Told]] = field(default_factory=dict, repr=False, compare=False)
     _told: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False, compare=False)
     _counts: dict[str, Counts] = field(default_factory=dict, repr=False, compare=False)
     _made: dict[str, Function] = field(default_factory=dict, repr=False, compare=False)
@@ -104,13 +107,7 @@ class Equations:
 
     def c_name(self, name: str, of: str | None = None) -> str:
         """C name of a function."""
-        if not of:
-            return name
-        if RECIPES[name].of == "joint":
-            known = [j.name for j in self.system.joints] + list(self.system.fixed)
-        else:
-            known = [f.name for f in self.system.frames]
-        return blocks.c_name(name, of, known)
+        return c_name(self.system, name, of)
 
     def function(self, name: str, of: str | None = None) -> Function:
         """One function as expressions.
@@ -123,12 +120,12 @@ class Equations:
             DerivationError: no such function, frame or joint; or it does not exist for this
                 system, such as udot where M is singular.
         """
-        self._check_name(name, of)
-        c_name = self.c_name(name, of)
-        if c_name not in self._made:
+        check(name, of)
+        symbol = self.c_name(name, of)
+        if symbol not in self._made:
             with collector_paused():
-                self._made[c_name], self._told[c_name] = self._fewest(name, c_name, of)
-        return self._made[c_name]
+                self._made[symbol], self._told[symbol] = self._fewest(name, symbol, of)
+        return self._made[symbol]
 
     def rewritten(self, name: str, of: str | None = None) -> tuple[str, ...]:
         """Rewrites of the system graph from which a function was derived; see :func:`derive`."""
@@ -140,28 +137,44 @@ class Equations:
         told = self.rewritten(name, of) if isinstance(form, Function) else ()
         return [f"formalism: {self.method}", *([f"rewrites: {', '.join(told)}"] if told else [])]
 
-    @cached_property
-    def _candidates(self) -> list[Told]:
-        return candidates(self.system, self.method, () if self.chosen else self.rewrites)
+    def _ways(self, name: str, of: str | None) -> list[Told]:
+        """How the system may be told for a function."""
+        if not is_told(name, of):
+            return [((), self.system)]
+        rigid = name == "derivative"
+        if rigid not in self._systems:
+            wanted = () if self.chosen else self.rewrites
+            self._systems[rigid] = candidates(self.system, self.method, wanted, rigid)
+        return self._systems[rigid]
 
-    def _fewest(self, name: str, c_name: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
+    def _fewest(self, name: str, symbol: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
         """A function by the rewrites that leave the fewest operations."""
-        told = self._candidates if RECIPES[name].told else [((), self.system)]
         made = [
-            (self._derive(name, c_name, of, Kinematics(system, self.chosen)), names)
-            for names, system in told
+            (self._derive(name, symbol, of, Kinematics(system, self.chosen)), names)
+            for names, system in self._ways(name, of)
         ]
         if len(made) == 1:
             return made[0]
         return min(made, key=lambda pair: sum(stage(pair[0]).operations().values()))
 
-    def _check_name(self, name: str, of: str | None) -> None:
-        if name not in RECIPES:
-            raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
-        recipe = RECIPES[name]
-        if bool(recipe.of) != (of is not None):
-            wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
-            raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
+    def derivative(
+        self, function: str, wrt: Sequence[str] = ("q", "u", "r", "p"), of: str | None = None
+    ) -> Function:
+        """The derivative of a function as expressions.
+
+        Args:
+            function: Such as ``"forward_dynamics"``; ``of``: its frame or joint.
+            wrt: Blocks ``t q u r p udot tau``, or parameters and inputs by name; ``"q"`` stands
+                for columns along the speeds.
+
+        Returns:
+            One output ``d_<wrt>`` for each: the shape of the function, then the columns, which
+            t and single parameters and inputs do not have.
+
+        Raises:
+            DerivationError: no such function, block, parameter or input.
+        """
+        return self.function("derivative", str(Request(function, of, tuple(wrt))))
 
     def recursion(self, name: str) -> Recursion:
         """One function as a recursion: steps that visit the bodies, for loops over tables.
@@ -173,7 +186,7 @@ class Equations:
         Raises:
             DerivationError: the function is none of these, or the formalism has no recursion.
         """
-        self._check_name(name, None)
+        check(name, None)
         if not self.loops(name):
             raise DerivationError(
                 f"function '{name}' by method '{self.method}' is no recursion over the bodies. "
@@ -206,7 +219,7 @@ class Equations:
         """Whether a function can be derived as a recursion."""
         return not self.chosen and looped(self.method, name)
 
-    def _derive(self, name: str, c_name: str, of: str | None, k: Kinematics) -> Function:
+    def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
         units = {b.name: b.units for b in self.blocks.values()}
         names["qdot"] = tuple(f"{n}dot" for n in names["q"])
@@ -219,12 +232,12 @@ class Equations:
         ]
         owners += [force.name for force in self.system.forces]
         return Function(
-            c_name,
+            symbol,
             k.graph,
             tuple(self.blocks[letter] for letter in ABI_ORDER),
             results,
             tuple(dict.fromkeys(owners)),
-            RECIPES[name].about,
+            about(name, of),
         )
 
     # readable forms

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ..errors import DerivationError, near
+from ..ir.matrix import Matrix
+from ..spatial.moments import inertia_tensor
 from ..topology.rewrites import REWRITES
 from ..topology.system import System
 
@@ -30,13 +33,17 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(name for name in REWRITES if name in names)
 
 
-def candidates(system: System, method: str, names: tuple[str, ...] | None) -> list[Told]:
+def candidates(
+    system: System, method: str, names: tuple[str, ...] | None, rigid: bool = False
+) -> list[Told]:
     """The ways to tell a system from which the one with the fewest operations is taken.
 
     Args:
         system: As the user described it.
         method: Formalism; Kane's takes velocities apart in axes that turn with the bodies.
         names: What was asked for; None for what suits the formalism.
+        rigid: Whether axes must turn with their bodies, and one inertia serve all purposes: so it
+            is where displaced bodies are taken as a whole.
 
     Returns:
         (names of the rewrites that changed something, system) of each.
@@ -54,6 +61,9 @@ def candidates(system: System, method: str, names: tuple[str, ...] | None) -> li
         wanted = () if names is None else names
     elif names is None and method == "articulated" and system.depth() > DEEPEST:
         wanted = tuple(name for name in wanted if name != "base_parameters")
+    if rigid:
+        wanted = tuple(name for name in wanted if name != "parallel")
+        return [_with_one_inertia(_rewritten(system, wanted))]
     found = [_rewritten(system, wanted)]
     if names is None:
         found += [
@@ -72,3 +82,17 @@ def _rewritten(system: System, names: tuple[str, ...]) -> Told:
             applied.append(name)
         system = changed
     return tuple(applied), system
+
+
+def _with_one_inertia(told: Told) -> Told:
+    """Inertia tensors that belong to the second moments."""
+    names, system = told
+    if "base_parameters" not in names:
+        return told
+    graph = system.graph.fork()
+    bodies = []
+    for body in system.bodies:
+        assert body.second_moment is not None
+        tensor = inertia_tensor(Matrix(graph, 3, 3, body.second_moment))
+        bodies.append(replace(body, inertia=tensor.nodes))
+    return names, replace(system, graph=graph, bodies=tuple(bodies))

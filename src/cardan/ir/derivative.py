@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 from .function import live, operands
 from .graph import MADE_BY_NOBODY, ONE, ZERO, Graph
-from .matrix import Matrix
+from .matrix import Matrix, inner
 from .ops import LEAVES
 from .partials import PARTIALS, choice
 from .solve import solve
@@ -221,12 +221,36 @@ def _solve_reverse(graph: Graph, i: int, bars: Mapping[int, int]) -> list[tuple[
     return [*zip(b.nodes, b_bar.nodes, strict=True), *zip(a.nodes, a_bar.nodes, strict=True)]
 
 
-def jacobian(graph: Graph, roots: Sequence[int], wrt: Sequence[int]) -> list[list[int]]:
-    """Derivatives of all roots with respect to all of ``wrt``: row by row, one row per root.
+def directional(
+    graph: Graph, roots: Sequence[int], directions: Sequence[Mapping[int, int]]
+) -> list[list[int]]:
+    """Derivatives of all roots along all directions: column by column, one per direction.
 
     Forward by columns, or backward by rows where there are fewer rows.
+
+    Args:
+        graph: Where the roots live; the derivatives are added to it.
+        roots: Nodes to differentiate.
+        directions: Node -> node of its derivative, as :func:`forward` takes them.
     """
-    if len(roots) < len(wrt):
-        return [gradient(graph, root, wrt) for root in roots]
-    columns = [forward(graph, roots, {node: ONE}) for node in wrt]
+    wanted = [root for root in dict.fromkeys(roots) if graph.value(root) is None]
+    if len(wanted) >= len(directions):
+        return [forward(graph, roots, seeds) for seeds in directions]
+    leaves = list(dict.fromkeys(node for seeds in directions for node in seeds))
+    place = {node: n for n, node in enumerate(leaves)}
+    rows = {root: gradient(graph, root, leaves) for root in wanted}
+    return [
+        [
+            inner(graph, [rows[root][place[n]] for n in seeds], list(seeds.values()))
+            if root in rows
+            else ZERO
+            for root in roots
+        ]
+        for seeds in directions
+    ]
+
+
+def jacobian(graph: Graph, roots: Sequence[int], wrt: Sequence[int]) -> list[list[int]]:
+    """Derivatives of all roots with respect to all of ``wrt``: row by row, one row per root."""
+    columns = directional(graph, roots, [{node: ONE} for node in wrt])
     return [[column[i] for column in columns] for i in range(len(roots))]

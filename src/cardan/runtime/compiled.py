@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError, ModelError, near
+from ..errors import ArgumentError
 from . import kernels
 from .calling import Array, by_name, numbers
-from .dynamics import Dynamics
+from .derivatives import Derivatives
 from .evaluation import Values
-from .layout import NAMED, READS, Layout
+from .layout import FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction, assemble
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -40,7 +40,7 @@ class _Calls(dict[Key, Any]):
 
 
 @final
-class CompiledModel(Dynamics):
+class CompiledModel(Derivatives):
     """Functions of a system as compiled C.
 
     All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill
@@ -236,7 +236,7 @@ class CompiledModel(Dynamics):
         p = self._parameters.vector
         try:
             for (name, of), code in zip(missing, codes, strict=True):
-                arguments = self._layout.reads(name)
+                arguments = self._layout.reads(name, of)
                 self._functions[name, of] = assemble(name, of, code, arguments, p)
             if fresh:
                 from .verify import verify_built
@@ -249,13 +249,6 @@ class CompiledModel(Dynamics):
                 self._functions.pop(key, None)
             objects.forget(fresh.values())
             raise
-
-    def _check_of(self, name: str, of: str | None) -> None:
-        if name not in READS:
-            raise ModelError(f"function '{name}' does not exist.{near(name, READS)}")
-        kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
-        if of is not None and of not in known:
-            raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")
 
     def prepare(self, *functions: str | Key) -> None:
         """Compile functions before they are needed, several at once.
@@ -272,7 +265,7 @@ class CompiledModel(Dynamics):
         """Keys of the functions whose C is in the directory."""
         rows = self.manifest["functions"].items()
         keys = [(name.split("__")[0], entry.get("of")) for name, entry in rows]
-        return [key for key in keys if key[0] in READS]
+        return [key for key in keys if key[0] in FUNCTIONS]
 
     @property
     def saved(self) -> tuple[str, ...]:
@@ -393,7 +386,9 @@ class CompiledModel(Dynamics):
         # source and manifest travel, never a binary; functions of a frame or joint as far as used
         from .saved import digest, restore, texts
 
-        self._objects.write(name for name in self.manifest["available"] if name not in NAMED)
+        self._objects.write(
+            name for name in self.manifest["available"] if name not in (*NAMED, "derivative")
+        )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)
         return restore, (files, values, self._objects.reproducible, digest(files))

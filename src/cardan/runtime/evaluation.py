@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError
+from ..errors import ArgumentError, ModelError, near
 from .calling import Array
+from .layout import FUNCTIONS
 from .objects import Key
+
+if TYPE_CHECKING:
+    from .loaded import LoadedFunction
 
 Values = Mapping[str, ArrayLike]
 State = ArrayLike | Values
@@ -31,6 +35,22 @@ class Evaluation(ABC):
         self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
     ) -> Array:
         """Call a function, with parameter values of its own where they are given."""
+
+    @abstractmethod
+    def _function(self, name: str, of: str | None = None) -> LoadedFunction:
+        """A function, loaded."""
+
+    def _check_of(self, name: str, of: str | None) -> None:
+        """Whether there are such a function and its frame or joint.
+
+        Raises:
+            ModelError: there are not.
+        """
+        if name not in FUNCTIONS:
+            raise ModelError(f"function '{name}' does not exist.{near(name, FUNCTIONS)}")
+        kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
+        if name != "derivative" and of is not None and of not in known:
+            raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")
 
     @abstractmethod
     def _vector(self, block: str, value: Any) -> Array:
@@ -54,6 +74,11 @@ class Evaluation(ABC):
     @abstractmethod
     def bodies(self) -> tuple[str, ...]:
         """Names of the bodies that can move, in the order of the block ``wrench``."""
+
+    @property
+    @abstractmethod
+    def joints(self) -> tuple[str, ...]:
+        """Names of joints."""
 
     @property
     @abstractmethod

@@ -108,14 +108,15 @@ class Kinematics(Evaluation, ABC):
     def _turned(
         self, key: Key, values: tuple[Any, ...], in_: str, parameters: Values | None
     ) -> Array:
-        """A 6-vector of a frame in its own axes."""
+        """A 6-vector of a frame, or columns of them, in its own axes."""
         if in_ != "frame":
             raise ArgumentError(f"in_ must be 'ground' or 'frame', not {in_!r}")
         ground = self._evaluate(key, values, parameters, None)
         t, q, r = values[0], values[1], values[-1]
         axes = self._evaluate(("pose", key[1]), (t, q, r), parameters, None)[..., :3, :3]
-        pair = ground.reshape(*ground.shape[:-1], 2, 3)
-        turned: Array = np.einsum("...ji,...kj->...ki", axes, pair)
+        columns = len(self.speeds) if key[0] == "frame_jacobian" else 1
+        pair = ground.reshape(*axes.shape[:-2], 2, 3, columns)
+        turned: Array = np.einsum("...ji,...kjc->...kic", axes, pair)
         return turned.reshape(ground.shape)
 
     def frame_jacobian(
@@ -123,13 +124,21 @@ class Kinematics(Evaluation, ABC):
         frame: str,
         q: State,
         *,
+        in_: Axes = "ground",
         r: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """J (..., 6, nu): the velocity of the frame origin in ground axes is J u."""
-        return self._evaluate(("frame_jacobian", frame), (t, q, r), parameters, out)
+        """J (..., 6, nu): the velocity of the frame origin is J u; rows [omega, v].
+
+        Where joints are prescribed, their part of the velocity is no part of J u. Axes as for
+        :meth:`velocity`.
+        """
+        key, values = ("frame_jacobian", frame), (t, q, r)
+        if in_ == "ground":
+            return self._evaluate(key, values, parameters, out)
+        return into(self._turned(key, values, in_, parameters), out)
 
     def com(
         self,

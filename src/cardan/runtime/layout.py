@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..ir.request import Request
 from .calling import Argument, Array
 from .slots import SLOT
 
@@ -36,8 +37,20 @@ READS = {
 
 # functions of one frame or joint
 NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
+# arguments that have a default
+OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
+# functions that have derivatives
+SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference"))
+FUNCTIONS = (*READS, "derivative")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
+
+
+def reads(function: str, of: str | None) -> list[str]:
+    """Names of the arguments of a function; a derivative has those of its function."""
+    if function == "derivative":
+        function = Request.read(of or "").function
+    return READS[function].split()
 
 
 class Layout:
@@ -111,6 +124,6 @@ class Layout:
             block, (len(names),), names, slots, default, what, places, self.start(block)
         )
 
-    def reads(self, function: str) -> list[Argument]:
+    def reads(self, function: str, of: str | None = None) -> list[Argument]:
         """Arguments of a function in the order of :data:`READS`."""
-        return [self.arguments[name] for name in READS[function].split()]
+        return [self.arguments[name] for name in reads(function, of)]

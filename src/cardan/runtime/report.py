@@ -82,7 +82,7 @@ class Report:
 
         title = f"{self.model}: {self.compiler}, called through {self.way}"
         table = Table(title=title, caption=self.note or None)
-        table.add_column("function", no_wrap=True)
+        table.add_column("function", no_wrap=True, max_width=34)
         for name in ("ops", "from Python", "in C", "in a batch", "lanes", "error"):
             table.add_column(name, justify="right", no_wrap=True)
         for row in self.rows:

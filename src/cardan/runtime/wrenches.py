@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .kinematics import Kinematics
 
 
-def _read(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
+def read_wrenches(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
     """Wrenches as arrays (..., 6), their frames known."""
     result = {}
     for frame, value in wrenches.items():
@@ -36,7 +36,7 @@ def _read(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Arr
 def generalized(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
     """The generalized force (..., nu) of wrenches at frame origins in ground axes: sum of Jᵀ w."""
     total: Array = np.zeros(len(model.speeds))
-    for frame, wrench in _read(model, wrenches).items():
+    for frame, wrench in read_wrenches(model, wrenches).items():
         jacobian = model.frame_jacobian(frame, q, **rest)
         total = total + np.einsum("...ij,...i->...j", jacobian, wrench)
     return total
@@ -48,7 +48,7 @@ def refuse_ground(model: Kinematics, wrenches: Mapping[str, ArrayLike], joint: s
     Raises:
         ModelError: a wrench on a frame fixed to the ground; names it.
     """
-    still = [frame for frame in _read(model, wrenches) if model.part_of[frame] is None]
+    still = [frame for frame in read_wrenches(model, wrenches) if model.part_of[frame] is None]
     if still and joint in model.manifest["fixed"]:
         raise ModelError(
             f"reaction('{joint}'): the wrench on '{still[0]}' acts on a body fixed to the ground "
@@ -60,7 +60,7 @@ def by_part(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest
     """The block ``wrench``: (..., parts, 6), each at the origin of the part's own frame."""
     parts, part_of = model.bodies, model.part_of
     rows: dict[str, Array] = {}
-    for frame, wrench in _read(model, wrenches).items():
+    for frame, wrench in read_wrenches(model, wrenches).items():
         part = part_of[frame]
         if part is None:
             continue

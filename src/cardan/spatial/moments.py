@@ -46,6 +46,21 @@ def second_moment(tensor: Matrix) -> Matrix:
     return Matrix(g, 3, 3, diagonal) - tensor
 
 
+def inertia_tensor(second: Matrix) -> Matrix:
+    """The inertia tensor from the second moment: I = tr(J) - J."""
+    g = second.graph
+    rows = [
+        [
+            (second[(i + 1) % 3, (i + 1) % 3] + second[(i + 2) % 3, (i + 2) % 3])
+            if i == j
+            else -second[i, j]
+            for j in range(3)
+        ]
+        for i in range(3)
+    ]
+    return Matrix.of(g, rows)
+
+
 def planar_axis(r: Matrix) -> int | None:
     """0, 1 or 2 where r is structurally a rotation about that axis, else None."""
     for axis in range(3):

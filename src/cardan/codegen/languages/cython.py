@@ -284,10 +284,9 @@ def _function(name: str, entry: dict[str, Any], nq: int) -> str:
 
 def _arguments(name: str, entry: dict[str, Any]) -> list[str]:
     """Arguments as a compiled model takes them, as far as the C can read them."""
-    from ...runtime.layout import NAMED, READS
+    from ...runtime.layout import reads
 
-    public = next((n for n in NAMED if name.startswith(f"{n}__")), name)
-    letters = [x for x in READS[public].split() if x not in ("z", "s")]
+    letters = [x for x in reads(name.split("__")[0], entry["of"]) if x not in ("z", "s")]
     return [x for x in letters if x not in OPTIONS or x in (*entry["inputs"], "t", "r")]
 
 

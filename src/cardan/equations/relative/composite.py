@@ -68,7 +68,7 @@ def _add(k: Kinematics, entries: list[list[int]], row: int, i: int, momentum: Ma
     while body >= 0:
         for column, s in k.joints[body].columns:
             _enter(k, entries, row, column, s.dot(momentum).node, here)
-        momentum = _inward(k, body, momentum)
+        momentum = inward(k, body, momentum)
         body, here = k.system.bodies[body].parent, False
 
 
@@ -87,7 +87,7 @@ def _enter(
         entries[high][low] = g.add(entries[high][low], twice)
 
 
-def _inward(k: Kinematics, body: int, momentum: Matrix) -> Matrix:
+def inward(k: Kinematics, body: int, momentum: Matrix) -> Matrix:
     """A 6-vector of moment and force about the origin and in the axes of the parent."""
     joint = k.joints[body]
     with k.graph.made_by(k.owner(body), "momentum"):

@@ -1,0 +1,141 @@
+"""Derivatives of the functions of a system.
+
+What follows from expressions alone is differentiated as it stands. Inverse dynamics has a recursion
+of its own. Accelerations are never differentiated through their algorithm: along any direction,
+M dudot = dtau - d(inverse dynamics) at the udot of the solution.
+
+Source: Carpentier and Mansard, Robotics: Science and Systems (2018), section III.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import prod
+
+from ..errors import DerivationError, near
+from ..ir.derivative import directional
+from ..ir.function import Output
+from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
+from ..ir.request import Request
+from ..ir.rewrite import rebuild
+from ..ir.solve import solve
+from .directions import Direction, directions, is_single
+from .functions import RECIPES, Context
+from .newton_euler_derivatives import Derivatives
+
+# they move along speeds: what they give is no function of entries of a vector space
+UNSUITED = ("integrate", "difference")
+
+
+def differentiable() -> list[str]:
+    """Functions that have derivatives."""
+    return [name for name in RECIPES if name not in UNSUITED]
+
+
+def request_of(text: str) -> Request:
+    """A derivative by its line of text.
+
+    Raises:
+        DerivationError: it cannot be read, or there is no such function.
+    """
+    try:
+        request = Request.read(text)
+    except ValueError as problem:
+        raise DerivationError(f"derivative: {problem}") from problem
+    if request.function not in differentiable():
+        raise DerivationError(
+            f"derivative of '{request.function}' does not exist."
+            f"{near(request.function, differentiable())}"
+        )
+    return request
+
+
+def derivative(c: Context) -> tuple[Output, ...]:
+    """Results of a derivative: one per block or name, the axis of columns last."""
+    request = request_of(c.of or "")
+    recipe = RECIPES[request.function]
+    if bool(recipe.of) != (request.of is not None):
+        wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
+        raise DerivationError(f"derivative: '{request.function}' {wanted}: '{request}'")
+    parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
+    flat = [d for part in parts.values() for d in part]
+    outputs = recipe.build(replace(c, of=request.of))
+    columns = _columns(c, request.function, outputs, flat)
+    shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
+    rows, found, start = [name for o in outputs for name in _entries(o)], [], 0
+    for wrt, part in parts.items():
+        own = columns[start : start + len(part)]
+        start += len(part)
+        whole = shape if is_single(wrt) else (*shape, len(part))
+        nodes = tuple(column[i] for i in range(prod(shape)) for column in own)
+        names = tuple(f"{row},{d.name}" for row in rows for d in part)
+        found.append(Output(f"d_{wrt}", whole, nodes, names))
+    return tuple(found)
+
+
+def _entries(output: Output) -> list[str]:
+    if len(output.entries) == output.size:
+        return list(output.entries)
+    return [f"{output.name}[{k}]" for k in range(output.size)]
+
+
+def _columns(
+    c: Context, function: str, outputs: Sequence[Output], along: Sequence[Direction]
+) -> list[list[int]]:
+    """Changes of all entries of the outputs, direction by direction."""
+    if function == "inverse_dynamics":
+        return inverse_columns(c, along)
+    seeds = [dict(d.seeds) for d in along]
+    for tau, udot in c.d.solutions:
+        for own, column in zip(seeds, forward_columns(c, tau, udot, along), strict=True):
+            pairs = zip(udot.nodes, column, strict=True)
+            own |= {node: change for node, change in pairs if c.k.graph.value(node) is None}
+    roots = [node for output in outputs for node in output.nodes]
+    return directional(c.k.graph, roots, seeds)
+
+
+def forward_columns(
+    c: Context, tau: Matrix, udot: Matrix, along: Sequence[Direction]
+) -> list[list[int]]:
+    """Changes of udot under tau."""
+    g, nu = c.k.graph, c.k.system.nu
+    forces = directional(g, tau.nodes, [d.seeds for d in along])
+    # udot is an argument of others, and tau none of inverse dynamics
+    foreign = ("tau", "udot")
+    inner = inverse_columns(c, [d for d in along if d.block not in foreign])
+    # at the accelerations of the solution
+    flat = [node for column in inner for node in column]
+    there = dict(zip(c.udot.nodes, udot.nodes, strict=True))
+    flat = list(rebuild(g, flat, there, into=g)[1])
+    needed, columns = iter(range(0, len(flat), nu)), []
+    for d, force in zip(along, forces, strict=True):
+        start = None if d.block in foreign else next(needed)
+        own = [ZERO] * nu if start is None else flat[start : start + nu]
+        columns.append([g.sub(a, b) for a, b in zip(force, own, strict=True)])
+    if not columns or not nu:
+        return columns
+    right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
+    with g.made_by("M", "factor"):
+        found = solve("spd", c.d.mass_matrix, right)
+    return [list(found.column(n).nodes) for n in range(len(columns))]
+
+
+def inverse_columns(c: Context, along: Sequence[Direction]) -> list[list[int]]:
+    """Changes of inverse dynamics: q and u by the recursion, udot by M, the rest as it stands."""
+    result: dict[int, list[int]] = {}
+    recursive = [] if c.k.chosen else [n for n, d in enumerate(along) if d.block in ("q", "u")]
+    if recursive:
+        picked = [along[n] for n in recursive]
+        found = Derivatives(c.k, c.udot, c.d.loads, c.d.gravity, picked).columns()
+        result |= dict(zip(recursive, found, strict=True))
+    for n, d in enumerate(along):
+        if d.block == "udot":
+            result[n] = list(c.d.mass_matrix.column(d.index).nodes)
+    rest = [n for n in range(len(along)) if n not in result]
+    if rest:
+        roots = c.d.inverse(c.udot).nodes
+        found = directional(c.k.graph, roots, [along[n].seeds for n in rest])
+        result |= dict(zip(rest, found, strict=True))
+    return [result[n] for n in range(len(along))]

@@ -1,0 +1,73 @@
+"""All functions of a system: those of :mod:`.functions` and their derivatives."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+
+from ..errors import DerivationError, near
+from ..topology.system import System
+from . import blocks, functions
+from .derivatives import derivative, request_of
+from .directions import BLOCKS
+from .functions import Recipe
+
+RECIPES: dict[str, Recipe] = functions.RECIPES | {
+    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function")
+}
+# characters of a C name before it is cut
+LONGEST = 80
+
+
+def c_name(system: System, name: str, of: str | None) -> str:
+    """C name of a function.
+
+    Raises:
+        DerivationError: ``of`` names no derivative.
+    """
+    if not of:
+        return name
+    if RECIPES[name].of == "function":
+        return _derivative_name(of)
+    if RECIPES[name].of == "joint":
+        known = [j.name for j in system.joints] + list(system.fixed)
+    else:
+        known = [f.name for f in system.frames]
+    return blocks.c_name(name, of, known)
+
+
+def _derivative_name(of: str) -> str:
+    """``derivative__forward_dynamics_q_u``; with a mark where that alone would be ambiguous."""
+    request = request_of(of)
+    words = (request.function, *([request.of] if request.of else []), *request.wrt)
+    plain = "_".join(blocks.identifier(word) for word in words)
+    if request.of or not set(request.wrt) <= set(BLOCKS) or len(plain) > LONGEST:
+        plain = f"{plain[:LONGEST]}_{hashlib.sha256(str(request).encode()).hexdigest()[:8]}"
+    return f"derivative__{re.sub('_+', '_', plain)}"
+
+
+def is_told(name: str, of: str | None) -> bool:
+    """Whether a function is the same however the bodies are told; see :class:`.Recipe`."""
+    if RECIPES[name].of == "function":
+        return functions.RECIPES[request_of(of or "").function].told
+    return RECIPES[name].told
+
+
+def about(name: str, of: str | None) -> str:
+    """One line for the reader of the C."""
+    recipe = RECIPES[name]
+    return f"{recipe.about} {of}" if recipe.of == "function" else recipe.about
+
+
+def check(name: str, of: str | None) -> None:
+    """Whether a function is asked for as it should be.
+
+    Raises:
+        DerivationError: there is none of that name, or it takes a frame or joint and has none.
+    """
+    if name not in RECIPES:
+        raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
+    recipe = RECIPES[name]
+    if bool(recipe.of) != (of is not None):
+        wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
+        raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
