@@ -59,7 +59,7 @@ def test_branches_share_steps() -> None:
     one = same(cd.derive(chain(10), method="articulated"), "forward_dynamics")
     three = same(cd.derive(chain(10, branches=3), method="articulated"), "forward_dynamics")
     assert len(three.steps) == len(one.steps)
-    assert [len(s.visits) for s in three.sweeps] == [3 * len(s.visits) for s in one.sweeps]
+    assert [len(s) for s in three.sweeps] == [3 * len(s) for s in one.sweeps]
 
 
 def test_forces_between_distant_bodies() -> None:

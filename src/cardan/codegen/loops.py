@@ -1,19 +1,21 @@
 """From a Recursion to a Program: one C function per step, loops over tables for the visits.
 
 A row of a table is a visit: the number of its step, then where the values of that step lie. Values
-whose places differ by the same amount in all visits share a column.
+whose places differ by the same amount in all visits share a column. Turns take a row per visit of
+one turn, and what is added to it from turn to turn.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import groupby
+from typing import NamedTuple, TypeAlias
 
 from ..ir.function import Staged
 from ..ir.graph import Graph
-from ..ir.recursion import STORE, Recursion
+from ..ir.recursion import STORE, Recursion, Turns, Visit
 from .head import Cost, head, operations
 from .lowering import check_name, described, tables
 from .program import (
@@ -27,6 +29,7 @@ from .program import (
     Section,
     Statement,
     Table,
+    Turning,
 )
 from .routines import Built, Result, Stage, build
 from .values import Values
@@ -34,24 +37,43 @@ from .values import Values
 # the row of a step; the array of what it stores, in words of a step
 AT, STORED = "at", "stored"
 ROWS = "a row is a visit: number of the step, then where its values begin"
+TURNS = "rows of the visits of a turn, where values begin; then what is added from turn to turn"
 # steps are written in one piece
 WHOLE = 1_000_000
 EMPTY = Scope(Graph(), (), {})
+# entries and strides of a visit
+Row: TypeAlias = tuple[list[int], list[int]]
+
+
+class Span(NamedTuple):
+    """A visit, or one visit of turns.
+
+    Attributes:
+        visit, stride: First entries, and what is added to them from turn to turn.
+        times: Number of turns.
+        w, along: Where its prepared parameters begin, and what is added to that.
+    """
+
+    visit: Visit
+    stride: Visit | None
+    times: int
+    w: int
+    along: int
 
 
 class Columns:
     """Where the values of a step lie, for all visits of that step: a few columns of ints."""
 
     def __init__(self) -> None:
-        self._shapes: dict[tuple[int, ...], int] = {}
+        self._shapes: dict[tuple[tuple[int, int], ...], int] = {}
         self._first: list[int] = []
         self._of: dict[tuple[str, int], tuple[int, int]] = {}
 
-    def add(self, array: str, k: int, places: Sequence[int]) -> None:
-        """Places of local entry k of an array, one per visit."""
-        first = places[0]
-        shape = tuple([place - first for place in places])
-        if not any(shape):
+    def add(self, array: str, k: int, places: Sequence[tuple[int, int]]) -> None:
+        """Places of local entry k of an array: the first and the stride of every span."""
+        first = places[0][0]
+        shape = tuple([(place - first, stride) for place, stride in places])
+        if not any(apart or stride for apart, stride in shape):
             self._of[array, k] = (-1, first)
             return
         column = self._shapes.setdefault(shape, len(self._first))
@@ -68,11 +90,19 @@ class Columns:
             return Place(name, first)
         return Place(name, Index(str(column + 1), 1, first - self._first[column], AT))
 
-    def rows(self) -> list[list[int]]:
-        """The columns, one row per visit; no rows where there are no columns."""
-        pairs = zip(self._shapes, self._first, strict=True)
-        columns = [[first + d for d in shape] for shape, first in pairs]
-        return [list(row) for row in zip(*columns, strict=True)]
+    def rows(self) -> list[tuple[list[int], list[int]]]:
+        """First row and strides of every span; empty where there are no columns."""
+        spans = len(next(iter(self._shapes), ()))
+        return [
+            (
+                [
+                    first + shape[n][0]
+                    for shape, first in zip(self._shapes, self._first, strict=True)
+                ],
+                [shape[n][1] for shape in self._shapes],
+            )
+            for n in range(spans)
+        ]
 
 
 @dataclass(frozen=True)
@@ -81,16 +111,20 @@ class _Step:
 
     Attributes:
         staged: Its two stages.
-        numbers: Its visits.
+        spans: Its visits.
         run, prepare: Where the values of the two stages lie.
         values: Their names.
     """
 
     staged: Staged
-    numbers: tuple[int, ...]
+    spans: tuple[Span, ...]
     run: Columns
     prepare: Columns
     values: Values
+
+    @property
+    def visits(self) -> int:
+        return sum(span.times for span in self.spans)
 
     @property
     def order(self) -> tuple[int, ...]:
@@ -125,42 +159,69 @@ class _Lowering:
 
     def __init__(self, recursion: Recursion, staged: Sequence[Staged]) -> None:
         self.recursion = recursion
-        self.visits = [v for sweep in recursion.sweeps for v in sweep.visits]
+        self.lengths = [len(one.prepare) for one in staged]
         # w is [visit][field]
-        self.w = [0, *accumulate(len(staged[v.step].prepare) for v in self.visits)]
-        runs: list[list[int]] = [[] for _ in staged]
-        self.row: list[int] = []
-        for n, visit in enumerate(self.visits):
-            self.row.append(len(runs[visit.step]))
-            runs[visit.step].append(n)
-        self.steps = [self._step(one, tuple(of)) for one, of in zip(staged, runs, strict=True)]
+        self.length = 0
+        self.sweeps = [self._spans(sweep.parts) for sweep in recursion.sweeps]
+        spans: list[list[Span]] = [[] for _ in staged]
+        self.row: dict[int, int] = {}
+        for span in (span for sweep in self.sweeps for part in sweep for span in part):
+            own = spans[span.visit.step]
+            self.row[id(span)] = len(own)
+            own.append(span)
+        self.steps = [self._step(one, tuple(of)) for one, of in zip(staged, spans, strict=True)]
 
-    def _step(self, staged: Staged, numbers: tuple[int, ...]) -> _Step:
+    def _spans(self, parts: Sequence[Visit | Turns]) -> list[list[Span]]:
+        """The visits of a sweep, those of one turn together, with their places in w."""
+        found = []
+        for part in parts:
+            if isinstance(part, Visit):
+                found.append([Span(part, None, 1, self.length, 0)])
+                self.length += self.lengths[part.step]
+                continue
+            along = sum(self.lengths[visit.step] for visit in part.visits)
+            here, spans = self.length, []
+            for visit, stride in zip(part.visits, part.strides, strict=True):
+                spans.append(Span(visit, stride, part.times, here, along))
+                here += self.lengths[visit.step]
+            found.append(spans)
+            self.length += along * part.times
+        return found
+
+    def _step(self, staged: Staged, spans: tuple[Span, ...]) -> _Step:
         """Columns of a step from the places of its visits."""
-        visits = [self.visits[n] for n in numbers]
         run, prepare = Columns(), Columns()
-        for block, places in visits[0].reads.items():
+
+        def entries(kind: str, k: int) -> list[tuple[int, int]]:
+            """Where local entry k of what visits read, store or give out is."""
+            return [
+                (_entry(span.visit, kind, k), _entry(span.stride, kind, k) if span.stride else 0)
+                for span in spans
+            ]
+
+        first = spans[0].visit
+        for block, places in first.reads.items():
             columns = prepare if block == "p" else run
             for k in range(len(places)):
-                columns.add(block, k, [v.reads[block][k] for v in visits])
+                columns.add(block, k, entries(block, k))
         for k in range(len(staged.prepare)):
             for columns in (run, prepare):
-                columns.add("w", k, [self.w[n] + k for n in numbers])
-        for k in range(len(visits[0].stores)):
-            run.add(STORED, k, [v.stores[k] for v in visits])
-        for k in range(len(visits[0].outs)):
-            run.add("out", k, [v.outs[k] for v in visits])
+                columns.add("w", k, [(span.w + k, span.along) for span in spans])
+        for k in range(len(first.stores)):
+            run.add(STORED, k, entries(STORED, k))
+        for k in range(len(first.outs)):
+            run.add("out", k, entries("out", k))
 
         def where(array: str, k: int) -> Place:
             return (prepare if array == "p" else run).place(array, k)
 
         order = staged.order or tuple(staged.function.live())
         values = Values(staged.function, order, staged.prepare, where)
-        return _Step(staged, numbers, run, prepare, values)
+        return _Step(staged, spans, run, prepare, values)
 
     def program(self, model: str, notes: Sequence[str]) -> Program:
         """All routines: the steps, then the two functions of the interface."""
-        r, length = self.recursion, self.w[-1]
+        r, length = self.recursion, self.length
         prepared = [self._prepare(step) for step in self.steps]
         bodies = [self._body(step) for step in self.steps]
         stages = (*prepared, *bodies)
@@ -170,7 +231,7 @@ class _Lowering:
         solves = any("solve" in built.operators for built in bodies)
         routines = [x for built in stages for x in built.routines if x.body]
         main, rows = self._main({x.name for x in routines})
-        visits = ", ".join(f"{len(s.visits)} {s.name}" for s in r.sweeps)
+        visits = ", ".join(f"{len(s)} {s.name}" for s in r.sweeps)
         return Program(
             name=r.name,
             head=head(r, model, (*notes, f"visits: {visits}"), read, cost),
@@ -189,7 +250,7 @@ class _Lowering:
         total = Counter[str]()
         for step, built in zip(self.steps, stages, strict=True):
             for op, n in operations(built).items():
-                total[op] += n * len(step.numbers)
+                total[op] += n * step.visits
         return dict(sorted(total.items(), key=lambda row: (-row[1], row[0])))
 
     def _prepare(self, step: _Step) -> Built:
@@ -216,37 +277,80 @@ class _Lowering:
         r = self.recursion
         sections: list[Statement] = []
         found: list[Table] = []
-        at = 0
-        for number, sweep in enumerate(r.sweeps, 1):
-            visits = range(at, at + len(sweep.visits))
-            at += len(sweep.visits)
-            loop, table = self._loop(f"{r.name}_sweep_{number}", visits, "step")
-            sections.append(Section(f"{sweep.name}, {len(visits)} visits", (loop,)))
-            found.append(table)
+        for number, (sweep, parts) in enumerate(zip(r.sweeps, self.sweeps, strict=True), 1):
+            loops, tables = self._loops(f"{r.name}_sweep_{number}", parts, "step")
+            sections.append(Section(f"{sweep.name}, {len(sweep)} visits", loops))
+            found += tables
 
         # only visits of steps that have something to prepare
         names = [step.columns("prepare_step")[0] for step in self.steps]
-        some = [n for n, v in enumerate(self.visits) if names[v.step] in there]
+        every = [part for parts in self.sweeps for part in parts]
+        kept = [[span for span in part if names[span.visit.step] in there] for part in every]
         before: tuple[Statement, ...] = ()
-        if some:
-            loop, table = self._loop(f"prepare_{r.name}", some, "prepare_step")
-            before, found = (Section("parameters of all visits", (loop,)),), [*found, table]
+        if any(kept):
+            some = [part for part in kept if part]
+            loops, tables = self._loops(f"prepare_{r.name}", some, "prepare_step")
+            before, found = (Section("parameters of all visits", loops),), [*found, *tables]
         return [
             Routine(f"prepare_{r.name}", "prepare", "", EMPTY, before),
             Routine(r.name, "function", r.about, EMPTY, tuple(sections)),
         ], found
 
-    def _loop(self, name: str, visits: Sequence[int], kind: str) -> tuple[Loop, Table]:
+    def _loops(
+        self, name: str, parts: Sequence[Sequence[Span]], kind: str
+    ) -> tuple[tuple[Statement, ...], list[Table]]:
+        """Loops over single visits and over turns, as they come, and their tables."""
+        rows = {n: step.columns(kind)[1].rows() for n, step in enumerate(self.steps)}
+        loops: list[Statement] = []
+        found: list[Table] = []
+        runs = [
+            list(run) for _, run in groupby(parts, key=lambda p: id(p) if p[0].stride else None)
+        ]
+        for number, run in enumerate(runs, 1):
+            title = f"{name}_visits" + (f"_{number}" if len(runs) > 1 else "")
+            spans = [span for part in run for span in part]
+            turned = spans[0].stride is not None
+            loop, table = (self._turning if turned else self._loop)(title, spans, kind, rows)
+            loops.append(loop)
+            found.append(table)
+        return tuple(loops), found
+
+    def _loop(
+        self, name: str, spans: Sequence[Span], kind: str, rows: Mapping[int, list[Row]]
+    ) -> tuple[Loop, Table]:
         """A loop over visits and the table of its rows."""
-        steps = list(dict.fromkeys(self.visits[n].step for n in visits))
+        steps = list(dict.fromkeys(span.visit.step for span in spans))
         number = {step: k for k, step in enumerate(steps)}
-        rows = {step: self.steps[step].columns(kind)[1].rows() for step in steps}
-        width = 1 + max((len(row[0]) for row in rows.values() if row), default=0)
+        picked = [self._row(span, rows)[0] for span in spans]
+        width = 1 + max(map(len, picked))
         flat: list[float] = []
-        for n in visits:
-            step = self.visits[n].step
-            own = rows[step][self.row[n]] if rows[step] else []
-            flat += [number[step], *own, *[0] * (width - 1 - len(own))]
-        table = Table(f"{name}_visits", tuple(flat), integer=True, comment=ROWS)
+        for span, own in zip(spans, picked, strict=True):
+            flat += [number[span.visit.step], *own, *[0] * (width - 1 - len(own))]
+        table = Table(name, tuple(flat), integer=True, comment=ROWS)
         names = tuple(self.steps[step].columns(kind)[0] for step in steps)
-        return Loop("i", len(visits), EMPTY, (Dispatch(table.name, "i", width, names),)), table
+        return Loop("i", len(spans), EMPTY, (Dispatch(table.name, "i", width, names),)), table
+
+    def _turning(
+        self, name: str, spans: Sequence[Span], kind: str, rows: Mapping[int, list[Row]]
+    ) -> tuple[Turning, Table]:
+        """Turns and the table of their rows and strides."""
+        picked = [self._row(span, rows) for span in spans]
+        width = 1 + max(len(first) for first, _ in picked)
+        flat: list[float] = []
+        for part in zip(*picked, strict=True):
+            for own in part:
+                flat += [0, *own, *[0] * (width - 1 - len(own))]
+        table = Table(name, tuple(flat), integer=True, comment=TURNS)
+        names = tuple(self.steps[span.visit.step].columns(kind)[0] for span in spans)
+        return Turning(table.name, width, spans[0].times, names), table
+
+    def _row(self, span: Span, rows: Mapping[int, list[Row]]) -> Row:
+        own = rows[span.visit.step]
+        return own[self.row[id(span)]] if own else ([], [])
+
+
+def _entry(visit: Visit, kind: str, k: int) -> int:
+    """An entry of what a visit stores or gives out, or reads of a block."""
+    if kind == STORED:
+        return visit.stores[k]
+    return visit.outs[k] if kind == "out" else visit.reads[kind][k]

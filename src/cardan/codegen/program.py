@@ -126,6 +126,22 @@ class Dispatch(NamedTuple):
     steps: tuple[str, ...]
 
 
+class Turning(NamedTuple):
+    """Steps run in turn, on rows that move on by the same amount every time.
+
+    Attributes:
+        table: Name of the table of ints: the rows of the first turn, then what is added to them.
+        width: Ints per row.
+        times: Number of turns.
+        steps: Names of the routines of a turn, one per row.
+    """
+
+    table: str
+    width: int
+    times: int
+    steps: tuple[str, ...]
+
+
 class Section(NamedTuple):
     """Statements that belong together, under a title."""
 
@@ -133,7 +149,9 @@ class Section(NamedTuple):
     body: tuple[Statement, ...]
 
 
-Statement: TypeAlias = Declare | Assign | Angles | Call | Dispatch | Solve | Loop | Section
+Statement: TypeAlias = (
+    Declare | Assign | Angles | Call | Dispatch | Turning | Solve | Loop | Section
+)
 
 
 @dataclass(frozen=True)

@@ -20,12 +20,10 @@ from .counts import Counts, overview
 from .dynamics import Dynamics
 from .functions import Context
 from .kinematics import Kinematics
-from .looped import LOOPED, homes, looped, repeats
+from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
 from .recipes import RECIPES, about, c_name, check, is_told
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
-from .steps import recursion
-from .sweeps import Sweeps
 
 if TYPE_CHECKING:
     import sympy
@@ -193,10 +191,9 @@ class Equations:
                 f"Those that are: {', '.join(n for n in RECIPES if self.loops(n)) or 'none'}"
             )
         with collector_paused():
-            k = Kinematics(self.system, cut=True)
-            function = self._derive(name, name, None, k)
-            assert k.cuts is not None
-            return recursion(Sweeps(k.cuts, function, homes(self.system, function), self.system))
+            return by_bodies(
+                self.system, lambda k: self._derive(name, name, None, k), name in FOLDED
+            )
 
     def form(
         self, name: str, of: str | None = None, loops: bool | None = None

@@ -12,6 +12,7 @@ from ..ir.graph import Graph, Node
 from ..ir.ops import COMMUTATIVE
 from ..ir.recursion import OUT, STORE, Recursion, Sweep, Visit
 from ..ir.rewrite import copy
+from ..ir.turns import as_turns
 from .carried import CELLS, XYZ, Definition
 from .sweeps import AFTER, LATER, Sweeps, Task
 
@@ -20,8 +21,8 @@ DIRECTIONS = ("outward", "inward")
 NUMBERS = -1_000_000_000
 
 
-def recursion(sweeps: Sweeps) -> Recursion:
-    """Tasks in sweeps as steps and visits."""
+def recursion(sweeps: Sweeps) -> Recursion | None:
+    """Tasks in sweeps as steps and visits; None where a folded tree does not unfold."""
     builder = _Steps(sweeps)
     found = []
     for phase in sorted({phase for phase, _ in sweeps.by_visit}):
@@ -31,7 +32,16 @@ def recursion(sweeps: Sweeps) -> Recursion:
         if phase % 2 and not later:
             bodies.reverse()
         visits = [builder.visit(direction, body, sweeps.by_visit[phase, body]) for body in bodies]
-        found.append(Sweep(direction, tuple(visits)))
+        if sweeps.fold is None:
+            parts = as_turns(visits)
+        elif later:
+            return None
+        else:
+            completed = sweeps.fold.completed(bodies, visits)
+            if completed is None:
+                return None
+            parts = completed
+        found.append(Sweep(direction, parts))
     f, steps = sweeps.function, builder.finished()
     outputs = tuple(Output(o.name, o.shape, (), o.entries, o.units) for o in f.outputs)
     return Recursion(f.name, f.inputs, outputs, steps, tuple(found), sweeps.size, f.about)
@@ -85,7 +95,9 @@ class _Steps:
         number = self._number[key]
         self._runs[number].append(self._who(body))
         places = tuple([self.sweeps.places[t.leaf] for t in work.stored])
-        return Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
+        made = Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
+        fold = self.sweeps.fold
+        return made if fold is None else fold.seen(made, body, self.sweeps.size)
 
     def _work(self, tasks: Sequence[Task]) -> _Work:
         """What is read, computed and written at a visit."""

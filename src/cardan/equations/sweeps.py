@@ -15,11 +15,12 @@ from ..ir.function import Function, live
 from ..ir.recursion import STORE
 from ..topology.system import System
 from .carried import Cuts
+from .folded import Fold
 
 # sweeps that any function of a tree needs by far; more means that values wait for each other
 MOST_SWEEPS = 40
-# the body of what no body is visited for
-LATER, AFTER = -2, "after the sweeps"
+# the body of what no body is visited for, and of what is not looked at
+LATER, LEFT_OUT, AFTER = -2, -3, "after the sweeps"
 
 
 class Task(NamedTuple):
@@ -50,15 +51,22 @@ class Sweeps:
         function: Its results.
         homes: Body of every entry of the results, ``LATER`` for those of no body.
         system: The tree.
+        fold: How the tree was shortened, if it was.
     """
 
     def __init__(
-        self, cuts: Cuts, function: Function, homes: Sequence[int], system: System
+        self,
+        cuts: Cuts,
+        function: Function,
+        homes: Sequence[int],
+        system: System,
+        fold: Fold | None = None,
     ) -> None:
         self.cuts = cuts
         self.graph = cuts.graph
         self.function = function
         self.system = system
+        self.fold = fold
         self.parents = [b.parent for b in system.bodies]
         # all nodes of a task, the inputs and the stored values among them
         self.cones: dict[Task, list[int]] = {}
@@ -82,6 +90,7 @@ class Sweeps:
             for n, (name, node, home) in enumerate(
                 zip(named, self.function.roots, homes, strict=True)
             )
+            if home != LEFT_OUT
         ]
         seen = set[int]()
         while waiting:
@@ -196,12 +205,13 @@ class Sweeps:
                 wanted.update(leaf for leaf in self.reads[task] if at[leaf] != visit)
         fields = sorted({self.cuts.definitions[leaf].field for leaf in wanted})
         number = {field: k for k, field in enumerate(fields)}
-        definitions = self.cuts.definitions
+        definitions, fold = self.cuts.definitions, self.fold
+        bodies = range(len(self.parents)) if fold is None else fold.numbers
         places = {
-            leaf: definitions[leaf].body * len(fields) + number[definitions[leaf].field]
+            leaf: bodies[definitions[leaf].body] * len(fields) + number[definitions[leaf].field]
             for leaf in sorted(wanted)
         }
-        return places, len(fields) * len(self.parents)
+        return places, len(fields) * (max(bodies, default=-1) + 1)
 
 
 # phase of what is read -> first phase in which it can be read: an outward sweep has been at

@@ -2,13 +2,14 @@
 
 A step is a Function in local words. A visit says which step runs and where its local entries lie
 in the blocks of the whole, in the store that all visits share, and among the results. What one
-visit stores later ones read; that order is the only one. :meth:`Recursion.straight` splices the
-visits into one straight-line Function; the code generator prints them as loops over tables.
+visit stores later ones read; that order is the only one. Visits at regular distances are told as
+turns. :meth:`Recursion.straight` splices the visits into one straight-line Function; the code
+generator prints them as loops over tables.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -36,12 +37,60 @@ class Visit(NamedTuple):
     outs: tuple[int, ...]
 
 
+class Turns(NamedTuple):
+    """Visits repeated, every time the same number of entries further on.
+
+    Attributes:
+        visits: Those of the first turn.
+        strides: What is added to their entries from turn to turn; their steps are the same.
+        times: Number of turns.
+    """
+
+    visits: tuple[Visit, ...]
+    strides: tuple[Visit, ...]
+    times: int
+
+    def turn(self, number: int) -> tuple[Visit, ...]:
+        """The visits of one turn."""
+        pairs = zip(self.visits, self.strides, strict=True)
+        return tuple(ahead(visit, stride, number) for visit, stride in pairs)
+
+
+def ahead(visit: Visit, stride: Visit, turns: int) -> Visit:
+    """A visit some turns further on."""
+
+    def moved(places: tuple[int, ...], by: tuple[int, ...]) -> tuple[int, ...]:
+        return tuple([a + turns * d for a, d in zip(places, by, strict=True)])
+
+    reads = {block: moved(places, stride.reads[block]) for block, places in visit.reads.items()}
+    stores, outs = moved(visit.stores, stride.stores), moved(visit.outs, stride.outs)
+    return Visit(visit.step, reads, stores, outs)
+
+
 @dataclass(frozen=True)
 class Sweep:
-    """Visits that belong together, such as those from the ground outward."""
+    """Visits that belong together, such as those from the ground outward.
+
+    Attributes:
+        name: For the reader.
+        parts: In order; equal ones at regular distances as turns.
+    """
 
     name: str
-    visits: tuple[Visit, ...] = field(repr=False)
+    parts: tuple[Visit | Turns, ...] = field(repr=False)
+
+    def __len__(self) -> int:
+        """Number of visits."""
+        return sum(len(p.visits) * p.times if isinstance(p, Turns) else 1 for p in self.parts)
+
+    def visits(self) -> Iterator[Visit]:
+        """All visits, one by one."""
+        for part in self.parts:
+            if isinstance(part, Turns):
+                for number in range(part.times):
+                    yield from part.turn(number)
+            else:
+                yield part
 
 
 @dataclass(frozen=True)
@@ -72,9 +121,11 @@ class Recursion:
         counts = [step.operations() for step in self.steps]
         total: dict[str, int] = {}
         for sweep in self.sweeps:
-            for visit in sweep.visits:
-                for op, n in counts[visit.step].items():
-                    total[op] = total.get(op, 0) + n
+            for part in sweep.parts:
+                turns = part if isinstance(part, Turns) else Turns((part,), (part,), 1)
+                for visit in turns.visits:
+                    for op, n in counts[visit.step].items():
+                        total[op] = total.get(op, 0) + n * turns.times
         return total
 
     def straight(self) -> Function:
@@ -85,7 +136,7 @@ class Recursion:
         store = [ZERO] * self.size
         out = [ZERO] * sum(o.size for o in self.outputs)
         for sweep in self.sweeps:
-            for visit in sweep.visits:
+            for visit in sweep.visits():
                 step = self.steps[visit.step]
                 places = _places(step, visit, store, graph)
                 _, roots = rebuild(step.graph, step.roots, places, into=graph)

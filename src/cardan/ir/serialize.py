@@ -15,7 +15,7 @@ from .function import Block, Function, Output
 from .grammar import check
 from .graph import Graph, Node, Table
 from .ops import LEAVES
-from .recursion import OUT, STORE, Recursion, Sweep, Visit
+from .recursion import OUT, STORE, Recursion, Sweep, Turns, Visit, ahead
 
 SCHEMA = 1
 MOST_NODES = 4_000_000
@@ -77,10 +77,17 @@ def _recursion_to_dict(recursion: Recursion) -> dict[str, Any]:
         "size": recursion.size,
         "steps": [to_dict(step) for step in recursion.steps],
         "sweeps": [
-            {"name": sweep.name, "visits": [_saved_visit(visit) for visit in sweep.visits]}
+            {"name": sweep.name, "visits": [_saved_part(part) for part in sweep.parts]}
             for sweep in recursion.sweeps
         ],
     }
+
+
+def _saved_part(part: Visit | Turns) -> list[Any]:
+    if isinstance(part, Visit):
+        return _saved_visit(part)
+    visits, strides = ([_saved_visit(v) for v in row] for row in (part.visits, part.strides))
+    return [part.times, visits, strides]
 
 
 def _saved_visit(visit: Visit) -> list[Any]:
@@ -164,11 +171,49 @@ def _recursion(
     sweeps = tuple(
         Sweep(
             _text(sweep, "name"),
-            tuple(_visit(v, steps, lengths, room) for v in _list(sweep, "visits", MOST_ENTRIES)),
+            tuple(_part(v, steps, lengths, room) for v in _list(sweep, "visits", MOST_ENTRIES)),
         )
         for sweep in _list(data, "sweeps", MOST_ENTRIES)
     )
     return Recursion(name, inputs, results, steps, sweeps, size, about)
+
+
+def _part(
+    saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], room: int
+) -> Visit | Turns:
+    """A visit, or turns whose first and last visits are inside their blocks."""
+    if not isinstance(saved, list) or len(saved) != 3:
+        return _visit(saved, steps, lengths, room)
+    times, rows, strides = saved
+    if type(times) is not int or not 1 <= times <= MOST_ENTRIES:
+        raise ValueError(f"saved turns must be a number of times, not {times!r}")
+    if not isinstance(rows, list) or not isinstance(strides, list) or len(rows) != len(strides):
+        raise ValueError("saved turns are [times, visits, strides], a stride for every visit")
+    visits = tuple(_visit(row, steps, lengths, room) for row in rows)
+    moves = tuple(_stride(row, visit) for row, visit in zip(strides, visits, strict=True))
+    for visit, move in zip(visits, moves, strict=True):
+        last = _saved_visit(ahead(visit, move, times - 1))
+        _visit(last, steps, lengths, room)
+    return Turns(visits, moves, times)
+
+
+def _stride(saved: Any, visit: Visit) -> Visit:
+    """Differences of entries, as many as the visit has entries."""
+    try:
+        _, reads, stores, outs = saved
+        move = Visit(
+            visit.step,
+            {block: tuple(reads[block]) for block in visit.reads},
+            tuple(stores),
+            tuple(outs),
+        )
+        ahead(visit, move, 1)
+        whole = [*move.stores, *move.outs, *(k for row in move.reads.values() for k in row)]
+    except (TypeError, ValueError, KeyError) as problem:
+        raise ValueError(f"a saved stride does not fit its visit: {problem}") from problem
+    if not all(type(k) is int for k in whole):
+        raise ValueError("a saved stride consists of whole numbers")
+    return move
 
 
 def _visit(saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], room: int) -> Visit:

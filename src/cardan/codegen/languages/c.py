@@ -21,6 +21,7 @@ from ..program import (
     Solve,
     Statement,
     Table,
+    Turning,
     Value,
 )
 from .expressions import definitions
@@ -208,6 +209,23 @@ class _Writer:
             lines.append(f"{indent}{case}: {self._run(step)} break;")
         lines.append(f"{indent}}}")
 
+    def _turning(self, s: Turning, indent: str, lines: list[str]) -> None:
+        size = len(s.steps) * s.width
+        deep = indent + STEP
+        advance = f"for (int k = 0; k < {size}; ++k) row[k]"
+        lines.append(f"{indent}{{")
+        lines.append(f"{deep}int row[{size}];")
+        lines.append(f"{deep}{advance} = {s.table}[k];")
+        lines.append(f"{deep}for (int i = 0; i < {s.times}; ++i) {{")
+        for n, step in enumerate(s.steps):
+            lines.append(f"{deep}{STEP}{{")
+            lines.append(f"{deep}{STEP * 2}const int *const at = row + {s.width * n};")
+            lines.append(f"{deep}{STEP * 2}{self._run(step)}")
+            lines.append(f"{deep}{STEP}}}")
+        lines.append(f"{deep}{STEP}{advance} += {s.table}[{size} + k];")
+        lines.append(f"{deep}}}")
+        lines.append(f"{indent}}}")
+
     def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
         """A and B into the array, then the kernel."""
         right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
@@ -253,6 +271,7 @@ _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Section: _Writer._section,
     Call: _Writer._call,
     Dispatch: _Writer._dispatch,
+    Turning: _Writer._turning,
     Solve: _Writer._solve,
     Loop: _Writer._loop,
 }
