@@ -27,6 +27,8 @@ from .writing import CFile
 KERNELS = Path(__file__).parents[1] / "kernels"
 # what every function stands on
 HEADERS = ("cardan.h", "lanes.h", "sincos.h")
+# frames up to which a manifest is written for people
+READ = 1000
 MANIFEST, SAVED, LOCK = "manifest.json", "functions.json", ".lock"
 
 
@@ -153,7 +155,9 @@ def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
     ordered = dict(manifest)
     for name in ("functions", "sha256"):
         ordered[name] = dict(sorted(ordered[name].items()))
-    text = json.dumps(ordered, indent=1, ensure_ascii=False, allow_nan=False)
+    # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
+    indent = 1 if len(ordered["frames"]) <= READ else None
+    text = json.dumps(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
     _write(directory / MANIFEST, text + "\n")
 
 

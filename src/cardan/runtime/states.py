@@ -28,9 +28,10 @@ def random_state(
     q = np.zeros((*shape, len(rows)))
     turned = _rotations(manifest)
     covered = {k for start, name in turned for k in range(start, start + PARAMETERS[name].size)}
+    limits = {joint["name"]: joint["limits"] for joint in manifest["joints"]}
     for k, row in enumerate(rows):
         if k not in covered:
-            lower, upper = _range(row, manifest)
+            lower, upper = _range(row, limits.get(row["name"]) or {})
             q[..., k] = rng.uniform(lower, upper, shape)
     for start, name in turned:
         kind = PARAMETERS[name]
@@ -49,10 +50,8 @@ def _rotations(manifest: dict[str, Any]) -> list[tuple[int, str]]:
     return [(joint["q"][0], name) for joint, name in pairs if name in PARAMETERS and joint["q"]]
 
 
-def _range(row: dict[str, Any], manifest: dict[str, Any]) -> tuple[float, float]:
+def _range(row: dict[str, Any], limits: dict[str, Any]) -> tuple[float, float]:
     """Where to draw a coordinate from."""
-    limits = next((j["limits"] for j in manifest["joints"] if j["name"] == row["name"]), None)
-    limits = limits or {}
     reach = {"rad": TURN, "m": MOVE}.get(row["unit"], OTHER)
     middle = row["default"] or 0.0
     lower, upper = limits.get("lower"), limits.get("upper")
