@@ -2,10 +2,11 @@
  * forward_dynamics of trolley
  * udot with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: unroll, reassociate
  *
- * Sizes: out 5, work 0, w 22
- * Operations per call: 218 = 135 mul, 37 sub, 31 add, 5 cos, 5 sin, 3 div, 1 table, 1 tanh
+ * Sizes: out 5, work 0, w 18
+ * Operations per call: 195 = 120 mul, 34 sub, 28 add, 4 cos, 4 sin, 3 div, 1 table, 1 tanh
  * Operations of prepare: 38 = 21 mul, 10 add, 4 sub, 3 div
  *
  * Input t (1): time
@@ -58,7 +59,7 @@ static const double table_0_forward_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, inertia, inertia force, second moment */
+    /* left.bucket: mass, inertia */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
@@ -67,15 +68,11 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal left_bucket_mass = left_load * left_rope;
     const wreal left_bucket_inertia_xx = 0.3333333333333333 * left_load * left_bucket_mass_2
         + left_rope * left_bucket_mass;
-    const wreal left_bucket_inertia_force = 0.5 * (left_bucket_inertia_zz
-        + left_bucket_inertia_xx + left_bucket_inertia_xx);
-    w[6] = left_bucket_inertia_zz; /* left_bucket_inertia_zz */
-    w[7] = left_bucket_mass; /* left_bucket_mass */
-    w[8] = left_bucket_inertia_xx; /* left_bucket_inertia_xx */
-    w[16] = left_bucket_inertia_force - left_bucket_inertia_xx; /* left_bucket_second_moment_xx */
-    w[17] = left_bucket_inertia_force - left_bucket_inertia_zz; /* left_bucket_second_moment_zz */
+    w[3] = left_bucket_inertia_zz; /* left_bucket_inertia_zz */
+    w[4] = left_bucket_mass; /* left_bucket_mass */
+    w[5] = left_bucket_inertia_xx; /* left_bucket_inertia_xx */
 
-    /* right.bucket: mass, inertia, inertia force, second moment */
+    /* right.bucket: mass, inertia */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
@@ -84,15 +81,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal right_bucket_mass = right_load * right_rope;
     const wreal right_bucket_inertia_xx = 0.3333333333333333 * right_load * right_bucket_mass_2
         + right_rope * right_bucket_mass;
-    const wreal right_bucket_inertia_force = 0.5 * (right_bucket_inertia_zz
-        + right_bucket_inertia_xx + right_bucket_inertia_xx);
-    w[9] = right_bucket_inertia_zz; /* right_bucket_inertia_zz */
-    w[10] = right_bucket_mass; /* right_bucket_mass */
-    w[11] = right_bucket_inertia_xx; /* right_bucket_inertia_xx */
-    /* right_bucket_second_moment_xx */
-    w[18] = right_bucket_inertia_force - right_bucket_inertia_xx;
-    /* right_bucket_second_moment_zz */
-    w[19] = right_bucket_inertia_force - right_bucket_inertia_zz;
+    w[6] = right_bucket_inertia_zz; /* right_bucket_inertia_zz */
+    w[7] = right_bucket_mass; /* right_bucket_mass */
+    w[8] = right_bucket_inertia_xx; /* right_bucket_inertia_xx */
 
     /* wheel: inertia */
     const wreal wheel = p[1]; /* kg */
@@ -102,26 +93,36 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* axle: coupling, momentum my */
     const wreal axle_coupling = 1.0 / radius;
     const wreal axle_momentum_my = wheel_inertia_yy * axle_coupling;
-    w[12] = axle_coupling; /* axle_coupling */
 
-    /* track: momentum fx */
+    /* trolley: base mass */
     const wreal trolley_mass = p[10]; /* kg */
-    const wreal track_momentum_fx = left_load + right_load + (wheel + trolley_mass);
+    const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
+
+    /* common */
+    const wreal mul_1 = 0.5 * (left_bucket_inertia_zz + left_bucket_inertia_xx
+        + left_bucket_inertia_xx);
+    const wreal mul_1_2 = 0.5 * (right_bucket_inertia_zz + right_bucket_inertia_xx
+        + right_bucket_inertia_xx);
+
+    /* left.bucket: base second moment */
+    w[11] = mul_1 - left_bucket_inertia_xx; /* left_bucket_base_second_moment_xx */
+    w[12] = mul_1 - left_bucket_inertia_zz; /* left_bucket_base_second_moment_zz */
+
+    /* right.bucket: base second moment */
+    w[13] = mul_1_2 - right_bucket_inertia_xx; /* right_bucket_base_second_moment_xx */
+    w[14] = mul_1_2 - right_bucket_inertia_zz; /* right_bucket_base_second_moment_zz */
 
     /* M: D inverse */
-    w[15] = track_momentum_fx + axle_coupling * axle_momentum_my; /* M_1_1 */
-    w[20] = 1.0 / right_bucket_inertia_xx; /* M_D_inverse_5 */
-    w[21] = 1.0 / left_bucket_inertia_xx; /* M_D_inverse_3 */
+    w[15] = trolley_base_mass + axle_coupling * axle_momentum_my; /* M_1_1 */
+    w[16] = 1.0 / right_bucket_inertia_xx; /* M_D_inverse_5 */
+    w[17] = 1.0 / left_bucket_inertia_xx; /* M_D_inverse_3 */
 
     /* parameters as they are */
-    w[0] = p[1]; /* wheel [kg] */
-    w[1] = p[3]; /* left.load [kg] */
-    w[2] = p[4]; /* left.rope [m] */
-    w[3] = p[6]; /* right.load [kg] */
-    w[4] = p[7]; /* right.rope [m] */
-    w[5] = p[9]; /* gravity.z [m/s^2] */
-    w[13] = p[11]; /* buffer.stiffness [N/m] */
-    w[14] = p[12]; /* buffer.rest [m] */
+    w[0] = p[4]; /* left.rope [m] */
+    w[1] = p[7]; /* right.rope [m] */
+    w[2] = p[9]; /* gravity.z [m/s^2] */
+    w[9] = p[11]; /* buffer.stiffness [N/m] */
+    w[10] = p[12]; /* buffer.rest [m] */
 }
 
 #include "lanes.h"
@@ -138,18 +139,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: rotor, cos, sin */
-    const real track_q = q[0]; /* m */
+    /* shared by several: cos, sin */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
     const real right_hang_angle2 = q[4]; /* rad */
-    const wreal axle_coupling = w[12];
-    const real left_air_rotor = track_q * axle_coupling;
-    const real angle[CARDAN_PADDED(5)] = {left_hang_angle1, left_hang_angle2, right_hang_angle1,
-        right_hang_angle2, left_air_rotor};
-    real sine[CARDAN_PADDED(5)], cosine[CARDAN_PADDED(5)];
-    cardan_sincos(5, angle, sine, cosine);
+    const real angle[CARDAN_PADDED(4)] = {left_hang_angle1, left_hang_angle2, right_hang_angle1,
+        right_hang_angle2};
+    real sine[CARDAN_PADDED(4)], cosine[CARDAN_PADDED(4)];
+    cardan_sincos(4, angle, sine, cosine);
     const real left_hang_cos = cosine[0];
     const real left_hang_sin = sine[0];
     const real left_hang_cos_2 = cosine[1];
@@ -158,18 +156,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_sin = sine[2];
     const real right_hang_cos_2 = cosine[3];
     const real right_hang_sin_2 = sine[3];
-    const real axle_cos = cosine[4];
-    const real axle_sin = sine[4];
 
     /* left.hang: R, drift, momentum mx, momentum mz, momentum fy */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
-    const wreal left_bucket_inertia_zz = w[6];
-    const wreal left_bucket_mass = w[7];
-    const wreal left_bucket_inertia_xx = w[8];
+    const wreal left_bucket_inertia_zz = w[3];
+    const wreal left_bucket_mass = w[4];
+    const wreal left_bucket_inertia_xx = w[5];
     const real left_hang_R_yx = left_hang_sin * left_hang_sin_2;
     const real left_hang_R = left_hang_sin * left_hang_cos_2;
-    const real left_hang_R_zz = left_hang_cos * left_hang_cos_2;
     const real left_hang_drift = left_hang_u_angle1 * left_hang_u_angle2;
     const real left_hang_drift_2 = left_hang_sin_2 * left_hang_drift;
     const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos_2;
@@ -178,9 +173,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* left.bucket: omega, alpha, v, a, U, n, inertia force, f */
     const real track_u = u[0]; /* m/s */
-    const wreal gravity_z = w[5]; /* m/s^2 */
-    const wreal left_bucket_second_moment_xx = w[16];
-    const wreal left_bucket_second_moment_zz = w[17];
+    const wreal gravity_z = w[2]; /* m/s^2 */
+    const wreal left_bucket_base_second_moment_xx = w[11];
+    const wreal left_bucket_base_second_moment_zz = w[12];
     const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_cos_2;
     const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_sin_2;
     const real left_bucket_alpha_z = left_hang_cos_2 * left_hang_drift;
@@ -194,24 +189,23 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real left_bucket_U_yx = left_bucket_alpha_z + left_bucket_U;
     const real left_bucket_U_yz = left_hang_drift_2 + left_bucket_U_2;
     const real left_bucket_U_zy = left_bucket_U_2 - left_hang_drift_2;
-    const real left_bucket_n_z = left_bucket_U_yx * left_bucket_second_moment_xx
-        - left_bucket_U_xy * left_bucket_second_moment_xx;
-    const real left_bucket_inertia_force_2 = left_bucket_mass * (left_bucket_omega_x *
+    const real left_bucket_n_z = left_bucket_base_second_moment_xx * left_bucket_U_yx
+        - left_bucket_base_second_moment_xx * left_bucket_U_xy;
+    const real left_bucket_inertia_force = left_bucket_mass * (left_bucket_omega_x *
         left_bucket_omega_x + left_hang_u_angle2 * left_hang_u_angle2);
-    const real left_bucket_f = left_bucket_U_zy * left_bucket_second_moment_xx
+    const real left_bucket_f = left_bucket_base_second_moment_xx * left_bucket_U_zy
         - gravity_z * left_hang_sin * left_bucket_mass;
-    const real left_bucket_f_2 = left_bucket_U_xz * left_bucket_second_moment_zz
-        - left_bucket_U_xz * left_bucket_second_moment_xx;
+    const real left_bucket_f_2 = left_bucket_base_second_moment_zz * left_bucket_U_xz
+        - left_bucket_base_second_moment_xx * left_bucket_U_xz;
 
     /* right.hang: R, drift, momentum mx, momentum mz, momentum fy */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
-    const wreal right_bucket_inertia_zz = w[9];
-    const wreal right_bucket_mass = w[10];
-    const wreal right_bucket_inertia_xx = w[11];
+    const wreal right_bucket_inertia_zz = w[6];
+    const wreal right_bucket_mass = w[7];
+    const wreal right_bucket_inertia_xx = w[8];
     const real right_hang_R_yx = right_hang_sin * right_hang_sin_2;
     const real right_hang_R = right_hang_sin * right_hang_cos_2;
-    const real right_hang_R_zz = right_hang_cos * right_hang_cos_2;
     const real right_hang_drift = right_hang_u_angle1 * right_hang_u_angle2;
     const real right_hang_drift_2 = right_hang_sin_2 * right_hang_drift;
     const real right_hang_momentum_mx = right_bucket_inertia_xx * right_hang_cos_2;
@@ -219,8 +213,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_momentum_fy = right_bucket_mass * right_hang_cos_2;
 
     /* right.bucket: omega, alpha, v, a, U, n, inertia force, f */
-    const wreal right_bucket_second_moment_xx = w[18];
-    const wreal right_bucket_second_moment_zz = w[19];
+    const wreal right_bucket_base_second_moment_xx = w[13];
+    const wreal right_bucket_base_second_moment_zz = w[14];
     const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_cos_2;
     const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_sin_2;
     const real right_bucket_alpha_z = right_hang_cos_2 * right_hang_drift;
@@ -234,17 +228,17 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_bucket_U_yx = right_bucket_alpha_z + right_bucket_U;
     const real right_bucket_U_yz = right_hang_drift_2 + right_bucket_U_2;
     const real right_bucket_U_zy = right_bucket_U_2 - right_hang_drift_2;
-    const real right_bucket_n_z = right_bucket_U_yx * right_bucket_second_moment_xx
-        - right_bucket_U_xy * right_bucket_second_moment_xx;
-    const real right_bucket_inertia_force_2 = right_bucket_mass * (right_bucket_omega_x *
+    const real right_bucket_n_z = right_bucket_base_second_moment_xx * right_bucket_U_yx
+        - right_bucket_base_second_moment_xx * right_bucket_U_xy;
+    const real right_bucket_inertia_force = right_bucket_mass * (right_bucket_omega_x *
         right_bucket_omega_x + right_hang_u_angle2 * right_hang_u_angle2);
-    const real right_bucket_f = right_bucket_U_zy * right_bucket_second_moment_xx
+    const real right_bucket_f = right_bucket_base_second_moment_xx * right_bucket_U_zy
         - gravity_z * right_hang_sin * right_bucket_mass;
-    const real right_bucket_f_2 = right_bucket_U_xz * right_bucket_second_moment_zz
-        - right_bucket_U_xz * right_bucket_second_moment_xx;
+    const real right_bucket_f_2 = right_bucket_base_second_moment_zz * right_bucket_U_xz
+        - right_bucket_base_second_moment_xx * right_bucket_U_xz;
 
     /* left.air: force, data */
-    const wreal left_rope = w[2]; /* m */
+    const wreal left_rope = w[0]; /* m */
     const real left_air_force = left_bucket_v_x - left_rope * left_hang_u_angle2;
     const real left_air_force_2 = left_hang_R_yx * left_air_force - left_hang_R * left_bucket_v_z
         + left_rope * left_bucket_omega_x * left_hang_cos;
@@ -255,7 +249,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + left_hang_R_yx * left_air_data_2;
 
     /* right.air: force, rotor, data */
-    const wreal right_rope = w[4]; /* m */
+    const wreal right_rope = w[1]; /* m */
     const real right_air_force = right_bucket_v_x - right_rope * right_hang_u_angle2;
     const real right_air_rotor = right_hang_R_yx * right_air_force
         - right_hang_R * right_bucket_v_z;
@@ -268,8 +262,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* M: factor, D inverse */
     const wreal M_1_1 = w[15];
-    const wreal M_D_inverse_5 = w[20];
-    const wreal M_D_inverse_3 = w[21];
+    const wreal M_D_inverse_5 = w[16];
+    const wreal M_D_inverse_3 = w[17];
     const real M_4_4 = right_hang_cos_2 * right_hang_momentum_mx
         + right_hang_sin_2 * right_hang_momentum_mz;
     const real M_2_2 = left_hang_cos_2 * left_hang_momentum_mx
@@ -281,35 +275,25 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_D_inverse_1 = 1.0 / (M_1_1 - right_hang_momentum_fy * M_factor
         - left_hang_momentum_fy * M_factor_2);
 
-    /* wheel: a, f */
-    const wreal wheel = w[0]; /* kg */
-    const real wheel_a_x = gravity_z * axle_sin;
-    const real wheel_f_x = wheel * wheel_a_x;
-
     /* left.bucket: n, f */
-    const wreal left_load = w[1]; /* kg */
-    const real left_bucket_n_x = left_bucket_f - left_bucket_U_yz * left_bucket_second_moment_zz
+    const real left_bucket_n_x = left_bucket_f
+        - left_bucket_base_second_moment_zz * left_bucket_U_yz
         + left_hang_cos * left_air_data_2 * left_rope;
     const real left_bucket_n_y = left_bucket_f_2 - left_bucket_mass * left_bucket_a_x
         - left_rope * left_air_force_3;
-    const real left_bucket_f_x = left_load * left_bucket_a_x
-        - left_bucket_mass * left_bucket_U_xz + left_air_force_3;
-    const real left_bucket_f_3 = left_bucket_inertia_force_2
-        - gravity_z * left_hang_R_zz * left_load + left_hang_sin_2 * left_air_data;
-    const real left_bucket_f_z = left_bucket_f_3 - left_hang_R * left_air_data_2;
+    const real left_bucket_f_x = left_air_force_3 - left_bucket_mass * left_bucket_U_xz;
+    const real left_bucket_f_z = left_hang_sin_2 * left_air_data + left_bucket_inertia_force
+        - left_hang_R * left_air_data_2;
 
     /* right.bucket: n, f */
-    const wreal right_load = w[3]; /* kg */
     const real right_bucket_n_x = right_bucket_f
-        - right_bucket_U_yz * right_bucket_second_moment_zz
+        - right_bucket_base_second_moment_zz * right_bucket_U_yz
         + right_hang_cos * right_air_data_2 * right_rope;
     const real right_bucket_n_y = right_bucket_f_2 - right_bucket_mass * right_bucket_a_x
         - right_rope * right_air_force_2;
-    const real right_bucket_f_x = right_load * right_bucket_a_x
-        - right_bucket_mass * right_bucket_U_xz + right_air_force_2;
-    const real right_bucket_f_3 = right_bucket_inertia_force_2
-        - gravity_z * right_hang_R_zz * right_load + right_hang_sin_2 * right_air_data;
-    const real right_bucket_f_z = right_bucket_f_3 - right_hang_R * right_air_data_2;
+    const real right_bucket_f_x = right_air_force_2 - right_bucket_mass * right_bucket_U_xz;
+    const real right_bucket_f_z = right_hang_sin_2 * right_air_data + right_bucket_inertia_force
+        - right_hang_R * right_air_data_2;
 
     /* right.hang: tau angle, drive angle, udot angle */
     const real right_hang_u_angle1_tau = tau[3]; /* N*m */
@@ -330,17 +314,17 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = left_hang_drive_angle1 * M_D_inverse_2; /* udot: left.hang.u.angle1dot [rad/s^2] */
 
     /* trolley: f */
-    const real trolley_f = axle_cos * wheel_f_x - gravity_z * axle_cos * wheel * axle_sin
-        + left_hang_sin_2 * left_bucket_f_z;
-    const real trolley_f_x = right_hang_sin_2 * right_bucket_f_z
-        + left_hang_cos_2 * left_bucket_f_x + (right_hang_cos_2 * right_bucket_f_x + trolley_f);
+    const real trolley_f = right_hang_sin_2 * right_bucket_f_z + left_hang_sin_2 * left_bucket_f_z;
+    const real trolley_f_x = right_hang_cos_2 * right_bucket_f_x
+        + left_hang_cos_2 * left_bucket_f_x + trolley_f;
 
     /* track: tau, drive, udot */
+    const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
     const real t_1 = t[0]; /* s */
     const real track_u_tau = tau[0]; /* N */
-    const wreal buffer_stiffness = w[13]; /* N/m */
-    const wreal buffer_rest = w[14]; /* m */
+    const wreal buffer_stiffness = w[9]; /* N/m */
+    const wreal buffer_rest = w[10]; /* m */
     const real track_tau = buffer_stiffness * (track_q - buffer_rest)
         - cardan_piecewise(4, 4, table_0_forward_dynamics_breaks,
         table_0_forward_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_1)

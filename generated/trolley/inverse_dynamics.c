@@ -2,11 +2,12 @@
  * inverse_dynamics of trolley
  * tau with M udot + h = f + tau
  * formalism: composite
+ * rewrites: base_parameters
  * passes: reassociate
  *
- * Sizes: out 5, work 0, w 17
- * Operations per call: 210 = 126 mul, 38 add, 34 sub, 5 cos, 5 sin, 1 table, 1 tanh
- * Operations of prepare: 36 = 22 mul, 8 add, 5 sub, 1 div
+ * Sizes: out 5, work 0, w 14
+ * Operations per call: 178 = 107 mul, 31 sub, 30 add, 4 cos, 4 sin, 1 table, 1 tanh
+ * Operations of prepare: 40 = 22 mul, 12 add, 5 sub, 1 div
  *
  * Input t (1): time
  *   t[0]  t [s]
@@ -58,7 +59,7 @@ static const double table_0_inverse_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, inertia, inertia force, second moment */
+    /* left.bucket: mass, inertia */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
@@ -67,13 +68,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal left_bucket_mass = left_load * left_rope;
     const wreal left_bucket_inertia_xx = 0.3333333333333333 * left_load * left_bucket_mass_2
         + left_rope * left_bucket_mass;
-    const wreal left_bucket_inertia_force = 0.5 * (left_bucket_inertia_zz
-        + left_bucket_inertia_xx + left_bucket_inertia_xx);
-    w[7] = left_bucket_mass; /* left_bucket_mass */
-    w[12] = left_bucket_inertia_force - left_bucket_inertia_xx; /* left_bucket_second_moment_xx */
-    w[13] = left_bucket_inertia_force - left_bucket_inertia_zz; /* left_bucket_second_moment_zz */
+    w[3] = left_bucket_mass; /* left_bucket_mass */
 
-    /* right.bucket: mass, inertia, inertia force, second moment */
+    /* right.bucket: mass, inertia */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
@@ -82,36 +79,45 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal right_bucket_mass = right_load * right_rope;
     const wreal right_bucket_inertia_xx = 0.3333333333333333 * right_load * right_bucket_mass_2
         + right_rope * right_bucket_mass;
-    const wreal right_bucket_inertia_force = 0.5 * (right_bucket_inertia_zz
-        + right_bucket_inertia_xx + right_bucket_inertia_xx);
-    w[8] = right_bucket_mass; /* right_bucket_mass */
-    /* right_bucket_second_moment_xx */
-    w[14] = right_bucket_inertia_force - right_bucket_inertia_xx;
-    /* right_bucket_second_moment_zz */
-    w[15] = right_bucket_inertia_force - right_bucket_inertia_zz;
+    w[4] = right_bucket_mass; /* right_bucket_mass */
 
-    /* wheel: mass, inertia, second moment */
+    /* wheel: mass, inertia, base second moment, inertia force */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
     const wreal wheel_mass = radius * radius;
     const wreal wheel_inertia_xx = 0.2708333333333333 * wheel * wheel_mass;
     const wreal wheel_inertia_yy = 0.5 * wheel * wheel_mass;
-    /* wheel_second_moment_xx */
-    w[16] = 0.5 * (wheel_inertia_xx + wheel_inertia_xx + wheel_inertia_yy) - wheel_inertia_xx;
+    const wreal wheel_base_second_moment_xx = 0.5 * (wheel_inertia_xx + wheel_inertia_xx
+        + wheel_inertia_yy) - wheel_inertia_xx;
+    w[13] = wheel_base_second_moment_xx + wheel_base_second_moment_xx; /* wheel_inertia_force */
 
     /* axle: coupling */
-    w[9] = 1.0 / radius; /* axle_coupling */
+    w[5] = 1.0 / radius; /* axle_coupling */
+
+    /* trolley: base mass */
+    const wreal trolley_mass = p[10]; /* kg */
+    w[8] = left_load + right_load + (wheel + trolley_mass); /* trolley_base_mass */
+
+    /* common */
+    const wreal mul_1 = 0.5 * (left_bucket_inertia_zz + left_bucket_inertia_xx
+        + left_bucket_inertia_xx);
+    const wreal mul_1_2 = 0.5 * (right_bucket_inertia_zz + right_bucket_inertia_xx
+        + right_bucket_inertia_xx);
+
+    /* left.bucket: base second moment */
+    w[9] = mul_1 - left_bucket_inertia_xx; /* left_bucket_base_second_moment_xx */
+    w[10] = mul_1 - left_bucket_inertia_zz; /* left_bucket_base_second_moment_zz */
+
+    /* right.bucket: base second moment */
+    w[11] = mul_1_2 - right_bucket_inertia_xx; /* right_bucket_base_second_moment_xx */
+    w[12] = mul_1_2 - right_bucket_inertia_zz; /* right_bucket_base_second_moment_zz */
 
     /* parameters as they are */
-    w[0] = p[1]; /* wheel [kg] */
-    w[1] = p[3]; /* left.load [kg] */
-    w[2] = p[4]; /* left.rope [m] */
-    w[3] = p[6]; /* right.load [kg] */
-    w[4] = p[7]; /* right.rope [m] */
-    w[5] = p[9]; /* gravity.z [m/s^2] */
-    w[6] = p[10]; /* trolley.mass [kg] */
-    w[10] = p[11]; /* buffer.stiffness [N/m] */
-    w[11] = p[12]; /* buffer.rest [m] */
+    w[0] = p[4]; /* left.rope [m] */
+    w[1] = p[7]; /* right.rope [m] */
+    w[2] = p[9]; /* gravity.z [m/s^2] */
+    w[6] = p[11]; /* buffer.stiffness [N/m] */
+    w[7] = p[12]; /* buffer.rest [m] */
 }
 
 #include "lanes.h"
@@ -128,18 +134,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: force, cos, sin */
-    const real track_q = q[0]; /* m */
+    /* shared by several: cos, sin */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
     const real right_hang_angle2 = q[4]; /* rad */
-    const wreal axle_coupling = w[9];
-    const real left_air_force = track_q * axle_coupling;
-    const real angle[CARDAN_PADDED(5)] = {left_hang_angle1, left_hang_angle2, right_hang_angle1,
-        right_hang_angle2, left_air_force};
-    real sine[CARDAN_PADDED(5)], cosine[CARDAN_PADDED(5)];
-    cardan_sincos(5, angle, sine, cosine);
+    const real angle[CARDAN_PADDED(4)] = {left_hang_angle1, left_hang_angle2, right_hang_angle1,
+        right_hang_angle2};
+    real sine[CARDAN_PADDED(4)], cosine[CARDAN_PADDED(4)];
+    cardan_sincos(4, angle, sine, cosine);
     const real left_hang_cos = cosine[0];
     const real left_hang_sin = sine[0];
     const real left_hang_cos_2 = cosine[1];
@@ -148,15 +151,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_sin = sine[2];
     const real right_hang_cos_2 = cosine[3];
     const real right_hang_sin_2 = sine[3];
-    const real axle_cos = cosine[4];
-    const real axle_sin = sine[4];
 
     /* left.hang: R, drift */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
     const real left_hang_R_yx = left_hang_sin * left_hang_sin_2;
     const real left_hang_R = left_hang_sin * left_hang_cos_2;
-    const real left_hang_R_zz = left_hang_cos * left_hang_cos_2;
     const real left_hang_drift = left_hang_u_angle1 * left_hang_u_angle2;
 
     /* left.bucket: omega, v, alpha, a, U, n, inertia force, f */
@@ -164,10 +164,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real track_udot = udot[0]; /* m/s^2 */
     const real left_hang_u_angle1dot = udot[1]; /* rad/s^2 */
     const real left_hang_u_angle2dot = udot[2]; /* rad/s^2 */
-    const wreal gravity_z = w[5]; /* m/s^2 */
-    const wreal left_bucket_mass = w[7];
-    const wreal left_bucket_second_moment_xx = w[12];
-    const wreal left_bucket_second_moment_zz = w[13];
+    const wreal gravity_z = w[2]; /* m/s^2 */
+    const wreal left_bucket_mass = w[3];
+    const wreal left_bucket_base_second_moment_xx = w[9];
+    const wreal left_bucket_base_second_moment_zz = w[10];
     const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_cos_2;
     const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_sin_2;
     const real left_bucket_v_x = track_u * left_hang_cos_2;
@@ -178,7 +178,6 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + left_hang_u_angle1dot * left_hang_sin_2;
     const real left_bucket_a_x = track_udot * left_hang_cos_2
         + left_hang_cos * left_hang_sin_2 * gravity_z;
-    const real left_bucket_a_z = track_udot * left_hang_sin_2 - gravity_z * left_hang_R_zz;
     const real left_bucket_U = left_hang_u_angle2 * left_bucket_omega_x;
     const real left_bucket_U_2 = left_bucket_omega_x * left_bucket_omega_z;
     const real left_bucket_U_3 = left_hang_u_angle2 * left_bucket_omega_z;
@@ -188,29 +187,28 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real left_bucket_U_yz = left_bucket_U_3 - left_bucket_alpha_x;
     const real left_bucket_U_zx = left_bucket_U_2 - left_hang_u_angle2dot;
     const real left_bucket_U_zy = left_bucket_alpha_x + left_bucket_U_3;
-    const real left_bucket_n_z = left_bucket_U_yx * left_bucket_second_moment_xx
-        - left_bucket_U_xy * left_bucket_second_moment_xx;
-    const real left_bucket_inertia_force_2 = left_bucket_mass * (left_bucket_omega_x *
+    const real left_bucket_n_z = left_bucket_base_second_moment_xx * left_bucket_U_yx
+        - left_bucket_base_second_moment_xx * left_bucket_U_xy;
+    const real left_bucket_inertia_force = left_bucket_mass * (left_bucket_omega_x *
         left_bucket_omega_x + left_hang_u_angle2 * left_hang_u_angle2);
-    const real left_bucket_f = left_bucket_U_zy * left_bucket_second_moment_xx
+    const real left_bucket_f = left_bucket_base_second_moment_xx * left_bucket_U_zy
         - gravity_z * left_hang_sin * left_bucket_mass;
-    const real left_bucket_f_2 = left_bucket_U_xz * left_bucket_second_moment_zz
-        - left_bucket_U_zx * left_bucket_second_moment_xx;
+    const real left_bucket_f_2 = left_bucket_base_second_moment_zz * left_bucket_U_xz
+        - left_bucket_base_second_moment_xx * left_bucket_U_zx;
 
     /* right.hang: R, drift */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
     const real right_hang_R_yx = right_hang_sin * right_hang_sin_2;
     const real right_hang_R = right_hang_sin * right_hang_cos_2;
-    const real right_hang_R_zz = right_hang_cos * right_hang_cos_2;
     const real right_hang_drift = right_hang_u_angle1 * right_hang_u_angle2;
 
     /* right.bucket: omega, v, alpha, a, U, n, inertia force, f */
     const real right_hang_u_angle1dot = udot[3]; /* rad/s^2 */
     const real right_hang_u_angle2dot = udot[4]; /* rad/s^2 */
-    const wreal right_bucket_mass = w[8];
-    const wreal right_bucket_second_moment_xx = w[14];
-    const wreal right_bucket_second_moment_zz = w[15];
+    const wreal right_bucket_mass = w[4];
+    const wreal right_bucket_base_second_moment_xx = w[11];
+    const wreal right_bucket_base_second_moment_zz = w[12];
     const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_cos_2;
     const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_sin_2;
     const real right_bucket_v_x = track_u * right_hang_cos_2;
@@ -221,7 +219,6 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + right_hang_u_angle1dot * right_hang_sin_2;
     const real right_bucket_a_x = track_udot * right_hang_cos_2
         + right_hang_cos * right_hang_sin_2 * gravity_z;
-    const real right_bucket_a_z = track_udot * right_hang_sin_2 - gravity_z * right_hang_R_zz;
     const real right_bucket_U = right_hang_u_angle2 * right_bucket_omega_x;
     const real right_bucket_U_2 = right_bucket_omega_x * right_bucket_omega_z;
     const real right_bucket_U_3 = right_hang_u_angle2 * right_bucket_omega_z;
@@ -231,28 +228,28 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_bucket_U_yz = right_bucket_U_3 - right_bucket_alpha_x;
     const real right_bucket_U_zx = right_bucket_U_2 - right_hang_u_angle2dot;
     const real right_bucket_U_zy = right_bucket_alpha_x + right_bucket_U_3;
-    const real right_bucket_n_z = right_bucket_U_yx * right_bucket_second_moment_xx
-        - right_bucket_U_xy * right_bucket_second_moment_xx;
-    const real right_bucket_inertia_force_2 = right_bucket_mass * (right_bucket_omega_x *
+    const real right_bucket_n_z = right_bucket_base_second_moment_xx * right_bucket_U_yx
+        - right_bucket_base_second_moment_xx * right_bucket_U_xy;
+    const real right_bucket_inertia_force = right_bucket_mass * (right_bucket_omega_x *
         right_bucket_omega_x + right_hang_u_angle2 * right_hang_u_angle2);
-    const real right_bucket_f = right_bucket_U_zy * right_bucket_second_moment_xx
+    const real right_bucket_f = right_bucket_base_second_moment_xx * right_bucket_U_zy
         - gravity_z * right_hang_sin * right_bucket_mass;
-    const real right_bucket_f_2 = right_bucket_U_xz * right_bucket_second_moment_zz
-        - right_bucket_U_zx * right_bucket_second_moment_xx;
+    const real right_bucket_f_2 = right_bucket_base_second_moment_zz * right_bucket_U_xz
+        - right_bucket_base_second_moment_xx * right_bucket_U_zx;
 
     /* left.air: force, data */
-    const wreal left_rope = w[2]; /* m */
-    const real left_air_force_2 = left_bucket_v_x - left_rope * left_hang_u_angle2;
-    const real left_air_force_3 = left_hang_R_yx * left_air_force_2
-        - left_hang_R * left_bucket_v_z + left_rope * left_bucket_omega_x * left_hang_cos;
-    const real left_air_data = 2.0 * (left_hang_cos_2 * left_air_force_2
+    const wreal left_rope = w[0]; /* m */
+    const real left_air_force = left_bucket_v_x - left_rope * left_hang_u_angle2;
+    const real left_air_force_2 = left_hang_R_yx * left_air_force - left_hang_R * left_bucket_v_z
+        + left_rope * left_bucket_omega_x * left_hang_cos;
+    const real left_air_data = 2.0 * (left_hang_cos_2 * left_air_force
         + left_hang_sin_2 * left_bucket_v_z);
-    const real left_air_data_2 = 2.0 * left_air_force_3;
-    const real left_air_force_4 = left_hang_cos_2 * left_air_data
+    const real left_air_data_2 = 2.0 * left_air_force_2;
+    const real left_air_force_3 = left_hang_cos_2 * left_air_data
         + left_hang_R_yx * left_air_data_2;
 
     /* right.air: force, data */
-    const wreal right_rope = w[4]; /* m */
+    const wreal right_rope = w[1]; /* m */
     const real right_air_force = right_bucket_v_x - right_rope * right_hang_u_angle2;
     const real right_air_force_2 = right_hang_R_yx * right_air_force
         - right_hang_R * right_bucket_v_z;
@@ -263,39 +260,29 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_air_force_3 = right_hang_cos_2 * right_air_data
         + right_hang_R_yx * right_air_data_2;
 
-    /* wheel: alpha, a, inertia force, n, f */
-    const wreal wheel = w[0]; /* kg */
-    const wreal wheel_second_moment_xx = w[16];
+    /* wheel: alpha, n */
+    const wreal axle_coupling = w[5];
+    const wreal wheel_inertia_force = w[13];
     const real wheel_alpha_y = axle_coupling * track_udot;
-    const real wheel_a_x = track_udot * axle_cos + gravity_z * axle_sin;
-    const real wheel_a_z = track_udot * axle_sin - gravity_z * axle_cos;
-    const real wheel_inertia_force = wheel_alpha_y * wheel_second_moment_xx;
-    const real wheel_n_y = wheel_inertia_force + wheel_inertia_force;
-    const real wheel_f_x = wheel * wheel_a_x;
-    const real wheel_f_z = wheel * wheel_a_z;
+    const real wheel_n_y = wheel_alpha_y * wheel_inertia_force;
 
     /* left.bucket: n, f */
-    const wreal left_load = w[1]; /* kg */
-    const real left_bucket_n_x = left_bucket_f - left_bucket_U_yz * left_bucket_second_moment_zz
+    const real left_bucket_n_x = left_bucket_f
+        - left_bucket_base_second_moment_zz * left_bucket_U_yz
         + left_hang_cos * left_air_data_2 * left_rope;
-    const real left_bucket_f_x = left_load * left_bucket_a_x
-        - left_bucket_mass * left_bucket_U_xz + left_air_force_4;
-    const real left_bucket_f_3 = left_load * left_bucket_a_z + left_bucket_inertia_force_2
-        + left_hang_sin_2 * left_air_data;
-    const real left_bucket_f_z = left_bucket_f_3 - left_hang_R * left_air_data_2;
+    const real left_bucket_f_x = left_air_force_3 - left_bucket_mass * left_bucket_U_xz;
+    const real left_bucket_f_z = left_hang_sin_2 * left_air_data + left_bucket_inertia_force
+        - left_hang_R * left_air_data_2;
     /* tau: left.hang.u.angle2.tau [N*m] */
-    out[2] = left_bucket_f_2 - left_bucket_mass * left_bucket_a_x - left_rope * left_air_force_4;
+    out[2] = left_bucket_f_2 - left_bucket_mass * left_bucket_a_x - left_rope * left_air_force_3;
 
     /* right.bucket: n, f */
-    const wreal right_load = w[3]; /* kg */
     const real right_bucket_n_x = right_bucket_f
-        - right_bucket_U_yz * right_bucket_second_moment_zz
+        - right_bucket_base_second_moment_zz * right_bucket_U_yz
         + right_hang_cos * right_air_data_2 * right_rope;
-    const real right_bucket_f_x = right_load * right_bucket_a_x
-        - right_bucket_mass * right_bucket_U_xz + right_air_force_3;
-    const real right_bucket_f_3 = right_load * right_bucket_a_z + right_bucket_inertia_force_2
-        + right_hang_sin_2 * right_air_data;
-    const real right_bucket_f_z = right_bucket_f_3 - right_hang_R * right_air_data_2;
+    const real right_bucket_f_x = right_air_force_3 - right_bucket_mass * right_bucket_U_xz;
+    const real right_bucket_f_z = right_hang_sin_2 * right_air_data + right_bucket_inertia_force
+        - right_hang_R * right_air_data_2;
     /* tau: right.hang.u.angle2.tau [N*m] */
     out[4] = right_bucket_f_2 - right_bucket_mass * right_bucket_a_x
         - right_rope * right_air_force_3;
@@ -309,17 +296,18 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = left_hang_cos_2 * left_bucket_n_x + left_hang_sin_2 * left_bucket_n_z;
 
     /* trolley: f */
-    const wreal trolley_mass = w[6]; /* kg */
-    const real trolley_f = trolley_mass * track_udot + axle_cos * wheel_f_x
-        + axle_sin * wheel_f_z + left_hang_sin_2 * left_bucket_f_z;
+    const wreal trolley_base_mass = w[8];
+    const real trolley_f = trolley_base_mass * track_udot + left_hang_sin_2 * left_bucket_f_z
+        + right_hang_cos_2 * right_bucket_f_x;
     const real trolley_f_x = right_hang_sin_2 * right_bucket_f_z
-        + left_hang_cos_2 * left_bucket_f_x + (right_hang_cos_2 * right_bucket_f_x + trolley_f);
+        + left_hang_cos_2 * left_bucket_f_x + trolley_f;
 
     /* track: tau */
+    const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
     const real t_1 = t[0]; /* s */
-    const wreal buffer_stiffness = w[10]; /* N/m */
-    const wreal buffer_rest = w[11]; /* m */
+    const wreal buffer_stiffness = w[6]; /* N/m */
+    const wreal buffer_rest = w[7]; /* m */
     const real track_tau = buffer_stiffness * (track_q - buffer_rest) + axle_coupling * wheel_n_y
         - cardan_piecewise(4, 4, table_0_inverse_dynamics_breaks,
         table_0_inverse_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_1);
