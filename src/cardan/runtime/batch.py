@@ -14,18 +14,18 @@ import time
 import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import BuildError, BuildWarning
-from .lanes import Lanes, Recipe, width
+from .lanes import Answer, Lanes, Recipe, States, width
 from .slots import SLOT
 
 Array = NDArray[np.float64]
-Answer = tuple[int, int]
-Run = Callable[[list[Array | None], Sequence[int], Array], Answer]
+Single = Callable[[list[Array | None], Sequence[int], Array], Answer]
+Run = Callable[[int, int], Answer]
 
 FIRST = 256  # states before the time of one is known
 PIECE = 0.03  # seconds between two looks at signals
@@ -57,20 +57,16 @@ def threads(asked: int | None = None) -> int:
     return int(text)
 
 
-@dataclass(frozen=True)
-class States:
-    """What a function is called with, and where its results go; as :func:`.abi_ctypes.run`."""
+def one_by_one(one: Single, states: States) -> Run:
+    """The call from one state to another that goes through them one by one."""
 
-    blocks: list[Array | None]
-    strides: Sequence[int]
-    out: Array
-
-    def call(self, run: Run, start: int, end: int) -> Answer:
-        """Results from one state to another; the state that failed counts from the first of all."""
-        pairs = zip(self.blocks, self.strides, strict=True)
+    def run(start: int, end: int) -> Answer:
+        pairs = zip(states.blocks, states.strides, strict=True)
         here = [None if block is None else block[start * step :] for block, step in pairs]
-        status, failed = run(here, self.strides, self.out[start:end])
+        status, failed = one(here, states.strides, states.out[start:end])
         return status, failed + start if failed >= 0 else -1
+
+    return run
 
 
 class Batch:
@@ -109,7 +105,7 @@ class Batch:
         self._spent = {False: 0.0, True: 0.0}
 
     def run(
-        self, one: Run, blocks: list[Array | None], strides: Sequence[int], out: Array
+        self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array
     ) -> Answer:
         """Results at all states.
 
@@ -121,37 +117,36 @@ class Batch:
             (first status that is not 0, index of that state or -1).
         """
         states, own = States(blocks, strides, out), strides[SLOT["w"]] != 0
-        count = len(out)
-        way = (self.found(own) if count >= FEW else None) or one
+        count, single = len(out), one_by_one(one, states)
+        way = (self.found(own, states) if count >= FEW else None) or single
         found: list[Answer] = []
         at, end = 0, min(count, FIRST)
         while at < count:
             before = time.perf_counter()
-            found.append(states.call(way, at, end))
+            found.append(way(at, end))
             spent = time.perf_counter() - before
             rate, at = spent / (end - at), end
             left = rate * (count - at)
-            if way is one and count >= FEW:
+            if way is single and count >= FEW:
                 self._spent[own] += spent
                 if self._spent[own] + left > self.cost:
-                    way = self._better(own, one, states)
+                    way = self._better(own, one, states) or single
             # whole blocks of lanes
             piece = max(1, int(PIECE / max(rate, 1e-9)) // LARGEST) * LARGEST
             if left > THREADED and self.address and threads(self.asked) > 1:
-                found.extend(self._threaded(way, states, at, piece))
+                found.extend(self._threaded(way, at, count, piece))
                 break
             end = min(count, at + piece)
         return next((answer for answer in found if answer[0]), (0, -1))
 
-    def _threaded(self, way: Run, states: States, start: int, piece: int) -> list[Answer]:
+    def _threaded(self, way: Run, start: int, count: int, piece: int) -> list[Answer]:
         """The states from ``start`` on, shared by threads."""
-        count, many = len(states.out), threads(self.asked)
+        many = threads(self.asked)
         share = -(-(count - start) // (many * LARGEST)) * LARGEST
         step = min(piece, share)
         with ThreadPoolExecutor(many, "cardan") as pool:
             running = [
-                pool.submit(states.call, way, at, min(count, at + step))
-                for at in range(start, count, step)
+                pool.submit(way, at, min(count, at + step)) for at in range(start, count, step)
             ]
             try:
                 return [task.result() for task in running]
@@ -160,29 +155,22 @@ class Batch:
                 for task in running:
                     task.cancel()
 
-    def _way(self, lanes: Lanes | None) -> Run | None:
-        """The call of a lane build."""
-        if lanes is None:
-            return None
-
-        def run(blocks: list[Array | None], strides: Sequence[int], out: Array) -> Answer:
-            return lanes.run(self.address, blocks, strides, self.sizes, out, self.work_size)
-
-        return run
-
-    def found(self, own: bool) -> Run | None:
-        """The lane build if it was made before, here or by another process."""
+    def found(self, own: bool, states: States) -> Run | None:
+        """The call of the lane build, if it was made before, here or by another process."""
         with self._lock:
             if self.recipe is not None and own not in self._built:
                 lanes = width()
                 self._built[own] = self.recipe.there(lanes, own) if lanes > 1 else None
-            return self._way(self._built.get(own))
+            built = self._built.get(own)
+        if built is None:
+            return None
+        return built.call(self.address, states, self.sizes, self.work_size)
 
-    def _better(self, own: bool, one: Run, states: States) -> Run:
-        """The lane build, made now; single states where that fails."""
+    def _better(self, own: bool, one: Single, states: States) -> Run | None:
+        """The call of the lane build, made now; None where there can be none."""
         if self.recipe is None or width() == 1:
             self._spent[own] = -np.inf
-            return one
+            return None
         try:
             self.build(own, one, states)
         except BuildError as error:
@@ -193,10 +181,10 @@ class Batch:
                 BuildWarning,
                 stacklevel=6,
             )
-            return one
-        return self._way(self._built[own]) or one
+            return None
+        return self.found(own, states)
 
-    def build(self, own: bool, one: Run, states: States) -> int:
+    def build(self, own: bool, one: Single, states: States) -> int:
         """Make the lane build now unless it is there.
 
         Args:
@@ -218,7 +206,7 @@ class Batch:
                 found = self.recipe.made(lanes, own)
                 try:
                     if found.built.fresh:
-                        self._compare(self._way(found) or one, one, states)
+                        self._compare(found, one, states)
                 except BaseException:
                     found.built.discard()
                     raise
@@ -226,19 +214,17 @@ class Batch:
                 self._built[own] = found
             return found.width
 
-    def _compare(self, lanes: Run, one: Run, states: States) -> None:
+    def _compare(self, lanes: Lanes, one: Single, states: States) -> None:
         """Both builds at the first states.
 
         Raises:
             BuildError: they differ.
         """
         count = min(len(states.out), 4 * LARGEST)
-        results = []
-        for run in (one, lanes):
-            out = np.empty((count, states.out.shape[1]))
-            States(states.blocks, states.strides, out).call(run, 0, count)
-            results.append(out)
-        first, second = results
+        shape = (count, states.out.shape[1])
+        first, second = np.empty(shape), np.empty(shape)
+        one_by_one(one, replace(states, out=first))(0, count)
+        lanes.call(self.address, replace(states, out=second), self.sizes, self.work_size)(0, count)
         scale = np.abs(first[np.isfinite(first)]).max(initial=0.0)
         if not np.allclose(first, second, rtol=0, atol=DIFFERENCE * scale, equal_nan=True):
             raise BuildError(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -19,6 +19,7 @@ from .kernels import DIRECTORY
 from .slots import ORDER
 
 Array = NDArray[np.float64]
+Answer = tuple[int, int]
 WIDTHS = (1, 2, 4, 8)
 # instruction sets by the macros of the compiler, and the doubles that their vectors hold
 SETS = (("__AVX512F__", 8), ("__AVX__", 4), ("__SSE2__", 2), ("__aarch64__", 2))
@@ -55,6 +56,21 @@ def _asked(words: Sequence[str]) -> int:
 
 
 @dataclass(frozen=True)
+class States:
+    """What a function is called with, and where its results go.
+
+    Attributes:
+        blocks: Arrays in the order of cardan_in; only where they start matters.
+        strides: Numbers from one state to the next, 0 for a block that all states share.
+        out: (count, output size), C-contiguous.
+    """
+
+    blocks: list[Array | None]
+    strides: Sequence[int]
+    out: Array
+
+
+@dataclass(frozen=True)
 class Lanes:
     """The lane build of a function.
 
@@ -72,41 +88,49 @@ class Lanes:
     driver: Any = field(repr=False)
     libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
 
-    def run(
-        self,
-        single: int,
-        blocks: Sequence[Array | None],
-        strides: Sequence[int],
-        sizes: Sequence[int],
-        out: Array,
-        work_size: int,
-    ) -> tuple[int, int]:
-        """Call it at all states; as :func:`.abi_ctypes.run`, with the sizes of the blocks.
+    def call(
+        self, single: int, states: States, sizes: Sequence[int], work_size: int
+    ) -> Callable[[int, int], Answer]:
+        """The call from one state to another; gives status and state that failed, or -1.
 
         Args:
-            single: The function built for one state.
+            single: Address of the function built for one state.
+            states: What it is called with.
+            sizes: Entries of every block that is read.
+            work_size: Numbers of work memory it needs.
         """
-        size = out.shape[1]
+        size = states.out.shape[1]
         whole = [-(-n // self.width) * self.width for n in (*sizes, size)]
-        # vectors begin at multiples of their length
-        memory = np.empty((sum(whole) + work_size + 1) * self.width)
-        start = memory.ctypes.data
-        start += -start % (8 * self.width)
-        failed = ctypes.c_ssize_t(-1)
-        read = (b if n else None for b, n in zip(blocks, sizes, strict=True))
-        status = self.driver(
-            ctypes.c_void_p(self.address),
-            ctypes.c_void_p(single),
-            Pointers(*(None if b is None else b.ctypes.data for b in read)),
-            Sizes(*strides),
-            Sizes(*sizes),
-            ctypes.c_size_t(len(out)),
-            ctypes.c_void_p(out.ctypes.data),
-            ctypes.c_size_t(size),
-            ctypes.c_void_p(start),
-            ctypes.byref(failed),
-        )
-        return status, failed.value
+        numbers = (sum(whole) + work_size + 1) * self.width
+        strides, lengths = Sizes(*states.strides), Sizes(*sizes)
+        # where the blocks that are read begin, and how far one state is from the next [bytes]
+        read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
+        starts = [None if block is None else block.ctypes.data for block in read]
+        steps = [8 * stride for stride in states.strides]
+        out = states.out.ctypes.data
+        address, function = ctypes.c_void_p(self.address), ctypes.c_void_p(single)
+
+        def run(start: int, end: int) -> Answer:
+            memory = np.empty(numbers)
+            begin = memory.ctypes.data
+            here = (s if s is None else s + start * d for s, d in zip(starts, steps, strict=True))
+            failed = ctypes.c_ssize_t(-1)
+            status = self.driver(
+                address,
+                function,
+                Pointers(*here),
+                strides,
+                lengths,
+                ctypes.c_size_t(end - start),
+                ctypes.c_void_p(out + 8 * size * start),
+                ctypes.c_size_t(size),
+                # vectors begin at multiples of their length
+                ctypes.c_void_p(begin + -begin % (8 * self.width)),
+                ctypes.byref(failed),
+            )
+            return status, failed.value + start if failed.value >= 0 else -1
+
+        return run
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import math
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from ..errors import CompilerMissing, DerivationError, ModelError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from . import abi, cache, samples
-from .batch import States
+from .batch import one_by_one
 from .calling import Argument, Array
 from .loaded import LoadedFunction
 from .slots import ORDER
@@ -130,16 +130,14 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     many = samples.states(function, values)
     # the batch as it is once it pays, in this thread
     lanes = caller.batch.build(False, caller.call, many)
-    way = caller.batch.found(False) or caller.call
-    still = States(many.blocks, [0] * len(many.strides), many.out)
+    way = caller.batch.found(False, many) or one_by_one(caller.call, many)
+    still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
         operations=sum(function.entry["operations"].values()),
         python_ns=_time(lambda: function.fast(None, *one), 1),
-        call_ns=_time(lambda: still.call(caller.call, 0, BATCH), BATCH)
-        if function.address
-        else math.nan,
-        state_ns=_time(lambda: many.call(way, 0, BATCH), BATCH),
+        call_ns=_time(lambda: still(0, BATCH), BATCH) if function.address else math.nan,
+        state_ns=_time(lambda: way(0, BATCH), BATCH),
         lanes=lanes,
         error=error,
     )

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .batch import States
 from .calling import Array
+from .lanes import States
 from .loaded import LoadedFunction
 from .slots import ORDER, SLOT
 
