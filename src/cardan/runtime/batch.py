@@ -139,6 +139,12 @@ class Batch:
             end = min(count, at + piece)
         return next((answer for answer in found if answer[0]), (0, -1))
 
+    @property
+    def lanes(self) -> int:
+        """States side by side as things stand, with parameters that all states share."""
+        built = self._built.get(False)
+        return 1 if built is None else built.width
+
     def _threaded(self, way: Run, start: int, count: int, piece: int) -> list[Answer]:
         """The states from ``start`` on, shared by threads."""
         many = threads(self.asked)

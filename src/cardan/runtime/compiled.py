@@ -179,6 +179,14 @@ class CompiledModel(Described):
             for function in loaded:
                 build(self, function)
 
+    def lanes(self, function: str, of: str | None = None) -> int:
+        """States that batches of a function do side by side; 1 until that pays, or without vectors.
+
+        Args:
+            function, of: Such as ``"rhs"``, or ``"pose", "hand"``.
+        """
+        return self._function(function, of).caller.batch.lanes
+
     def _written(self) -> list[Key]:
         """Keys of the functions whose C is in the directory."""
         rows = self.manifest["functions"].items()
