@@ -52,8 +52,9 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	$(INSTALL) --editable '.[bench]' || $(INSTALL) casadi || true
 	@touch $@
 
+# writes docs/performance; QUICK=1 for a few mechanisms and no page
 bench: $(VENV)/.installed-bench
-	$(BIN)/python tests/benchmarks/spine.py
+	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
 
 clean:
 	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis

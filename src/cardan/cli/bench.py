@@ -125,8 +125,7 @@ def table(name: str, found: Comparison, own: float | None, peak: Peak) -> None:
             f"{1e9 * row.time.least:.0f} ns",
             f"{1e9 * row.time.median:.0f} ns",
             f"{ratio:.2f}",
-            f"{row.error:.1e}",
-            "-" if row.agreement is None else f"{row.agreement:.1e}",
+            *("-" if x is None else f"{x:.1e}" for x in (row.error, row.agreement)),
         )
     out = console()
     out.print(rows)

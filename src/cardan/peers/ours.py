@@ -43,9 +43,15 @@ def library() -> ctypes.CDLL:
 
 @dataclass(frozen=True)
 class Ours:
-    """The functions of a compiled model under the names of the contest."""
+    """The functions of a compiled model under the names of the contest.
+
+    Attributes:
+        model: Compiled.
+        functions: What takes part, of ``FUNCTIONS``.
+    """
 
     model: CompiledModel
+    functions: tuple[str, ...] = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 
     def function(self, name: str) -> LoadedFunction:
         """A function, loaded.

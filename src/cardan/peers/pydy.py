@@ -34,7 +34,7 @@ def missing() -> str:
 def refusal(scene: Scene) -> str:
     """It takes small trees of hinges and slides."""
     if len(scene.parents) > MOST:
-        return f"{len(scene.parents)} bodies: its derivation takes minutes beyond {MOST}"
+        return f"more than {MOST} bodies, whose derivation takes minutes"
     if set(scene.kinds) - {"revolute", "prismatic"} or any(leader >= 0 for leader in scene.leaders):
         return "only trees of revolute and prismatic joints are handed to it"
     return ""
