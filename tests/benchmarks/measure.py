@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import cardan as cd
-from benchmarks.cases import CASES, DERIVATIVES, LONG, MASS, Case
+from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
 from cardan.errors import CardanError
 from cardan.peers.comparison import Comparison, compare
 from cardan.peers.processor import Peak, peak
@@ -51,16 +51,18 @@ def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
 
 def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Comparison, int]:
     """A case beside all peers, and the lanes of its batch."""
-    functions = (
-        *dict.fromkeys((*(f for f in case.functions if f != DERIVATIVES), MASS, "applied")),
-    )
+    plain = [function for function in case.functions if function != DERIVATIVES]
+    plain = list(dict.fromkeys((FORWARD, *plain, MASS, "applied")))
+    functions = (*plain, "derivative")
     model = undamped(cd.compile(case.build(), functions=functions, loops=case.loops))
-    model.prepare(*functions)
-    lanes = max(model._function("forward_dynamics").entry["lanes"])
-    found = compare(
-        model, case.functions, rounds=rounds, show=lambda text: show(f"{case.title}: {text}")
-    )
-    return found, lanes
+    show(f"{case.title}: compiling")
+    model.prepare(*plain)
+    lanes = max(model._function(FORWARD).entry["lanes"])
+
+    def told(text: str) -> None:
+        show(f"{case.title}: {text}")
+
+    return compare(model, case.functions, rounds=rounds, show=told), lanes
 
 
 def building(arguments: Sequence[str], limit: int) -> dict[str, Any]:

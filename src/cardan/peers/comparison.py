@@ -98,6 +98,8 @@ def _measured(
     """One function of everybody who has it, ours first."""
     states, batch = (drawn(ours.model, count) for count in (LOOP, BATCH))
     theirs = pushed(ours.model, function, states)
+    # derivatives by speeds that are not ours, or without our forces: nothing to compare with
+    shared = ours.model.nq == ours.model.nu and theirs is states
     show(f"{function}: compiling")
     runs: dict[str, Run] = {}
     found: dict[str, Array] = {}
@@ -110,8 +112,7 @@ def _measured(
         values = contender.results(function, theirs)
         if function == "inverse_dynamics":
             values = values - ours.model.applied(states.q, states.u)
-        # by coordinates, or along speeds that are not ours: nothing to compare with
-        if function != "derivatives" or ours.model.nq == ours.model.nu:
+        if function != "derivatives" or shared:
             found[name] = values
     show(f"{function}: measuring")
     times = contest(runs, rounds)
@@ -168,4 +169,4 @@ def pushed(model: CompiledModel, function: str, states: States) -> States:
     if function == "inverse_dynamics":
         return states
     own = model.applied(states.q, states.u)
-    return States(states.q, states.u, states.third + own)
+    return States(states.q, states.u, states.third + own) if np.any(own) else states

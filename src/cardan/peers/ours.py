@@ -15,10 +15,11 @@ from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from ..runtime.cache import build
 from ..runtime.compiled import CompiledModel
+from ..runtime.derivatives import Derivative
 from ..runtime.loaded import LoadedFunction
 from ..runtime.slots import ORDER
 from .loop import HERE, NUMBER, address, output_size, peer_loop
-from .peer import Array, States
+from .peer import FUNCTIONS, Array, States
 
 KERNELS = Path(__file__).parents[1] / "kernels"
 DIGITS = 40
@@ -47,11 +48,20 @@ class Ours:
 
     Attributes:
         model: Compiled.
-        functions: What takes part, of ``FUNCTIONS``.
     """
 
     model: CompiledModel
-    functions: tuple[str, ...] = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """What the model was compiled with, of ``FUNCTIONS``."""
+        known = self.model.manifest["available"]
+        return tuple(f for f in FUNCTIONS if {"derivatives": "derivative"}.get(f, f) in known)
+
+    @property
+    def derivative(self) -> Derivative:
+        """Of forward dynamics, by q and u."""
+        return self.model.derivative("forward_dynamics", wrt=("q", "u"))
 
     def function(self, name: str) -> LoadedFunction:
         """A function, loaded.
@@ -59,7 +69,16 @@ class Ours:
         Raises:
             DerivationError, ModelError: the model has none.
         """
+        if name == "derivatives":
+            return self.model._function("derivative", self.derivative.request)
         return self.model._function(name)
+
+    def method(self, name: str) -> Callable[..., Any]:
+        """A function as people call it."""
+        found: Callable[..., Any] = (
+            self.derivative if name == "derivatives" else getattr(self.model, name)
+        )
+        return found
 
     def arguments(self, name: str, states: States) -> tuple[tuple[Any, ...], dict[str, Any]]:
         """What the method of a model takes."""
@@ -72,8 +91,8 @@ class Ours:
     def results(self, name: str, states: States) -> Array:
         """See :class:`.peer.Contender`."""
         args, more = self.arguments(name, states)
-        found: Array = getattr(self.model, name)(*args, **more)
-        return found
+        found = self.method(name)(*args, **more)
+        return np.stack(found, axis=1) if name == "derivatives" else np.asarray(found)
 
     def start(self, name: str, states: States) -> Callable[[int], float]:
         """One state after the other, in a loop in C."""
@@ -100,7 +119,7 @@ class Ours:
     def batch(self, name: str, states: States) -> Callable[[int], float]:
         """All states in one call from Python."""
         args, more = self.arguments(name, states)
-        call = getattr(self.model, name)
+        call = self.method(name)
         more["out"] = call(*args, **more)
 
         def run(repeats: int) -> float:
@@ -121,5 +140,6 @@ class Ours:
             blocks["wrench"] = np.zeros(6 * len(self.model.bodies))
             found = evaluate(function, {k: list(v) for k, v in blocks.items()}, "mp", DIGITS)
             rows.append([float(x) for o in function.outputs for x in found[o.name]])
-        shape = self.function(name).caller.shape
+        nu = self.model.nu
+        shape = {"mass_matrix": (nu, nu), "derivatives": (2, nu, nu)}.get(name, (nu,))
         return np.array(rows).reshape(len(states), *shape)
