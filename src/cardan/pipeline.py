@@ -94,6 +94,7 @@ def compile(
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     loops: bool | None = None,
+    threads: int | None = None,
 ) -> CompiledModel:
     """C functions of a scene, written, compiled and checked when they are first used.
 
@@ -106,6 +107,8 @@ def compile(
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
+        threads: That share a large batch of states; by default ``$CARDAN_THREADS``, else the cores
+            that this process may use.
 
     Raises:
         DerivationError: an unknown function, or options for equations that are derived already.
@@ -157,7 +160,7 @@ def compile(
                 raise _unwritable(folder, error) from error
         return c_name
 
-    return CompiledModel(folder, provide)
+    return CompiledModel(folder, provide, threads=threads)
 
 
 def fingerprint(equations: Equations, loops: bool | None = None) -> str:

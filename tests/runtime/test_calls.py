@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cardan.errors import ArgumentError, CardanError, ModelError, SolveError, SolveWarning
-from cardan.runtime import calling
+from cardan.runtime import batch
 from cardan.runtime.compiled import CompiledModel
 from runtime import pendulum
 from runtime.conftest import WAYS, use
@@ -195,7 +195,8 @@ def test_one_state_without_result_raises_a_batch_warns(model):
 def test_long_batches_run_in_pieces(model, monkeypatch):
     q = np.linspace(-1, 1, 50)[:, None]
     expected = model.forward_dynamics(q, [0.0], tau=q)
-    monkeypatch.setattr(calling, "PIECE", 7 * 102)
+    monkeypatch.setattr(batch, "FIRST", 7)
+    monkeypatch.setattr(batch, "PIECE", 0.0)
     assert np.array_equal(model.forward_dynamics(q, [0.0], tau=q), expected)
     with pytest.warns(SolveWarning, match=r"status 7.*state 30; 1 of 40"):
         model.power(np.where(np.arange(40) == 30, 4.0, 1.0)[:, None], [0.0])

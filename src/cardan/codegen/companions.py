@@ -158,6 +158,13 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
         "angular part first; SI units, radians. Call `prepare_<function>` once per set of",
         "parameters.",
         "",
+        "Many states at once: gcc and clang compile the same files with `-DCARDAN_LANES=8` (4, 2).",
+        "A `real` is then a vector, entry k of an array belongs to 8 states, element j of it to state",
+        "j; arrays begin at multiples of 64 bytes. Parameters are shared, or one set per state with",
+        "`-DCARDAN_LANE_PARAMETERS`. Flags that make lanes equal to single states to the bit:",
+        "`-O2 -march=native -fno-tree-vectorize -fno-math-errno`, and `-ffp-contract=fast` with gcc,",
+        "`=on` with clang. A program that wants both renames one: `-Drhs=rhs_lanes`.",
+        "",
         "Compile only what you trust: C runs with all your rights.",
     ]
     return "\n".join(lines) + "\n"

@@ -101,8 +101,12 @@ def compiler() -> Compiler:
     return _compiler(folder.directory(), os.environ.get("CC", ""), os.environ.get("PATH", ""))
 
 
+def remembered(mark: str, ask: Callable[[], str]) -> str:
+    """What a compiler answers, kept on disk by a mark that changes with it."""
+    return _remembered(folder.directory(), mark, ask)
+
+
 def _remembered(cache: Path, mark: str, ask: Callable[[], str]) -> str:
-    """The version text of a compiler, kept on disk by a mark that changes with it."""
     file = cache / "compilers.json"
     try:
         known = {str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()}
@@ -128,9 +132,15 @@ def publish(path: Path, content: bytes) -> None:
         raise
 
 
-def key(sources: Sequence[Path], headers: Iterable[Path], by: Compiler, reproducible: bool) -> str:
+def key(
+    sources: Sequence[Path],
+    headers: Iterable[Path],
+    by: Compiler,
+    reproducible: bool,
+    words: Sequence[str] = (),
+) -> str:
     """Hash of texts, headers, flags, compiler and processor."""
-    parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible)]
+    parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible), *words]
     digest = hashlib.sha256("\0".join([*parts, processor()]).encode())
     for path in [*sources, *sorted(headers)]:
         content = path.read_bytes()
@@ -144,12 +154,13 @@ def build(
     include: Sequence[Path] = (),
     reproducible: bool = False,
     by: Compiler | None = None,
+    words: Sequence[str] = (),
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and put there.
 
     Args and Raises: as :func:`compiled`.
     """
-    return compiled(sources, include, reproducible, by).published()
+    return compiled(sources, include, reproducible, by, words).published()
 
 
 def compiled(
@@ -157,6 +168,7 @@ def compiled(
     include: Sequence[Path] = (),
     reproducible: bool = False,
     by: Compiler | None = None,
+    words: Sequence[str] = (),
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and not yet published.
 
@@ -165,28 +177,58 @@ def compiled(
         include: Directories; every header in them is part of the key.
         reproducible: Equal bits from every compiler.
         by: The compiler; by default the one in use.
+        words: What else the compiler is told, such as ``-DCARDAN_LANES=8``.
 
     Raises:
         CompilerMissing: no compiler. BuildError: it failed, or there is no room to write.
     """
     cache, by = folder.directory(), by or compiler()
-    headers = [header for place in include for header in place.glob("*.h")]
+    name = _name(sources, include, by, reproducible, words)
+    there = _there(name)
+    if there is not None:
+        return there
     try:
-        name = f"{key(sources, headers, by, reproducible)}.so"
-    except OSError as error:
-        raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
-    for place in (cache / name, *(other / name for other in folder.temporary())):
-        if intact(place):
-            folder.used(place)
-            return Object(place, fresh=False)
-    try:
-        return _made(cache / name, sources, include, by, reproducible)
+        return _made(cache / name, sources, include, by, reproducible, words)
     except OSError as error:
         elsewhere = folder.instead(cache, f"{error.strerror or error}. {_ROOM}")
     try:
-        return _made(elsewhere / name, sources, include, by, reproducible)
+        return _made(elsewhere / name, sources, include, by, reproducible, words)
     except OSError as error:
         raise _unwritable(elsewhere, error) from error
+
+
+def found(
+    sources: Sequence[Path],
+    include: Sequence[Path] = (),
+    reproducible: bool = False,
+    words: Sequence[str] = (),
+) -> Object | None:
+    """What :func:`compiled` would give, if it is in the cache."""
+    return _there(_name(sources, include, compiler(), reproducible, words))
+
+
+def _name(
+    sources: Sequence[Path],
+    include: Sequence[Path],
+    by: Compiler,
+    reproducible: bool,
+    words: Sequence[str],
+) -> str:
+    """File name of an object."""
+    headers = [header for place in include for header in place.glob("*.h")]
+    try:
+        return f"{key(sources, headers, by, reproducible, words)}.so"
+    except OSError as error:
+        raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
+
+
+def _there(name: str) -> Object | None:
+    """An object that is in the cache, whole."""
+    for place in (folder.directory() / name, *(other / name for other in folder.temporary())):
+        if intact(place):
+            folder.used(place)
+            return Object(place, fresh=False)
+    return None
 
 
 _ROOM = "Make room with: cardan doctor --prune, or set CARDAN_CACHE to another folder"
@@ -197,7 +239,12 @@ def _unwritable(place: Path, error: OSError) -> BuildError:
 
 
 def _made(
-    place: Path, sources: Sequence[Path], include: Sequence[Path], by: Compiler, reproducible: bool
+    place: Path,
+    sources: Sequence[Path],
+    include: Sequence[Path],
+    by: Compiler,
+    reproducible: bool,
+    words: Sequence[str],
 ) -> Object:
     """Compile and sign, in a folder of this process."""
     sweep(place.parent)
@@ -205,7 +252,8 @@ def _made(
     made = Object(own / "object.so", True, place, os.open(own, os.O_RDONLY))
     try:
         fcntl.flock(made.lock, fcntl.LOCK_EX)
-        compile_shared(by, sources, include, made.path, reproducible, place.parent / "zig")
+        scratch = place.parent / "zig"
+        compile_shared(by, sources, include, made.path, reproducible, scratch, words)
         with open(made.path, "r+b") as file:
             content = file.read()
             file.write(hashlib.sha256(content).digest())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,14 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near
 from . import abi
+from .batch import Batch
 from .interpreted import Interpreted
 from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
 SHOWN = 12
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
-FIRST = 256  # states before the time of one is known
-PIECE = 0.03  # seconds between two looks at signals
 
 
 @dataclass(frozen=True)
@@ -69,6 +67,7 @@ class Caller:
         w: Prepared parameters.
         operations: How many it does: long ones release the GIL for one state too.
         evaluator: What stands in for the C function where there is no compiler.
+        batch: What goes through many states.
         w_slot: Where w stands in cardan_in.
     """
 
@@ -83,6 +82,7 @@ class Caller:
         w: Array,
         operations: int = 0,
         evaluator: Interpreted | None = None,
+        batch: Batch | None = None,
     ) -> None:
         self.name = name
         self.address = address
@@ -94,6 +94,7 @@ class Caller:
         self.w = w
         self.operations = operations
         self.evaluator = evaluator
+        self.batch = Batch(name, None) if batch is None else batch
         self.w_slot = SLOT["w"]
 
     def __call__(self, out: Array | None, *values: Any, w: Array | None = None) -> Array:
@@ -134,31 +135,13 @@ class Caller:
             raise MemoryError(f"{count} states of {self.size} numbers")
         result = np.empty((count, self.size))
         if count:
-            status, failed = self._run(blocks, strides, result)
+            status, failed = self.batch.run(self.call, blocks, strides, result)
             self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
-    def _run(
-        self, blocks: list[Array | None], strides: list[int], result: Array
+    def call(
+        self, blocks: list[Array | None], strides: Sequence[int], rows: Array
     ) -> tuple[int, int]:
-        """The loop over the states in pieces short enough for Ctrl-C to be heard in between."""
-        piece, status, failed, start = FIRST, 0, -1, 0
-        while start < len(result):
-            rows = result[start : start + piece]
-            here = [
-                None if b is None else b[start * step :]
-                for b, step in zip(blocks, strides, strict=True)
-            ]
-            before = time.perf_counter()
-            answer, bad = self.call(here, strides, rows)
-            spent = time.perf_counter() - before
-            if answer and not status:
-                status, failed = answer, start + bad
-            start += len(rows)
-            piece = max(1, min(8 * piece, int(piece * PIECE / max(spent, 1e-6))))
-        return status, failed
-
-    def call(self, blocks: list[Array | None], strides: list[int], rows: Array) -> tuple[int, int]:
         """One loop over states, nothing checked; see :func:`.abi_ctypes.run`."""
         if self.evaluator is not None:
             return self.evaluator.run(blocks, strides, rows)

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from ..errors import ArgumentError
 from . import kernels
 from .calling import Array, by_name, numbers
-from .derivatives import Derivatives
+from .described import Described
 from .evaluation import Values
 from .layout import FUNCTIONS, NAMED, Layout
-from .loaded import LoadedFunction, assemble
+from .loaded import LoadedFunction, assemble, batch
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
 from .states import random_state
@@ -40,7 +40,7 @@ class _Calls(dict[Key, Any]):
 
 
 @final
-class CompiledModel(Derivatives):
+class CompiledModel(Described):
     """Functions of a system as compiled C.
 
     All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill
@@ -58,7 +58,12 @@ class CompiledModel(Derivatives):
     """
 
     def __init__(
-        self, directory: str | Path, provide: Provide | None = None, *, reproducible: bool = False
+        self,
+        directory: str | Path,
+        provide: Provide | None = None,
+        *,
+        reproducible: bool = False,
+        threads: int | None = None,
     ) -> None:
         """Open a model directory.
 
@@ -66,11 +71,13 @@ class CompiledModel(Derivatives):
             directory: With ``manifest.json`` and the C files.
             provide: ``provide(function, of)`` writes what is missing there, returns its C name.
             reproducible: Equal bits from every compiler, 10-30 % slower.
+            threads: That share a large batch; by default ``$CARDAN_THREADS``, else the cores that
+                this process may use.
 
         Raises:
             ModelError: no readable manifest.
         """
-        self._objects = Objects(Path(directory), provide, reproducible)
+        self._objects = Objects(Path(directory), provide, reproducible, threads)
         self._set(Parameters(self._objects.manifest))
 
     def _set(self, parameters: Parameters) -> None:
@@ -78,104 +85,6 @@ class CompiledModel(Derivatives):
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
         self._calls = _Calls(self._function)
-
-    # what it is
-
-    @property
-    def name(self) -> str:
-        """Name of the model."""
-        return str(self.manifest["name"])
-
-    @property
-    def manifest(self) -> dict[str, Any]:
-        """Everything the compiler says about the model; see ``docs/manifest.schema.json``."""
-        return self._objects.manifest
-
-    @property
-    def directory(self) -> Path:
-        """Where its C files and manifest are."""
-        return self._objects.directory
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of q."""
-        return self._layout.coordinates
-
-    @property
-    def speeds(self) -> tuple[str, ...]:
-        """Names of u."""
-        return self._layout.speeds
-
-    @property
-    def inputs(self) -> tuple[str, ...]:
-        """Names of r."""
-        return self._layout.inputs
-
-    @property
-    def frames(self) -> tuple[str, ...]:
-        """Names of the frames that pose, velocity and others take."""
-        return tuple(row["name"] for row in self.manifest["frames"])
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Names of the bodies that can move."""
-        return self._layout.parts
-
-    @property
-    def part_of(self) -> dict[str, str | None]:
-        """Frame -> the body it is fixed to, None for the ground."""
-        return {row["name"]: row.get("part") for row in self.manifest["frames"]}
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Names of the joints, the fixed ones last."""
-        return (*(row["name"] for row in self.manifest["joints"]), *self.manifest["fixed"])
-
-    @property
-    def nq(self) -> int:
-        """Number of coordinates."""
-        return len(self.coordinates)
-
-    @property
-    def nu(self) -> int:
-        """Number of speeds."""
-        return len(self.speeds)
-
-    @property
-    def nx(self) -> int:
-        """Length of the state x = [q, u]."""
-        return self.nq + self.nu
-
-    @property
-    def nr(self) -> int:
-        """Number of inputs."""
-        return len(self.inputs)
-
-    @property
-    def nlam(self) -> int:
-        """Number of Lagrange multipliers."""
-        return len(self.manifest["multipliers"])
-
-    @property
-    def limits(self) -> dict[str, dict[str, float | None]]:
-        """Limits of the joints that have some: lower, upper, speed, effort."""
-        return {row["name"]: row["limits"] for row in self.manifest["joints"] if row["limits"]}
-
-    @property
-    def parameters(self) -> Parameters:
-        """Parameter values by dotted name; read-only, see :meth:`with_parameters`."""
-        return self._parameters
-
-    @property
-    def source(self) -> dict[str, str]:
-        """C text by C name, of every function written so far."""
-        names = self.manifest["functions"]
-        return {name: self._objects.text_path(name).read_text("utf-8") for name in names}
-
-    @property
-    def operations(self) -> dict[str, dict[str, int]]:
-        """Number of each operator by C name, of every function written so far."""
-        return {name: entry["operations"] for name, entry in self.manifest["functions"].items()}
 
     def __repr__(self) -> str:
         return (
@@ -237,7 +146,10 @@ class CompiledModel(Derivatives):
         try:
             for (name, of), code in zip(missing, codes, strict=True):
                 arguments = self._layout.reads(name, of)
-                self._functions[name, of] = assemble(name, of, code, arguments, p)
+                if code.symbol not in objects.batches:
+                    objects.batches[code.symbol] = batch(code, arguments, objects.threads)
+                ways = objects.batches[code.symbol]
+                self._functions[name, of] = assemble(name, of, code, arguments, p, ways)
             if fresh:
                 from .verify import verify_built
 
@@ -250,16 +162,30 @@ class CompiledModel(Derivatives):
             objects.forget(fresh.values())
             raise
 
-    def prepare(self, *functions: str | Key) -> None:
+    def prepare(self, *functions: str | Key, batch: bool = False) -> None:
         """Compile functions before they are needed, several at once.
 
         Args:
             functions: Such as ``"rhs"`` or ``("pose", "hand")``; all that were written if empty.
+            batch: Also for many states side by side, which else happens when it pays.
         """
         keys = [(f, None) if isinstance(f, str) else f for f in functions]
         if not functions:
             keys = self._written()
-        self._load(keys)
+        loaded = self._load(keys)
+        if batch:
+            from .samples import build
+
+            for function in loaded:
+                build(self, function)
+
+    def lanes(self, function: str, of: str | None = None) -> int:
+        """States that batches of a function do side by side; 1 until that pays, or without vectors.
+
+        Args:
+            function, of: Such as ``"rhs"``, or ``"pose", "hand"``.
+        """
+        return self._function(function, of).caller.batch.lanes
 
     def _written(self) -> list[Key]:
         """Keys of the functions whose C is in the directory."""

@@ -6,6 +6,7 @@ The same results up to rounding, some hundred times slower.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -46,7 +47,9 @@ class Interpreted:
         self.blocks = [(b.name, len(b)) for b in function.inputs if b.name in read]
         self.piece = max(1, NUMBERS // (len(live) + 1))
 
-    def run(self, blocks: list[Array | None], strides: list[int], out: Array) -> tuple[int, int]:
+    def run(
+        self, blocks: list[Array | None], strides: Sequence[int], out: Array
+    ) -> tuple[int, int]:
         """As :func:`abi_ctypes.run`; the slot w holds the parameters p."""
         status, failed = 0, -1
         for start in range(0, len(out), self.piece):

@@ -10,10 +10,11 @@ import numpy as np
 
 from ..errors import BuildError
 from . import abi
+from .batch import Batch
 from .calling import Argument, Array, Caller
 from .interpreted import Interpreted
 from .objects import Code
-from .slots import ORDER
+from .slots import ORDER, SLOT
 
 
 @dataclass(frozen=True)
@@ -78,10 +79,31 @@ def prepare(code: Code, p: Array) -> Array:
     return w.reshape(*lead, size)
 
 
+def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
+    """What goes through many states of a function.
+
+    Args:
+        code: Its C.
+        arguments: What it takes.
+        threads: As asked for.
+    """
+    entry = code.entry
+    sizes = [0] * len(ORDER)
+    for argument in arguments:
+        ends = [first for _, first in argument.blocks[1:]] + [argument.size]
+        for (slot, first), end in zip(argument.blocks, ends, strict=True):
+            sizes[slot] = end - first if ORDER[slot] in entry["inputs"] else 0
+    sizes[SLOT["w"]] = int(entry["prepared_size"])
+    operations = sum(entry["operations"].values())
+    work = int(entry["work_size"])
+    recipe = code.recipe if max(entry["lanes"]) > 1 else None
+    return Batch(code.symbol, recipe, code.address, sizes, work, operations, threads)
+
+
 def assemble(
-    name: str, of: str | None, code: Code, arguments: list[Argument], p: Array
+    name: str, of: str | None, code: Code, arguments: list[Argument], p: Array, batch: Batch
 ) -> LoadedFunction:
-    """A loaded function out of its C, what it takes and parameter values.
+    """A loaded function out of its C, what it takes, parameter values and the way of batches.
 
     Raises:
         BuildError: the C reads a block that is no argument.
@@ -104,6 +126,7 @@ def assemble(
         w,
         sum(code.entry["operations"].values()),
         None if code.function is None else Interpreted(code.function),
+        batch,
     )
     return LoadedFunction(name, of, code, w, caller, caller if code.function else abi.fast(caller))
 

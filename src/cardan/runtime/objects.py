@@ -16,9 +16,11 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from . import bounded, cache, interpreted, schema
+from .lanes import Recipe
 
 if TYPE_CHECKING:
     from ..ir.function import Function
+    from .batch import Batch
 
 Provide = Callable[[str, str | None], str]
 Key = tuple[str, str | None]
@@ -36,6 +38,7 @@ class Code:
         built: The shared object it lives in, None without a compiler.
         library: Keeps it loaded.
         function: What is evaluated instead where there is no compiler.
+        recipe: What its lane builds are made of, None without a compiler.
     """
 
     symbol: str
@@ -46,6 +49,7 @@ class Code:
     built: cache.Object | None = None
     library: ctypes.CDLL | None = field(default=None, repr=False)
     function: Function | None = field(default=None, repr=False)
+    recipe: Recipe | None = field(default=None, repr=False)
 
     def discard(self) -> None:
         """Nobody finds its object in the cache."""
@@ -65,13 +69,21 @@ class Objects:
         directory: Where ``manifest.json`` and the C files are.
         manifest: As read; grows when functions are provided.
         lock: Held while functions are loaded and checked.
+        threads: Of large batches; None for the default.
+        batches: What goes through many states, by C name.
     """
 
     def __init__(
-        self, directory: Path, provide: Provide | None = None, reproducible: bool = False
+        self,
+        directory: Path,
+        provide: Provide | None = None,
+        reproducible: bool = False,
+        threads: int | None = None,
     ) -> None:
         self.directory = Path(directory)
         self.reproducible = reproducible
+        self.threads = threads
+        self.batches: dict[str, Batch] = {}
         self._provide = provide
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
@@ -190,6 +202,7 @@ class Objects:
         """Functions that did not: they are made again when somebody asks for them."""
         for symbol in symbols:
             code = self._loaded.pop(symbol, None)
+            self.batches.pop(symbol, None)
             if code is not None:
                 code.discard()
 
@@ -210,7 +223,8 @@ class Objects:
         except BaseException:
             built.discard()
             raise
-        return Code(symbol, entry, built.fresh, address, prepare, built, library)
+        recipe = Recipe(symbol, path, self.directory, self.reproducible)
+        return Code(symbol, entry, built.fresh, address, prepare, built, library, recipe=recipe)
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol; says once what to do about the compiler.

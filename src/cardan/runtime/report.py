@@ -7,8 +7,7 @@ import math
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
-from math import prod
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,10 +15,11 @@ import numpy as np
 from ..errors import CompilerMissing, DerivationError, ModelError
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
-from . import abi, cache
+from . import abi, cache, samples
+from .batch import one_by_one
 from .calling import Argument, Array
 from .loaded import LoadedFunction
-from .slots import ORDER, SLOT
+from .slots import ORDER
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -108,7 +108,7 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
     judge, note = _judge()
     rows = []
     for function in model._load(model._written()):
-        values = _values(model, function, np.random.default_rng(seed))
+        values = samples.values(model, function, np.random.default_rng(seed), BATCH)
         data = saved.get(function.symbol)
         error = judge(model, function, data, values) if data else None
         rows.append(_measure(function, values, error))
@@ -124,45 +124,21 @@ def _compiler() -> str:
         return "no C compiler, NumPy"
 
 
-def _values(
-    model: CompiledModel, function: LoadedFunction, rng: np.random.Generator
-) -> dict[str, Array]:
-    """Random arguments of a function, (1024, ...)."""
-    made: dict[str, Array] = {}
-    for argument in function.caller.arguments:
-        q, u = model.split(model.random_state(rng, (BATCH,)))
-        whole = np.concatenate([q, u], axis=-1)
-        states = {"q": q, "q0": q, "u": u, "x": whole, "t": np.full(BATCH, 0.3)}
-        if argument.name == "r" and argument.default is not None:
-            states["r"] = np.broadcast_to(argument.default, (BATCH, *argument.shape)).copy()
-        random = rng.uniform(-1, 1, (BATCH, *argument.shape))
-        made[argument.name] = states.get(argument.name, random)
-    return made
-
-
 def _measure(function: LoadedFunction, values: dict[str, Array], error: float | None) -> Row:
     caller = function.caller
     one = [_first(values[a.name], a) for a in caller.arguments]
-    arrays: list[Array | None] = [None] * len(ORDER)
-    strides = [0] * len(ORDER)
-    for argument in caller.arguments:
-        for slot, first in argument.blocks:
-            arrays[slot] = np.ascontiguousarray(values[argument.name]).reshape(-1)[first:]
-            strides[slot] = argument.size
-    arrays[SLOT["w"]] = function.w
-    out = np.empty((BATCH, prod(caller.shape)))
-    still = [0] * len(ORDER)
-
-    def loop(steps: list[int]) -> None:
-        caller.call(arrays, steps, out)
-
+    many = samples.states(function, values)
+    # the batch as it is once it pays, in this thread
+    lanes = caller.batch.build(False, caller.call, many)
+    way = caller.batch.found(False, many) or one_by_one(caller.call, many)
+    still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
         operations=sum(function.entry["operations"].values()),
         python_ns=_time(lambda: function.fast(None, *one), 1),
-        call_ns=_time(lambda: loop(still), BATCH) if function.address else math.nan,
-        state_ns=_time(lambda: loop(strides), BATCH),
-        lanes=max(function.entry["lanes"]),
+        call_ns=_time(lambda: still(0, BATCH), BATCH) if function.address else math.nan,
+        state_ns=_time(lambda: way(0, BATCH), BATCH),
+        lanes=lanes,
         error=error,
     )
 

@@ -140,6 +140,20 @@ def ask_version(command: Sequence[str]) -> str:
     return answer.stdout.strip()
 
 
+def macros(command: Sequence[str]) -> str:
+    """The macros that a compiler defines under some flags.
+
+    Raises:
+        BuildError: it does not answer.
+    """
+    words = [*command, "-dM", "-E", "-x", "c", os.devnull]
+    try:
+        answer = subprocess.run(words, capture_output=True, text=True, timeout=60, check=True)
+    except (OSError, subprocess.SubprocessError) as error:
+        raise BuildError(f"the compiler {shlex.join(words)} does not answer: {error}") from error
+    return answer.stdout
+
+
 def find_compiler(remembered: Callable[[str, Callable[[], str]], str]) -> Compiler:
     """The first compiler that answers.
 
@@ -173,6 +187,7 @@ def compile_shared(
     output: Path,
     reproducible: bool = False,
     scratch: Path | None = None,
+    words: Sequence[str] = (),
 ) -> None:
     """Compile and link C files into one shared object, in one command, within limits.
 
@@ -180,6 +195,7 @@ def compile_shared(
         include: Directories of headers.
         output: File to write; beside it the compiler may keep what it needs meanwhile.
         scratch: Where a compiler that keeps a cache of its own may put it.
+        words: What else it is told, such as ``-DCARDAN_LANES=8``.
 
     Raises:
         BuildError: with the compiler's message. OSError: there is no room for the output.
@@ -187,6 +203,7 @@ def compile_shared(
     command = [
         *compiler.command,
         *compiler.flags(reproducible),
+        *words,
         *(f"-I{folder}" for folder in include),
         "-o",
         str(output),

@@ -1,0 +1,187 @@
+"""Lane builds: the C of a function compiled for several states side by side, and what calls it."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import BuildError
+from . import cache, toolchain
+from .kernels import DIRECTORY
+from .slots import ORDER
+
+Array = NDArray[np.float64]
+Answer = tuple[int, int]
+WIDTHS = (1, 2, 4, 8)
+# instruction sets by the macros of the compiler, and the doubles that their vectors hold
+SETS = (("__AVX512F__", 8), ("__AVX__", 4), ("__SSE2__", 2), ("__aarch64__", 2))
+Pointers = ctypes.c_void_p * len(ORDER)
+Sizes = ctypes.c_size_t * len(ORDER)
+
+
+def width() -> int:
+    """States side by side in a batch: ``$CARDAN_LANES``, else what the compiler has vectors for.
+
+    Raises:
+        CompilerMissing: there is no compiler. BuildError: CARDAN_LANES is no width.
+    """
+    text = os.environ.get("CARDAN_LANES", "").strip()
+    if not text:
+        return _width(cache.compiler())
+    if text not in map(str, WIDTHS):
+        raise BuildError(f"CARDAN_LANES={text!r} is no number of lanes: 1, 2, 4 or 8")
+    return int(text)
+
+
+@lru_cache(maxsize=8)
+def _width(compiler: toolchain.Compiler) -> int:
+    """What the instruction sets that its flags allow have room for."""
+    words = (*compiler.command, *compiler.flags())
+    mark = "|".join(("vectors", compiler.identity, *words, toolchain.processor()))
+    known = cache.remembered(mark, lambda: str(_asked(words)))
+    return int(known)
+
+
+def _asked(words: Sequence[str]) -> int:
+    macros = toolchain.macros(words)
+    return next((lanes for name, lanes in SETS if f"#define {name} " in macros), 1)
+
+
+@dataclass(frozen=True)
+class States:
+    """What a function is called with, and where its results go.
+
+    Attributes:
+        blocks: Arrays in the order of cardan_in; only where they start matters.
+        strides: Numbers from one state to the next, 0 for a block that all states share.
+        out: (count, output size), C-contiguous.
+    """
+
+    blocks: list[Array | None]
+    strides: Sequence[int]
+    out: Array
+
+
+@dataclass(frozen=True)
+class Lanes:
+    """The lane build of a function.
+
+    Attributes:
+        width: States side by side.
+        built: Its shared object.
+        address: The function in it.
+        driver: ``cardan_batch`` of the same width.
+        libraries: What keeps them loaded.
+    """
+
+    width: int
+    built: cache.Object
+    address: int
+    driver: Any = field(repr=False)
+    libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
+
+    def call(
+        self, single: int, states: States, sizes: Sequence[int], work_size: int
+    ) -> Callable[[int, int], Answer]:
+        """The call from one state to another; gives status and state that failed, or -1.
+
+        Args:
+            single: Address of the function built for one state.
+            states: What it is called with.
+            sizes: Entries of every block that is read.
+            work_size: Numbers of work memory it needs.
+        """
+        size = states.out.shape[1]
+        whole = [-(-n // self.width) * self.width for n in (*sizes, size)]
+        numbers = (sum(whole) + work_size + 1) * self.width
+        strides, lengths = Sizes(*states.strides), Sizes(*sizes)
+        # where the blocks that are read begin, and how far one state is from the next [bytes]
+        read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
+        starts = [None if block is None else block.ctypes.data for block in read]
+        steps = [8 * stride for stride in states.strides]
+        out = states.out.ctypes.data
+        address, function = ctypes.c_void_p(self.address), ctypes.c_void_p(single)
+
+        def run(start: int, end: int) -> Answer:
+            memory = np.empty(numbers)
+            begin = memory.ctypes.data
+            here = (s if s is None else s + start * d for s, d in zip(starts, steps, strict=True))
+            failed = ctypes.c_ssize_t(-1)
+            status = self.driver(
+                address,
+                function,
+                Pointers(*here),
+                strides,
+                lengths,
+                ctypes.c_size_t(end - start),
+                ctypes.c_void_p(out + 8 * size * start),
+                ctypes.c_size_t(size),
+                # vectors begin at multiples of their length
+                ctypes.c_void_p(begin + -begin % (8 * self.width)),
+                ctypes.byref(failed),
+            )
+            return status, failed.value + start if failed.value >= 0 else -1
+
+        return run
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What the lane build of a function is made of.
+
+    Attributes:
+        symbol: Its C name.
+        text: Its C file.
+        directory: Where its headers are.
+        reproducible: Equal bits from every compiler.
+    """
+
+    symbol: str
+    text: Path
+    directory: Path
+    reproducible: bool
+
+    def words(self, lanes: int, own: bool) -> tuple[str, ...]:
+        """What the compiler is told; ``own``: every state has parameters of its own."""
+        return (f"-DCARDAN_LANES={lanes}", *(("-DCARDAN_LANE_PARAMETERS",) if own else ()))
+
+    def there(self, lanes: int, own: bool) -> Lanes | None:
+        """The build if it is in the cache."""
+        words = self.words(lanes, own)
+        built = cache.found([self.text], [self.directory], self.reproducible, words)
+        return None if built is None else self._loaded(built, lanes, own)
+
+    def made(self, lanes: int, own: bool) -> Lanes:
+        """The build, compiled if it is not there; not yet published.
+
+        Raises:
+            BuildError: the compiler failed.
+        """
+        words = self.words(lanes, own)
+        built = cache.compiled([self.text], [self.directory], self.reproducible, words=words)
+        try:
+            return self._loaded(built, lanes, own)
+        except BaseException:
+            built.discard()
+            raise
+
+    def _loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
+        words = self.words(lanes, own)
+        library = built.load()
+        driver = _driver(self.reproducible, words)
+        address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
+        return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
+
+
+@lru_cache(maxsize=16)
+def _driver(reproducible: bool, words: tuple[str, ...]) -> ctypes.CDLL:
+    source = [DIRECTORY / "batch.c"]
+    return cache.build(source, [DIRECTORY], reproducible, words=words).load()

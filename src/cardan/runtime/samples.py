@@ -1,0 +1,68 @@
+"""Random arguments of a function: what it is measured with, and what its builds are compared at."""
+
+from __future__ import annotations
+
+from math import prod
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .calling import Array
+from .lanes import States
+from .loaded import LoadedFunction
+from .slots import ORDER, SLOT
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+# where builds are compared
+SEED, STATES = 1, 32
+
+
+def values(
+    model: CompiledModel, function: LoadedFunction, rng: np.random.Generator, count: int
+) -> dict[str, Array]:
+    """Random arguments, (count, ...): states inside limits, inputs at their defaults."""
+    made: dict[str, Array] = {}
+    q, u = model.split(model.random_state(rng, (count,)))
+    states = {"q": q, "q0": q, "u": u, "x": np.concatenate([q, u], axis=-1)}
+    states["t"] = np.full(count, 0.3)
+    for argument in function.caller.arguments:
+        if argument.name == "r" and argument.default is not None:
+            states["r"] = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
+        random = rng.uniform(-1, 1, (count, *argument.shape))
+        made[argument.name] = states.get(argument.name, random)
+    return made
+
+
+def states(function: LoadedFunction, values: dict[str, Array], own: bool = False) -> States:
+    """The arguments as blocks, with room for the results.
+
+    Args:
+        own: Every state has parameters of its own; they are equal.
+    """
+    blocks: list[Array | None] = [None] * len(ORDER)
+    strides = [0] * len(ORDER)
+    count = 1
+    for argument in function.caller.arguments:
+        array = values[argument.name]
+        count = len(array)
+        for slot, first in argument.blocks:
+            blocks[slot] = np.ascontiguousarray(array).reshape(-1)[first:]
+            strides[slot] = argument.size
+    w = function.w
+    if own:
+        w, strides[SLOT["w"]] = np.tile(w, count), len(w)
+    blocks[SLOT["w"]] = w
+    return States(blocks, strides, np.empty((count, prod(function.caller.shape))))
+
+
+def build(model: CompiledModel, function: LoadedFunction, own: bool = False) -> int:
+    """Make the lane build of a function now; returns its width, 1 where there is none.
+
+    Args:
+        own: For states with parameters of their own.
+    """
+    made = values(model, function, np.random.default_rng(SEED), STATES)
+    caller = function.caller
+    return caller.batch.build(own, caller.call, states(function, made, own))

@@ -1,0 +1,42 @@
+"""States side by side have the bits of single states: every mechanism, every width."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.errors import SolveWarning
+from laws.cases import derived, states
+from mechanisms import ZOO
+
+# blocks of all widths and a rest
+COUNT = 45
+
+
+@pytest.mark.parametrize("lanes", [4, 8])
+@pytest.mark.parametrize("name", ZOO)
+def test_lanes_have_the_bits_of_single_states(
+    name: str, lanes: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CARDAN_LANES", str(lanes))
+    model = cd.compile(derived(name))
+    q, u = (np.resize(x, (COUNT, x.shape[1])) for x in states(name))
+    rng = np.random.default_rng(3)
+    tau, udot = rng.uniform(-1, 1, (2, *u.shape))
+    t = rng.uniform(0, 1, COUNT)
+    model.prepare("forward_dynamics", "inverse_dynamics", batch=True)
+    assert model.lanes("forward_dynamics") == model.lanes("inverse_dynamics") == lanes
+    with warnings.catch_warnings():
+        # a listed state may be singular
+        warnings.simplefilter("ignore", SolveWarning)
+        forward = model.forward_dynamics(q, u, tau=tau, t=t)
+        inverse = model.inverse_dynamics(q, u, udot, t=t)
+    for k in range(COUNT):
+        if np.isfinite(forward[k]).all():
+            one = model.forward_dynamics(q[k], u[k], tau=tau[k], t=t[k])
+            assert one.tobytes() == forward[k].tobytes()
+        one = model.inverse_dynamics(q[k], u[k], udot[k], t=t[k])
+        assert one.tobytes() == inverse[k].tobytes()
