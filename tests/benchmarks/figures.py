@@ -13,8 +13,8 @@ from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS, Comparison
 
 EPS = float(np.finfo(float).eps)
-# operations of one sine with its cosine in kernels/sincos.h: reduction and both polynomials
-SINCOS = 32
+# multiplications and additions of one sine with its cosine in kernels/sincos.h
+SINCOS = 50
 # "a small multiple" of eps cond(M)
 MULTIPLE = 10
 

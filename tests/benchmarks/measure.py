@@ -57,12 +57,11 @@ def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Compa
     model = undamped(cd.compile(case.build(), functions=functions, loops=case.loops))
     show(f"{case.title}: compiling")
     model.prepare(*plain)
-    lanes = max(model._function(FORWARD).entry["lanes"])
 
     def told(text: str) -> None:
         show(f"{case.title}: {text}")
 
-    return compare(model, case.functions, rounds=rounds, show=told), lanes
+    return compare(model, case.functions, rounds=rounds, show=told), model.lanes(FORWARD)
 
 
 def building(arguments: Sequence[str], limit: int) -> dict[str, Any]:

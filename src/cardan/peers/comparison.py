@@ -18,7 +18,7 @@ from .peer import Array, Contender, States
 
 SEED = 3
 # of a loop, of a batch, and judged with 40 digits
-LOOP, BATCH, JUDGED = 64, 1024, 3
+LOOP, BATCH, JUDGED = 64, 2048, 3
 OURS, LANES = "cardan", "cardan, batch"
 JUDGE = "pinocchio"
 Show = Callable[[str], None]
