@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import CardanError
 from ..runtime.compiled import CompiledModel
-from ..runtime.newton_euler import Scene
 from ..runtime.verify import scene_of
 from . import PEERS, peer
 from .contest import ROUNDS, Run, Time, contest, few, relative
@@ -82,8 +81,8 @@ def compare(
         chosen: Peers, of ``PEERS``.
         show: Receives what is being done.
     """
-    ours, scene = Ours(model), scene_of(model)
-    contenders, absent = taking_part(scene, chosen, show)
+    ours = Ours(model)
+    contenders, absent = taking_part(model, chosen, show)
     rows: list[Row] = []
     for function in functions:
         able = {name: c for name, c in contenders.items() if function in c.functions}
@@ -139,13 +138,14 @@ def _difference(values: Array | None, expected: Array | None) -> float | None:
 
 
 def taking_part(
-    scene: Scene, chosen: Sequence[str], show: Show = lambda text: None
+    model: CompiledModel, chosen: Sequence[str], show: Show = lambda text: None
 ) -> tuple[dict[str, Contender], dict[str, str]]:
-    """Peers made ready for a tree, and why the others are not."""
+    """Peers made ready for the tree of a model, and why the others are not."""
+    scene, joints = scene_of(model), [row["name"] for row in model.manifest["joints"]]
     contenders, absent = {}, {}
     for name in chosen:
         found = peer(name)
-        why = found.missing() or found.refusal(scene)
+        why = found.missing() or found.refusal(scene, joints)
         if not why:
             show(f"preparing {found.name}")
             try:
