@@ -93,5 +93,5 @@ def ratios(found: Found, axes: Any) -> None:
     axes.axhline(1, color=SHADES[OURS], lw=1.2, label=OURS)
     axes.set_xticks(range(len(cases)), cases, rotation=35, ha="right", fontsize=7)
     axes.set(yscale="log", ylabel="time over that of cardan, one call")
-    axes.legend(frameon=False, fontsize=7)
+    axes.legend(frameon=False, fontsize=7, ncols=6, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     axes.grid(alpha=0.25, axis="y")
