@@ -1,12 +1,14 @@
 # Every target makes its own virtual environment first; a second call finds it done.
 #   make demo              the Panda robot from URDF to simulation
 #   make test              linters, types, all tests
-#   make bench             speed beside error, and beside other programs where installed
+#   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
 PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
+# what the benchmark compares with and draws with, where they do not install together
+PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco pydy cython mpmath matplotlib
 # of each of the eight kinds of input
 CASES ?= 13000
 BIN := $(VENV)/bin
@@ -49,11 +51,12 @@ fuzz: $(VENV)/.installed-test
 
 # a peer that does not install here is named by the benchmark, not by pip
 $(VENV)/.installed-bench: $(VENV)/.installed-test
-	$(INSTALL) --editable '.[bench]' || $(INSTALL) casadi || true
+	$(INSTALL) --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) $$peer || true; done
 	@touch $@
 
+# writes docs/performance; QUICK=1 for a few mechanisms and no page
 bench: $(VENV)/.installed-bench
-	$(BIN)/python tests/benchmarks/spine.py
+	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
 
 clean:
 	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -32,10 +32,10 @@ def compiled(name: str) -> cd.CompiledModel:
 def test_peers_agree(name: str, mechanism: str) -> None:
     found = peer(name)
     model = compiled(mechanism)
-    why = found.missing() or found.refusal(scene_of(model))
-    if why:
-        pytest.skip(f"{found.name}: {why}")
-    contender = found.contender(scene_of(model))
+    contenders, absent = taking_part(model, (name,))
+    if absent:
+        pytest.skip(f"{found.name}: {absent[name]}")
+    contender = contenders[name]
     states = drawn(model, 10)
     allowed = 100 * EPS * np.linalg.cond(model.mass_matrix(states.q)).max()
     ours = {
@@ -92,13 +92,12 @@ def test_central_inertia_is_what_was_written() -> None:
 
 
 def test_what_nobody_else_knows_is_refused_by_name() -> None:
-    scene = scene_of(compiled("double_pendulum"))
-    assert refusal(scene) == ""
-    assert refusal(replace(scene, kinds=("screw", "revolute"))) == "joint 0 is screw"
-    assert refusal(replace(scene, leaders=(-1, 0))) == "joint 1 is coupled"
-    _, absent = taking_part(replace(scene, kinds=("screw", "revolute")), tuple(PEERS))
-    assert set(absent) == set(PEERS)
-    assert all(absent.values())
+    scene, joints = scene_of(compiled("double_pendulum")), ("shoulder", "elbow")
+    assert refusal(scene, joints) == ""
+    changed = replace(scene, kinds=("screw", "revolute"))
+    assert refusal(changed, joints) == "joint 'shoulder' is screw"
+    assert refusal(replace(scene, leaders=(-1, 0)), joints) == "joint 'elbow' is coupled"
+    assert all(peer(name).refusal(changed, joints) for name in PEERS)
 
 
 def test_everybody_has_a_turn_in_every_round() -> None:
@@ -129,7 +128,7 @@ def test_comparison_names_everybody() -> None:
 
 def test_functions_are_known_to_everybody() -> None:
     model = compiled("double_pendulum")
-    contenders, _ = taking_part(scene_of(model), ("casadi", "mujoco"))
+    contenders, _ = taking_part(model, ("casadi", "mujoco"))
     for contender in contenders.values():
         assert isinstance(contender, Contender)
         assert set(contender.functions) <= set(FUNCTIONS)

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import CardanError
 from ..runtime.compiled import CompiledModel
-from ..runtime.newton_euler import Scene
 from ..runtime.verify import scene_of
 from . import PEERS, peer
 from .contest import ROUNDS, Run, Time, contest, few, relative
@@ -18,9 +17,10 @@ from .peer import Array, Contender, States
 
 SEED = 3
 # of a loop, of a batch, and judged with 40 digits
-LOOP, BATCH, JUDGED = 64, 1024, 3
+LOOP, BATCH, JUDGED = 64, 2048, 3
 OURS, LANES = "cardan", "cardan, batch"
 JUDGE = "pinocchio"
+Show = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -32,15 +32,15 @@ class Row:
         title: Program, version, compiler.
         function: Of ``FUNCTIONS``.
         time: Per call, of a batch per state.
-        error: Largest |error| / |largest entry| against 40 digits.
-        agreement: The same against Pinocchio, None where that is not here.
+        error: Largest |error| / |largest entry| against 40 digits; None where ours cannot judge.
+        agreement: The same against Pinocchio, None where there is nothing to compare.
     """
 
     program: str
     title: str
     function: str
     time: Time
-    error: float
+    error: float | None
     agreement: float | None
 
 
@@ -71,7 +71,7 @@ def compare(
     functions: Sequence[str],
     chosen: Sequence[str] = tuple(PEERS),
     rounds: int = ROUNDS,
-    show: Callable[[str], None] = lambda text: None,
+    show: Show = lambda text: None,
 ) -> Comparison:
     """Time functions of a model against peers, round by round, and judge everybody's numbers.
 
@@ -81,54 +81,71 @@ def compare(
         chosen: Peers, of ``PEERS``.
         show: Receives what is being done.
     """
-    ours, scene = Ours(model), scene_of(model)
-    states, batch = (drawn(model, count) for count in (LOOP, BATCH))
-    contenders, absent = taking_part(scene, chosen, show)
+    ours = Ours(model)
+    contenders, absent = taking_part(model, chosen, show)
     rows: list[Row] = []
     for function in functions:
-        show(f"{function}: compiling")
         able = {name: c for name, c in contenders.items() if function in c.functions}
-        theirs = pushed(model, function, states)
-        runs: dict[str, Run] = {}
-        for name, contender in able.items():
-            runs[name] = contender.start(function, theirs)
-        runs[OURS] = ours.start(function, states)
-        runs[LANES] = ours.batch(function, batch)
-        show(f"{function}: measuring")
-        times = contest(runs, rounds)
-        found = {name: c.results(function, theirs) for name, c in able.items()}
+        rows += _measured(ours, able, function, rounds, show)
+    place = model.mass_matrix(drawn(model, JUDGED).q)
+    return Comparison(tuple(rows), absent, float(np.linalg.cond(place).max()))
+
+
+def _measured(
+    ours: Ours, able: dict[str, Contender], function: str, rounds: int, show: Show
+) -> list[Row]:
+    """One function of everybody who has it, ours first."""
+    states, batch = (drawn(ours.model, count) for count in (LOOP, BATCH))
+    theirs = pushed(ours.model, function, states)
+    # derivatives by speeds that are not ours, or without our forces: nothing to compare with
+    shared = ours.model.nq == ours.model.nu and theirs is states
+    show(f"{function}: compiling")
+    runs: dict[str, Run] = {}
+    found: dict[str, Array] = {}
+    # the batch draws the same states first
+    if function in ours.functions:
+        runs = {OURS: ours.start(function, states), LANES: ours.batch(function, batch)}
+        found = {OURS: ours.results(function, states), LANES: ours.results(function, batch)}
+    runs |= {name: contender.start(function, theirs) for name, contender in able.items()}
+    for name, contender in able.items():
+        values = contender.results(function, theirs)
         if function == "inverse_dynamics":
-            own = model.applied(states.q, states.u)
-            found = {name: values - own for name, values in found.items()}
-        found[OURS] = ours.results(function, states)
-        found[LANES] = ours.results(function, batch)
-        titles = {name: c.title for name, c in able.items()} | {OURS: OURS, LANES: LANES}
-        exact = ours.exact(function, few(states, JUDGED))
-        # the batch draws the same states first
-        rows += [
-            Row(name, titles[name], function, times[name], relative(values[:JUDGED], exact),
-                _agreement(values, found.get(JUDGE)))
-            for name, values in sorted(found.items(), key=lambda item: not item[0].startswith(OURS))
-        ]  # fmt: skip
-    condition = float(np.linalg.cond(model.mass_matrix(states.q[:JUDGED])).max())
-    return Comparison(tuple(rows), absent, condition)
+            values = values - ours.model.applied(states.q, states.u)
+        if function != "derivatives" or shared:
+            found[name] = values
+    show(f"{function}: measuring")
+    times = contest(runs, rounds)
+    exact = ours.exact(function, few(states, JUDGED)) if function in ours.functions else None
+    return [
+        Row(
+            name,
+            able[name].title if name in able else name,
+            function,
+            times[name],
+            _difference(found.get(name), exact),
+            _difference(found.get(name), found.get(JUDGE)),
+        )
+        for name in runs
+    ]
 
 
-def _agreement(values: Array, judge: Array | None) -> float | None:
-    if judge is None:
+def _difference(values: Array | None, expected: Array | None) -> float | None:
+    """Relative difference at the states that both have."""
+    if values is None or expected is None:
         return None
-    count = min(len(values), len(judge))
-    return relative(values[:count], judge[:count])
+    count = min(len(values), len(expected))
+    return relative(values[:count], expected[:count])
 
 
 def taking_part(
-    scene: Scene, chosen: Sequence[str], show: Callable[[str], None] = lambda text: None
+    model: CompiledModel, chosen: Sequence[str], show: Show = lambda text: None
 ) -> tuple[dict[str, Contender], dict[str, str]]:
-    """Peers made ready for a tree, and why the others are not."""
+    """Peers made ready for the tree of a model, and why the others are not."""
+    scene, joints = scene_of(model), [row["name"] for row in model.manifest["joints"]]
     contenders, absent = {}, {}
     for name in chosen:
         found = peer(name)
-        why = found.missing() or found.refusal(scene)
+        why = found.missing() or found.refusal(scene, joints)
         if not why:
             show(f"preparing {found.name}")
             try:
@@ -152,4 +169,4 @@ def pushed(model: CompiledModel, function: str, states: States) -> States:
     if function == "inverse_dynamics":
         return states
     own = model.applied(states.q, states.u)
-    return States(states.q, states.u, states.third + own)
+    return States(states.q, states.u, states.third + own) if np.any(own) else states

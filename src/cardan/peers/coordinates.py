@@ -19,19 +19,23 @@ from .peer import Array
 SIZES = {"revolute": (1, 1), "prismatic": (1, 1), "spherical": (4, 3), "free": (7, 6)}
 
 
-def refusal(scene: Scene) -> str:
-    """Why a tree cannot be handed to other programs, "" if it can."""
-    for i, kind in enumerate(scene.kinds):
+def refusal(scene: Scene, joints: Sequence[str]) -> str:
+    """Why a tree cannot be handed to other programs, "" if it can.
+
+    Args:
+        joints: Their names, by body.
+    """
+    for i, (name, kind) in enumerate(zip(joints, scene.kinds, strict=True)):
         if kind not in SIZES:
-            return f"joint {i} is {kind}"
+            return f"joint '{name}' is {kind}"
         if SIZES[kind][0] > 1 and scene.rotations[i] != "quaternion":
-            return f"joint {i} has no quaternion"
+            return f"joint '{name}' turns without a quaternion"
         if scene.leaders[i] >= 0:
-            return f"joint {i} is coupled"
+            return f"joint '{name}' is coupled"
         if scene.prescribed[i]:
-            return f"joint {i} is prescribed"
+            return f"joint '{name}' is prescribed"
     if np.any(scene.numbers.get("rotor", np.zeros(1))):
-        return "motors turn"
+        return "motors add inertia"
     return ""
 
 

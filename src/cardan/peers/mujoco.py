@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib.metadata
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -51,14 +52,14 @@ def missing() -> str:
     return installed("mujoco", "mujoco")
 
 
-def refusal(scene: Scene) -> str:
+def refusal(scene: Scene, joints: Sequence[str]) -> str:
     """Free joints give the pose in ground axes there."""
     for i, kind in enumerate(scene.kinds):
         n = scene.numbers
         placed = np.any(n["position"][i]) or np.any(n["rotation"][i] != np.eye(3))
         if kind == "free" and (scene.parents[i] >= 0 or placed):
-            return f"joint {i} is free, but not of the ground's origin"
-    return coordinates.refusal(scene)
+            return f"joint '{joints[i]}' is free, but not at the origin of the ground"
+    return coordinates.refusal(scene, joints)
 
 
 def _text(scene: Scene) -> str:

@@ -13,12 +13,16 @@ import numpy as np
 
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
+from ..runtime import samples
+from ..runtime.batch import one_by_one
 from ..runtime.cache import build
 from ..runtime.compiled import CompiledModel
+from ..runtime.derivatives import Derivative
+from ..runtime.lanes import States as Many
 from ..runtime.loaded import LoadedFunction
-from ..runtime.slots import ORDER
+from ..runtime.slots import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
-from .peer import Array, States
+from .peer import FUNCTIONS, Array, States
 
 KERNELS = Path(__file__).parents[1] / "kernels"
 DIGITS = 40
@@ -43,9 +47,24 @@ def library() -> ctypes.CDLL:
 
 @dataclass(frozen=True)
 class Ours:
-    """The functions of a compiled model under the names of the contest."""
+    """The functions of a compiled model under the names of the contest.
+
+    Attributes:
+        model: Compiled.
+    """
 
     model: CompiledModel
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """What the model was compiled with, of ``FUNCTIONS``."""
+        known = self.model.manifest["available"]
+        return tuple(f for f in FUNCTIONS if {"derivatives": "derivative"}.get(f, f) in known)
+
+    @property
+    def derivative(self) -> Derivative:
+        """Of forward dynamics, by q and u."""
+        return self.model.derivative("forward_dynamics", wrt=("q", "u"))
 
     def function(self, name: str) -> LoadedFunction:
         """A function, loaded.
@@ -53,7 +72,16 @@ class Ours:
         Raises:
             DerivationError, ModelError: the model has none.
         """
+        if name == "derivatives":
+            return self.model._function("derivative", self.derivative.request)
         return self.model._function(name)
+
+    def method(self, name: str) -> Callable[..., Any]:
+        """A function as people call it."""
+        found: Callable[..., Any] = (
+            self.derivative if name == "derivatives" else getattr(self.model, name)
+        )
+        return found
 
     def arguments(self, name: str, states: States) -> tuple[tuple[Any, ...], dict[str, Any]]:
         """What the method of a model takes."""
@@ -66,42 +94,55 @@ class Ours:
     def results(self, name: str, states: States) -> Array:
         """See :class:`.peer.Contender`."""
         args, more = self.arguments(name, states)
-        found: Array = getattr(self.model, name)(*args, **more)
-        return found
+        found = self.method(name)(*args, **more)
+        return np.stack(found, axis=1) if name == "derivatives" else np.asarray(found)
+
+    def blocks(self, name: str, states: States) -> dict[str, Array]:
+        """What a call reads besides the parameters, by block."""
+        third = {"inverse_dynamics": "udot"}.get(name, "tau")
+        still = {"t": np.zeros(1), "r": self.model._layout.start("r")}
+        still["wrench"] = np.zeros(6 * len(self.model.bodies))
+        moving = {"q": states.q, "u": states.u, third: states.third}
+        return still | {key: np.ascontiguousarray(block) for key, block in moving.items()}
 
     def start(self, name: str, states: States) -> Callable[[int], float]:
         """One state after the other, in a loop in C."""
         function, nu = self.function(name), self.model.nu
-        layout = {"t": np.zeros(1), "r": self.model._layout.start("r"), "w": function.w}
-        layout["wrench"] = np.zeros(6 * len(self.model.bodies))
-        work = np.empty(function.work_size + 1)
-        places = [layout[name].ctypes.data if name in layout else None for name in ORDER]
+        given = {**self.blocks(name, states), "w": function.w}
+        work, out = np.empty(function.work_size + 1), np.empty((len(states), output_size(name, nu)))
+        places = [given[key].ctypes.data if key in given else None for key in ORDER]
         program = Program(
             function.address, (ctypes.c_void_p * len(ORDER))(*places), work.ctypes.data,
             self.model.nq, nu,
         )  # fmt: skip
-        out = np.empty((len(states), output_size(name, nu)))
-        blocks = [np.ascontiguousarray(b) for b in (states.q, states.u, states.third)]
-        loop, where = peer_loop(library()), [address(b) for b in (*blocks, out)]
-        held = (layout, work, program, out, blocks)
+        loop, moving = peer_loop(library()), [states.q, states.u, states.third]
+        blocks = [np.ascontiguousarray(block) for block in moving]
+        where = [address(block) for block in (*blocks, out)]
 
-        def run(repeats: int, held: Any = held) -> float:
+        def run(repeats: int, held: Any = (given, work, out, blocks)) -> float:
             me = ctypes.byref(program)
             return float(loop(me, NUMBER[name], *where, out.shape[1], len(states), repeats))
 
         return run
 
     def batch(self, name: str, states: States) -> Callable[[int], float]:
-        """All states in one call from Python."""
-        args, more = self.arguments(name, states)
-        call = getattr(self.model, name)
-        more["out"] = call(*args, **more)
+        """All states in one call, in lanes where the machine has vectors; in this thread."""
+        function = self.function(name)
+        samples.build(self.model, function)
+        blocks: list[Array | None] = [None] * len(ORDER)
+        strides = [0] * len(ORDER)
+        for key, block in {**self.blocks(name, states), "w": function.w}.items():
+            blocks[SLOT[key]] = block.reshape(-1)
+            strides[SLOT[key]] = block.shape[1] if block.ndim == 2 else 0
+        out = np.empty((len(states), output_size(name, self.model.nu)))
+        many, caller = Many(blocks, strides, out), function.caller
+        way = caller.batch.found(False, many) or one_by_one(caller.call, many)
 
         def run(repeats: int) -> float:
             began = perf_counter()
             for _ in range(repeats):
-                call(*args, **more)
-            return (perf_counter() - began) / repeats / len(states)
+                way(0, len(out))
+            return (perf_counter() - began) / repeats / len(out)
 
         return run
 
@@ -115,5 +156,6 @@ class Ours:
             blocks["wrench"] = np.zeros(6 * len(self.model.bodies))
             found = evaluate(function, {k: list(v) for k, v in blocks.items()}, "mp", DIGITS)
             rows.append([float(x) for o in function.outputs for x in found[o.name]])
-        shape = self.function(name).caller.shape
+        nu = self.model.nu
+        shape = {"mass_matrix": (nu, nu), "derivatives": (2, nu, nu)}.get(name, (nu,))
         return np.array(rows).reshape(len(states), *shape)

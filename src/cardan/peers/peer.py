@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -63,14 +63,14 @@ class Peer:
         name: As people call it.
         package: What to install from PyPI.
         missing: Why it cannot take part here, "" if it can.
-        refusal: Why it cannot take part on a mechanism, "" if it can.
+        refusal: Why it cannot take part on a tree with joints of these names, "" if it can.
         contender: Makes the program for a mechanism.
     """
 
     name: str
     package: str
     missing: Callable[[], str] = field(repr=False)
-    refusal: Callable[[Scene], str] = field(repr=False)
+    refusal: Callable[[Scene, Sequence[str]], str] = field(repr=False)
     contender: Callable[[Scene], Contender] = field(repr=False)
 
 

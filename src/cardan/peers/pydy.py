@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.metadata
 import tempfile
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import chdir
 from time import perf_counter
 from typing import Any
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from ..runtime.newton_euler import Scene
+from . import coordinates
 from .peer import Array, Contender, Peer, States, installed
 from .tree import central, directions
 
@@ -31,13 +32,14 @@ def missing() -> str:
     return installed("pydy", "pydy") or installed("Cython", "cython")
 
 
-def refusal(scene: Scene) -> str:
+def refusal(scene: Scene, joints: Sequence[str]) -> str:
     """It takes small trees of hinges and slides."""
     if len(scene.parents) > MOST:
-        return f"{len(scene.parents)} bodies: its derivation takes minutes beyond {MOST}"
-    if set(scene.kinds) - {"revolute", "prismatic"} or any(leader >= 0 for leader in scene.leaders):
-        return "only trees of revolute and prismatic joints are handed to it"
-    return ""
+        return f"more than {MOST} bodies, whose derivation takes minutes"
+    for name, kind in zip(joints, scene.kinds, strict=True):
+        if kind not in ("revolute", "prismatic"):
+            return f"joint '{name}' is {kind}"
+    return coordinates.refusal(scene, joints)
 
 
 def _kane(scene: Scene) -> tuple[Any, list[Any], list[Any], list[Any]]:

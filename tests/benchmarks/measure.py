@@ -1,0 +1,113 @@
+"""Runs the cases and collects what was found."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import cardan as cd
+from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
+from cardan.errors import CardanError
+from cardan.peers.comparison import Comparison, compare
+from cardan.peers.processor import Peak, peak
+
+BUILDING = Path(__file__).with_name("building.py")
+COUNTS = Path(__file__).parents[1] / "golden" / "counts.json"
+SECONDS = 300
+
+
+@dataclass(frozen=True)
+class Found:
+    """Everything measured.
+
+    Attributes:
+        comparisons, buildings: By name of the case; a building by the long chains' bodies too.
+        counts: The committed operation counts.
+        lacking: Case or peer -> why it was left out.
+        peak: Of the processor, the larger of two measurements.
+        lanes: States that a batch does at once.
+    """
+
+    comparisons: dict[str, Comparison]
+    buildings: dict[str, dict[str, Any]]
+    counts: dict[str, dict[str, dict[str, int]]]
+    lacking: dict[str, str]
+    peak: Peak
+    lanes: int
+
+
+def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
+    """The same without the damping of joints, which the peers are not told of."""
+    damping = {name: 0.0 for name in model.parameters if name.endswith(".damping")}
+    return model.with_parameters(damping) if damping else model
+
+
+def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Comparison, int]:
+    """A case beside all peers, and the lanes of its batch."""
+    plain = [function for function in case.functions if function != DERIVATIVES]
+    plain = list(dict.fromkeys((FORWARD, *plain, MASS, "applied")))
+    functions = (*plain, "derivative")
+    model = undamped(cd.compile(case.build(), functions=functions, loops=case.loops))
+    show(f"{case.title}: compiling")
+    model.prepare(*plain)
+
+    def told(text: str) -> None:
+        show(f"{case.title}: {text}")
+
+    return compare(model, case.functions, rounds=rounds, show=told), model.lanes(FORWARD)
+
+
+def building(arguments: Sequence[str], limit: int) -> dict[str, Any]:
+    """What ``building.py`` prints, with a cache of its own.
+
+    Raises:
+        TimeoutError: not within the limit [s]. RuntimeError: it failed, with its last line.
+    """
+    with tempfile.TemporaryDirectory(prefix="cardan-bench-") as private:
+        environment = {**os.environ, "CARDAN_CACHE": f"{private}/cache"}
+        command = [sys.executable, "-W", "ignore", str(BUILDING), *arguments]
+        try:
+            done = subprocess.run(
+                command, capture_output=True, text=True, env=environment, timeout=limit
+            )
+        except subprocess.TimeoutExpired:
+            raise TimeoutError(f"not within {limit} s") from None
+    if done.returncode:
+        lines = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
+        raise RuntimeError(lines[-1])
+    return dict(json.loads(done.stdout))
+
+
+def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
+    """All cases; what cannot be measured is named."""
+    comparisons: dict[str, Comparison] = {}
+    buildings: dict[str, dict[str, Any]] = {}
+    lacking: dict[str, str] = {}
+    peaks, lanes = [peak()], 1
+    for case in CASES:
+        if quick and not case.quick:
+            continue
+        try:
+            comparisons[case.name], width = measure(case, rounds, show)
+            lanes = max(lanes, width)
+            show(f"{case.title}: building")
+            buildings[case.name] = building([case.name], SECONDS)
+        except (CardanError, FileNotFoundError, TimeoutError, RuntimeError) as problem:
+            lacking[case.title] = str(problem).splitlines()[0]
+    for bodies, limit in {} if quick else LONG.items():
+        show(f"chain of {bodies}")
+        try:
+            buildings[str(bodies)] = building(["--long", str(bodies)], limit)
+        except (TimeoutError, RuntimeError) as problem:
+            lacking[f"chain of {bodies:,}"] = str(problem)
+    peaks.append(peak())
+    best = max(peaks, key=lambda found: found.vector)
+    counts = json.loads(COUNTS.read_text("utf-8"))
+    return Found(comparisons, buildings, counts, lacking, best, lanes)

@@ -1,0 +1,159 @@
+"""The page docs/performance/README.md, and the tables it shares with the screen."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from benchmarks.cases import CASES
+from benchmarks.figures import EPS, SINCOS, Figure
+from benchmarks.measure import Found
+from cardan.peers import PEERS, peer
+from cardan.peers.comparison import LANES, OURS
+from cardan.peers.processor import name as processor
+from cardan.runtime import cache
+
+Section = tuple[str, tuple[str, ...], list[tuple[str, ...]]]
+
+
+def titles() -> dict[str, str]:
+    return {case.name: case.title for case in CASES}
+
+
+def sections(found: Found) -> Iterator[Section]:
+    """Title, headings and rows of every table."""
+    yield comparisons(found)
+    yield buildings(found)
+    yield counts(found)
+
+
+def comparisons(found: Found) -> Section:
+    """Speed, error and agreement."""
+    headings = (
+        "mechanism", "program", "least [ns]", "median [ns]", "to ours", "error", "in eps cond(M)",
+        "from Pinocchio",
+    )  # fmt: skip
+    lines: list[tuple[str, ...]] = []
+    last = ""
+    for case, comparison in found.comparisons.items():
+        for row in comparison.rows:
+            ours = comparison.row(row.function, OURS)
+            what = f"{titles()[case]}, {row.function.replace('_', ' ')}"
+            first = what != last
+            last = what
+            lines.append((
+                what if first else "",
+                row.program if row.program in (OURS, LANES) else peer(row.program).name,
+                f"{1e9 * row.time.least:.1f}",
+                f"{1e9 * row.time.median:.1f}",
+                f"{row.time.least / ours.time.least:.2f}" if ours else "",
+                "" if row.error is None else f"{row.error:.1e}",
+                "" if row.error is None else f"{row.error / EPS / comparison.condition:.2g}",
+                "" if row.agreement is None else f"{row.agreement:.1e}",
+            ))  # fmt: skip
+    return "speed and error, per call on one core, of a batch per state", headings, lines
+
+
+def buildings(found: Found) -> Section:
+    """From the scene to the first number."""
+    headings = (
+        "mechanism", "method", "derive [ms]", "compile [s]", "check [s]", "load [ms]", "C lines",
+        "object [KiB]", "memory [MiB]", "compiler [MiB]", "per body [ns]",
+    )  # fmt: skip
+    lines = []
+    for name, row in found.buildings.items():
+        loaded, body = row.get("loaded"), row.get("state")
+        lines.append((
+            titles().get(name, f"chain of {name}"),
+            row["method"],
+            f"{1e3 * row['derived']:.1f}",
+            f"{row['compiled']:.2f}",
+            f"{row['checked']:.2f}",
+            "" if loaded is None else f"{1e3 * loaded:.1f}",
+            str(row["lines"]),
+            f"{row['bytes'] / 1024:.0f}",
+            f"{row['memory']:.0f}",
+            f"{row['compiler_memory']:.0f}",
+            "" if body is None else f"{body:.1f}",
+        ))  # fmt: skip
+    return "forward dynamics, from the scene to the first number", headings, lines
+
+
+def counts(found: Found) -> Section:
+    """Operations as they are committed."""
+    columns = ("mul", "add", "neg", "div", "trig", "prepare", "lines", "work")
+    lines = []
+    for name in found.comparisons:
+        for function in ("forward_dynamics", "inverse_dynamics"):
+            row = found.counts.get(name, {}).get(function)
+            if row:
+                cells = (str(row.get(column, 0)) for column in columns)
+                lines.append((titles()[name], function.replace("_", " "), *cells))
+    return "operations of the C", ("mechanism", "function", *columns), lines
+
+
+def left_out(found: Found) -> Iterator[str]:
+    """Peers and cases that were not measured, each with the reason."""
+    for name in PEERS:
+        why = peer(name).missing()
+        if why:
+            yield f"{peer(name).name} was not measured: {why}"
+    for title, why in found.lacking.items():
+        yield f"{title} was not measured: {why}"
+    where: dict[tuple[str, str], list[str]] = {}
+    for case, comparison in found.comparisons.items():
+        for name, why in comparison.absent.items():
+            where.setdefault((name, why), []).append(titles()[case])
+    for (name, why), cases in where.items():
+        if why != peer(name).missing():
+            yield f"{peer(name).name} was not measured on {', '.join(cases)}: {why}"
+
+
+def markdown(headings: Sequence[str], lines: Sequence[Sequence[str]], left: int = 2) -> list[str]:
+    """A table."""
+    rule = ["---" if k < left else "---:" for k in range(len(headings))]
+    return [f"| {' | '.join(row)} |" for row in (headings, rule, *lines)]
+
+
+def write(found: Found, rows: Sequence[Figure], folder: Path) -> None:
+    """The page."""
+    programs = dict.fromkeys(
+        row.title for c in found.comparisons.values() for row in c.rows if row.program in PEERS
+    )
+    peak = found.peak
+    text = [
+        "# Performance",
+        "",
+        "Written by `make bench`, which measures all of it again: cardan and its peers in turn,",
+        "round after round, in loops in C, on the same mechanism at the same random states. The",
+        "ratios hold elsewhere too; the times are those of one machine:",
+        "",
+        f"- {processor()}, {platform.system()}, Python {platform.python_version()}",
+        f"- multiply-adds of one core: {peak.scalar:.1f} GFLOP/s scalar, {peak.vector:.1f} GFLOP/s "
+        f"in {peak.lanes} lanes",
+        f"- ours and CasADi's C by {cache.compiler().identity.splitlines()[0]}, "
+        f"batches {found.lanes} states at once",
+        *(f"- {title}" for title in programs),
+        "",
+        "`cardan bench FILE` does the same for a scene or robot of yours.",
+        "",
+        "## Figures to reach",
+        "",
+        *markdown(("figure", "target", "measured", ""), [row.texts() for row in rows], 4),
+        "",
+        "Operations are multiplications and additions of a call with symbolic parameters; what",
+        "depends on parameters alone is counted under *prepare* below. The share of the peak",
+        f"counts all arithmetic of a state, {SINCOS} operations for a sine with its cosine.",
+        "",
+        "![speed and error](error.svg)",
+        "![ratios](ratios.svg)",
+        "![cost and size](size.svg)",
+    ]
+    for title, headings, lines in sections(found):
+        text += ["", f"## {title[0].upper()}{title[1:]}", "", *markdown(headings, lines)]
+    notes = list(left_out(found))
+    if notes:
+        text += ["", "## Left out", "", *(f"- {note}" for note in notes)]
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "README.md").write_text("\n".join(text) + "\n", "utf-8")

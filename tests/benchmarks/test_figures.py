@@ -1,0 +1,58 @@
+"""The table of figures: what is missed or missing is said, whatever could be measured."""
+
+from __future__ import annotations
+
+from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
+from benchmarks.measure import Found
+from benchmarks.page import left_out, markdown, sections
+from cardan.peers.comparison import LANES, OURS, Comparison, Row
+from cardan.peers.contest import Time
+from cardan.peers.processor import Peak
+
+COUNTS = {"panda": {"forward_dynamics": {"mul": 600, "add": 500, "trig": 12}}}
+
+
+def row(program: str, seconds: float, error: float = 1e-16) -> Row:
+    return Row(program, program, "forward_dynamics", Time(seconds, seconds), error, None)
+
+
+def found() -> Found:
+    rows = (row(OURS, 1e-7), row(LANES, 2e-8, 3e-16), row("casadi", 2e-7))
+    comparison = Comparison(rows, {"pydy": "more than 5 bodies"}, 10.0)
+    lacking = {"UR5": "its file is not here"}
+    return Found({"panda": comparison}, {}, COUNTS, lacking, Peak(16.0, 120.0, 8), 8)
+
+
+def test_every_line_is_there_and_says_what_was_not_measured() -> None:
+    lines = {figure.name: figure.texts()[1:] for figure in figures(found())}
+    assert lines["operations, Panda, forward dynamics"] == ("≤ 1165", "1100", "reached")
+    assert lines["forward dynamics, Panda, of CasADi's time"] == ("≤ 0.55", "0.5", "reached")
+    not_here = ("≤ 0.16", "not measured", "missed")
+    assert lines["forward dynamics, Panda, of Pinocchio's time"] == not_here
+    assert lines["Panda, forward dynamics, batch, per state"] == ("≤ 24 ns", "20 ns", "reached")
+    # 1,100 operations and six sines with cosines, in 20 ns of a processor that does 120 per ns
+    assert lines["Panda, forward dynamics, batch, of the peak"][1:] == ("58.3 %", "reached")
+
+
+def test_ratio_and_error_are_those_of_the_rows() -> None:
+    assert ratio(found(), "panda", "forward_dynamics", "casadi", LANES) == 0.1
+    assert ratio(found(), "panda", "forward_dynamics", "mujoco") is None
+    assert 0.13 < multiple(found().comparisons["panda"]) < 0.14 < MULTIPLE
+
+
+def test_more_is_better_where_it_is_said() -> None:
+    assert Figure("share", 45, 50.0, "%", least=True).reached
+    assert not Figure("share", 45, 40.0, "%", least=True).reached
+    assert not Figure("time", 45, None).reached
+
+
+def test_who_was_left_out_is_named_once_with_the_reason() -> None:
+    text = "\n".join(left_out(found()))
+    assert "UR5 was not measured: its file is not here" in text
+    assert "on Panda, fingers fixed: more than 5 bodies" in text
+
+
+def test_tables_have_as_many_cells_as_headings() -> None:
+    for _, headings, lines in sections(found()):
+        assert all(len(line) == len(headings) for line in lines)
+        assert len(markdown(headings, lines)) == 2 + len(lines)
