@@ -17,7 +17,6 @@
  */
 CARDAN_INLINE void CARDAN_SINCOS(const CARDAN_NUMBER *x, CARDAN_NUMBER *sine, CARDAN_NUMBER *cosine)
 {
-    const CARDAN_BITS sign = CARDAN_AS_BITS(*x) & CARDAN_SIGN;
     const CARDAN_NUMBER a = CARDAN_AS_NUMBER(CARDAN_AS_BITS(*x) & ~CARDAN_SIGN);
 
     /* n, the nearest integer to a / (pi/2), stands in the last bits of a sum */
@@ -41,14 +40,14 @@ CARDAN_INLINE void CARDAN_SINCOS(const CARDAN_NUMBER *x, CARDAN_NUMBER *sine, CA
         (4.16666666666666019037e-02 - z * 1.38888888888741095749e-03) +
         zz * ((2.48015872894767294178e-05 - z * 2.75573143513906633035e-07) +
               zz * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11));
-    const CARDAN_NUMBER half = 0.5 * z, most = 1.0 - half;
+    const CARDAN_NUMBER most = 1.0 - 0.5 * z;
     const CARDAN_NUMBER s = r + (z * r * odd + rest * most);
-    const CARDAN_NUMBER c = most + (((1.0 - most) - half) + (zz * even - r * rest));
+    const CARDAN_NUMBER c = most + (zz * even + (((1.0 - most) - 0.5 * z) - r * rest));
 
-    /* in odd quarters they change places; then the signs */
+    /* in odd quarters they change places; then the signs, which the last two bits of n tell */
     const CARDAN_BITS swap = -(quarter & 1) & (CARDAN_AS_BITS(s) ^ CARDAN_AS_BITS(c));
-    const CARDAN_BITS s_sign = (quarter << 62 & CARDAN_SIGN) ^ sign;
-    const CARDAN_BITS c_sign = (quarter + 1) << 62 & CARDAN_SIGN;
+    const CARDAN_BITS half = quarter << 62, s_sign = (half ^ CARDAN_AS_BITS(*x)) & CARDAN_SIGN;
+    const CARDAN_BITS c_sign = (half ^ half << 1) & CARDAN_SIGN;
     *sine = CARDAN_AS_NUMBER(CARDAN_AS_BITS(s) ^ swap ^ s_sign);
     *cosine = CARDAN_AS_NUMBER(CARDAN_AS_BITS(c) ^ swap ^ c_sign);
 }

@@ -185,22 +185,30 @@ CARDAN_INLINE void cardan_sincos_any(double x, double *sine, double *cosine)
 #define CARDAN_ANY(x) ((x)[0] | (x)[1])
 #endif
 
-/* sines and cosines of a vector of any numbers */
-CARDAN_INLINE void cardan_sincos_vector(const cardan_pack *x, cardan_pack *sine,
-                                        cardan_pack *cosine)
+/* whether all numbers of n vectors lie in the range; conservative: their sum may be too large */
+CARDAN_INLINE int cardan_in_range(int n, const cardan_pack *x)
 {
-    const cardan_pack size = (cardan_pack)((cardan_mask)*x & ~CARDAN_SIGN);
-    const cardan_mask far = ~(cardan_mask)(size <= CARDAN_SINCOS_RANGE);
+    cardan_pack sum = {0.0};
+    for (int i = 0; i < n; ++i) sum += (cardan_pack)((cardan_mask)x[i] & ~CARDAN_SIGN);
+    const cardan_mask far = ~(cardan_mask)(sum <= CARDAN_SINCOS_RANGE);
     uint64_t outside[CARDAN_PACK];
-    cardan_sincos_pack(x, sine, cosine);
     memcpy(outside, &far, sizeof far);
-    if (CARDAN_ANY(outside))
-        for (int k = 0; k < CARDAN_PACK; ++k)
-            if (outside[k]) {
-                const double angle = (*x)[k];
-                (*sine)[k] = sin(angle);
-                (*cosine)[k] = cos(angle);
-            }
+    return CARDAN_ANY(outside) == 0;
+}
+
+/* sines and cosines of n vectors of any numbers */
+CARDAN_INLINE void cardan_sincos_vectors(int n, const cardan_pack *x, cardan_pack *sine,
+                                         cardan_pack *cosine)
+{
+    for (int i = 0; i < n; ++i) cardan_sincos_pack(x + i, sine + i, cosine + i);
+    if (cardan_in_range(n, x)) return;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < CARDAN_PACK; ++k) {
+            const double angle = x[i][k];
+            if (fabs(angle) <= CARDAN_SINCOS_RANGE) continue;
+            sine[i][k] = sin(angle);
+            cosine[i][k] = cos(angle);
+        }
 }
 #endif
 
@@ -211,7 +219,9 @@ CARDAN_INLINE void cardan_sincos_vector(const cardan_pack *x, cardan_pack *sine,
 #define CARDAN_PADDED(n) (((n) + CARDAN_PACK - 1) / CARDAN_PACK * CARDAN_PACK)
 CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *cosine)
 {
-    if (n == 1 || CARDAN_PACK == 1) {
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) sum += fabs(x[i]);
+    if (n == 1 || CARDAN_PACK == 1 || !(sum <= CARDAN_SINCOS_RANGE)) {
         for (int i = 0; i < n; ++i) cardan_sincos_any(x[i], sine + i, cosine + i);
         return;
     }
@@ -219,7 +229,7 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
     for (int i = 0; i < n; i += CARDAN_PACK) {
         const cardan_pack angle = {CARDAN_LIST(x + i)};
         cardan_pack s, c;
-        cardan_sincos_vector(&angle, &s, &c);
+        cardan_sincos_pack(&angle, &s, &c);
         memcpy(sine + i, &s, sizeof s);
         memcpy(cosine + i, &c, sizeof c);
     }

@@ -51,11 +51,6 @@ CARDAN_INLINE void cardan_sqrt_lanes(const real *x, real *y)
 #endif
 }
 
-CARDAN_INLINE void cardan_sincos_lanes(int n, const real *x, real *sine, real *cosine)
-{
-    for (int i = 0; i < n; ++i) cardan_sincos_vector(x + i, sine + i, cosine + i);
-}
-
 /* the value of a function that takes pointers */
 #define CARDAN_VALUE(call, x) \
     __extension__({ \
@@ -75,7 +70,7 @@ CARDAN_INLINE void cardan_sincos_lanes(int n, const real *x, real *sine, real *c
 
 #undef CARDAN_PADDED
 #define CARDAN_PADDED(n) (n)
-#define cardan_sincos(n, x, sine, cosine) cardan_sincos_lanes(n, x, sine, cosine)
+#define cardan_sincos(n, x, sine, cosine) cardan_sincos_vectors(n, x, sine, cosine)
 #define cardan_sqrt(x) CARDAN_VALUE(cardan_sqrt_lanes(&x_, &y_), x)
 #define cardan_tan(x) CARDAN_EACH(cardan_tan, x)
 #define cardan_asin(x) CARDAN_EACH(cardan_asin, x)
