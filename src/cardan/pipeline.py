@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -53,6 +54,7 @@ def derive(
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
 ) -> Equations:
     """Equations of motion of a scene.
 
@@ -65,6 +67,9 @@ def derive(
         rewrites: Of the system graph, before equations are derived from it: ``"axes"``,
             ``"origins"``, ``"parallel"``, ``"base_parameters"``; () for none. By default what
             leaves the fewest operations and no more rounding.
+        specialize: Parameters whose values are built into the equations: names, or values by
+            name; True for all. They cannot be changed afterwards; ``print(equations)`` says what
+            it saves.
 
     Returns:
         The record that says everything else: matrices, counts, functions.
@@ -77,11 +82,12 @@ def derive(
         raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
-    system = topology.build(scene)
+    system = topology.build(scene, specialize)
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen, method = topology.named_speeds(scene, system, speeds), "kane"
-    return chosen_by(system, method, chosen, rewrites)
+    found = chosen_by(system, method, chosen, rewrites)
+    return replace(found, free=topology.build(scene)) if specialize else found
 
 
 def compile(
@@ -93,6 +99,7 @@ def compile(
     method: str | None = None,
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
     loops: bool | None = None,
     threads: int | None = None,
 ) -> CompiledModel:
@@ -102,8 +109,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites: As :func:`derive` takes them, where ``scene`` is a
-            model.
+        coordinates, method, speeds, rewrites, specialize: As :func:`derive` takes them, where
+            ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -119,6 +126,7 @@ def compile(
         "method": method,
         "speeds": speeds,
         "rewrites": rewrites,
+        "specialize": specialize,
     }
     options: dict[str, Any] = {name: x for name, x in given.items() if x is not None}
     if isinstance(scene, Equations) and options:

@@ -34,6 +34,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
         {"cardan.codegen.owners", "cardan.passes"}
     ),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
+    ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.record", "Equations.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),

@@ -46,6 +46,7 @@ class Equations:
         chosen: User-chosen generalized speeds, () for those of the joints.
         reason: Why ``method="auto"`` took this formalism, "" where the user did.
         rewrites: Rewrites of the system graph that may be applied; None: what suits the formalism.
+        free: The system with all its parameters, where some were built in.
     """
 
     system: System
@@ -53,6 +54,7 @@ class Equations:
     chosen: tuple[Named, ...] = ()
     reason: str = ""
     rewrites: tuple[str, ...] | None = None
+    free: System | None = field(default=None, repr=False)
     _systems: dict[bool, list[Told]] = field(default_factory=dict, repr=False, compare=False)
     _told: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False, compare=False)
     _counts: dict[str, Counts] = field(default_factory=dict, repr=False, compare=False)
@@ -241,11 +243,10 @@ class Equations:
 
     @property
     def operations(self) -> dict[str, Counts]:
-        """Operators per state-dependent block: M, h, forward and inverse dynamics.
+        """Operators of M, h, forward (where it exists) and inverse dynamics at every call.
 
-        Each counts what runs at every call by operator, by body, joint and force element in
-        ``.blocks``, and what parameters alone determine in ``.prepared``. Forward dynamics is
-        left out where it does not exist.
+        Each counts by operator, by body, joint and force element in ``.blocks``, and what
+        parameters alone determine in ``.prepared``.
         """
         counts = {}
         for name in COUNTED:
@@ -264,6 +265,14 @@ class Equations:
             self._counts[c_name] = Counts(self.function(name, of), self.rewritten(name, of))
         return self._counts[c_name]
 
+    @property
+    def gain(self) -> dict[str, tuple[int, int]]:
+        """Operations at every call, and what they were without ``specialize=``; {} without it."""
+        if self.free is None:
+            return {}
+        before = Equations(self.free, self.method, self.chosen, "", self.rewrites).operations
+        return {name: (own.total, before[name].total) for name, own in self.operations.items()}
+
     @cached_property
     def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
         """SymPy symbol of every entry of every block."""
@@ -275,12 +284,14 @@ class Equations:
             for i, entry in enumerate(b.entries)
         }
 
+    def told(self, rewrites: tuple[str, ...]) -> Equations:
+        """The same equations by these rewrites only."""
+        return Equations(self.system, self.method, self.chosen, self.reason, rewrites)
+
     @cached_property
     def as_described(self) -> Equations:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
-        if self.rewrites == ():
-            return self
-        return Equations(self.system, self.method, self.chosen, self.reason, ())
+        return self if self.rewrites == () else self.told(())
 
     def written(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix in readable form.

@@ -19,6 +19,8 @@ DEEPEST = 12
 # rewrites that save where much passes between bodies, and cost where their inertia has many zeros:
 # both ways are counted
 COUNTED = ("axes", "parallel")
+# up to so many bodies an origin off a zero of the inertia tells, and counting is quick
+FEW = 4
 
 
 def check_names(names: Sequence[str]) -> tuple[str, ...]:
@@ -66,9 +68,10 @@ def candidates(
         return [_with_one_inertia(_rewritten(system, wanted))]
     found = [_rewritten(system, wanted)]
     if names is None:
+        counted = (*COUNTED, "origins") if len(system.bodies) <= FEW else COUNTED
         found += [
             _rewritten(system, tuple(n for n in wanted if n != name))
-            for name in COUNTED
+            for name in counted
             if name in found[0][0]
         ]
     return found

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from ..elements.forces.force import ForceElement
 from ..errors import ModelError, TopologyError, near
 from ..ir.graph import Graph
@@ -9,6 +11,7 @@ from ..model.model import Model
 from ..model.origins import located
 from . import announcements, motion
 from .assembly import Assembly
+from .built_in import BuiltIn
 from .convert import Converter
 from .pictures import pictures
 from .rotors import with_rotors
@@ -16,11 +19,13 @@ from .system import Atom, Force, Named, System
 from .tree import open_tree
 
 
-def build(model: Model) -> System:
+def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] = False) -> System:
     """The system graph of a model.
 
     Args:
         model: The scene; it is not changed.
+        specialize: Parameters that become numbers of the equations: names, or values by name;
+            True for all.
 
     Returns:
         The system, with notes on what does not act.
@@ -30,7 +35,7 @@ def build(model: Model) -> System:
         ModelError: quantities that cannot be what they say.
     """
     try:
-        return _build(model)
+        return _build(model, BuiltIn.of(specialize))
     except (ModelError, TopologyError) as problem:
         found = located(problem, model.origins)
         if found is problem:
@@ -38,10 +43,10 @@ def build(model: Model) -> System:
         raise found from problem
 
 
-def _build(model: Model) -> System:
+def _build(model: Model, built_in: BuiltIn | None) -> System:
     scene, rotors = with_rotors(model)
     branches = open_tree(scene)
-    convert = Converter(scene, Graph())
+    convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
     inputs = motion.declare_inputs(scene, convert)
     with convert.graph.made_by("ground", "gravity"):

@@ -19,6 +19,7 @@ from ..model.checks import is_number
 from ..model.frame import rows_of
 from ..model.model import Model
 from ..model.rotation import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
+from .built_in import BuiltIn
 from .system import Nodes, Parameter
 
 IDENTITY: Nodes = (ONE, ZERO, ZERO, ZERO, ONE, ZERO, ZERO, ZERO, ONE)
@@ -41,17 +42,19 @@ class Converter:
             Where bodies are and what they weigh may not.
         values: Numbers by dotted name that replace those written, as far as not yet used.
         same: Dotted name -> the name under which the same number is kept.
+        built_in: Which parameters are written into the equations as numbers.
     """
 
-    def __init__(self, model: Model, graph: Graph) -> None:
+    def __init__(self, model: Model, graph: Graph, built_in: BuiltIn | None = None) -> None:
         self.graph = graph
+        self.built_in = built_in
         self.parameters: list[Parameter] = []
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
         self.moving = False
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
-        self.values = dict(model.values)
+        self.values = dict(model.values) | (built_in.values if built_in is not None else {})
         self._nodes: dict[str, int] = {}
         self.same: dict[str, str] = {}
         for entry in model.parameters.values():
@@ -68,6 +71,9 @@ class Converter:
         self.units[name] = unit
 
     def _parameter(self, name: str, value: float, unit: str, declared: bool = False) -> int:
+        if self.built_in is not None and self.built_in.takes(name):
+            self.structural[name] = value
+            return self.graph.const(value)
         self.parameters.append(Parameter(name, value, unit, declared))
         return self.graph.var("p", len(self.parameters) - 1)
 
@@ -219,6 +225,8 @@ class Converter:
         Raises:
             ModelError: one has a name that no number has.
         """
+        if self.built_in is not None:
+            self.built_in.finish(self.parameters)
         for name in self.values:
             known = [*(parameter.name for parameter in self.parameters), *self.structural]
             listed = near(name, known).replace(" Known:", " Parameters:")
