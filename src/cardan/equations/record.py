@@ -16,6 +16,7 @@ from ..ir.request import Request
 from ..ir.stage import stage
 from ..topology.system import Named, System
 from . import blocks
+from .base import BaseParameters, base_parameters
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .functions import Context
@@ -137,7 +138,7 @@ class Equations:
         told = self.rewritten(name, of) if isinstance(form, Function) else ()
         return [f"formalism: {self.method}", *([f"rewrites: {', '.join(told)}"] if told else [])]
 
-    def _ways(self, name: str, of: str | None) -> list[Told]:
+    def ways(self, name: str, of: str | None) -> list[Told]:
         """How the system may be told for a function."""
         if not is_told(name, of):
             return [((), self.system)]
@@ -151,7 +152,7 @@ class Equations:
         """A function by the rewrites that leave the fewest operations."""
         made = [
             (self._derive(name, symbol, of, Kinematics(system, self.chosen)), names)
-            for names, system in self._ways(name, of)
+            for names, system in self.ways(name, of)
         ]
         if len(made) == 1:
             return made[0]
@@ -292,6 +293,10 @@ class Equations:
     def as_described(self) -> Equations:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
         return self if self.rewrites == () else self.told(())
+
+    def base_parameters(self) -> BaseParameters:
+        """What of masses and inertias the motion depends on, and what not at all."""
+        return base_parameters(self)
 
     def written(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix in readable form.

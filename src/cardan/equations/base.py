@@ -1,0 +1,107 @@
+"""Base parameters: what of the masses and inertias the motion depends on.
+
+Source: Gautier and Khalil, Direct Calculation of Minimum Set of Inertial Parameters of Serial
+Robots, IEEE Trans. Robotics and Automation 6 (1990).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ..ir.arithmetic import Scalar
+from ..ir.function import Function, Output, live
+from ..ir.graph import ZERO
+from ..ir.interpreter import evaluate
+from ..ir.stage import stage
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from .record import Equations
+
+# differences of sums of terms of size one that cancel
+ROUNDING = 1e-10
+# of every body: mass, first moment, second moment about its origin
+ENTRIES = ("mass", *(f"moment_{i}" for i in "xyz"), *("xx", "yy", "zz", "xy", "xz", "yz"))
+
+
+@dataclass(frozen=True)
+class BaseParameters:
+    """The parameters of a system by how tau depends on them.
+
+    Attributes:
+        combinations: Name such as ``lower.base_xx`` -> SymPy expression of the parameters, for
+            every number of a body that tau depends on. They determine tau at every motion.
+        without_effect: Parameters that tau does not depend on.
+        only_combined: Parameters that no combination gives alone: they cannot be told apart by
+            motion and driving forces.
+    """
+
+    combinations: dict[str, Any]
+    without_effect: tuple[str, ...]
+    only_combined: tuple[str, ...]
+
+    def __str__(self) -> str:
+        lines = [f"{len(self.combinations)} base parameters"]
+        lines += [f"  {name} = {expression}" for name, expression in self.combinations.items()]
+        lines.append("without effect: " + (", ".join(self.without_effect) or "none"))
+        lines.append("only in combination: " + (", ".join(self.only_combined) or "none"))
+        return "\n".join(lines)
+
+
+def base_parameters(equations: Equations) -> BaseParameters:
+    """The base parameters of inverse dynamics, in the frames of the user's joints."""
+    from sympy import expand
+
+    from ..ir.sympy_out import to_sympy
+
+    told = equations.told(("base_parameters",))
+    function = told.function("inverse_dynamics")
+    graph, names = function.graph, equations.parameters
+    wanted = list(stage(function).prepare)
+    numbers: dict[str, int] = {}
+    for body in told.ways("inverse_dynamics", None)[0][1].bodies:
+        j = body.second_moment
+        if j is None:
+            continue
+        ten = (body.mass, *body.first_moment, j[0], j[4], j[8], j[1], j[2], j[5])
+        for entry, node in zip(ENTRIES, ten, strict=True):
+            numbers[f"{body.name}.base_{entry}"] = node
+    # those that a call reads, and not only what makes up another one
+    read = set(live(graph, wanted, stop=set(numbers.values())))
+    found = {name: node for name, node in numbers.items() if node != ZERO and node in read}
+    depends = _dependence(function, [*wanted, *found.values()], len(names))
+    effect = [set(row.nonzero()[0].tolist()) for row in depends]
+    inertial = set[int]().union(*effect[len(wanted) :])
+    effect = effect[: len(wanted)]
+    alone = set[int]().union(*(row for row in effect if len(row) == 1))
+    every = set[int]().union(*effect)
+    expressions = {
+        name: expand(to_sympy(Scalar(graph, node), equations.symbols))
+        for name, node in found.items()
+    }
+    return BaseParameters(
+        expressions,
+        tuple(name for k, name in enumerate(names) if k not in every),
+        tuple(name for k, name in enumerate(names) if k in inertial - alone),
+    )
+
+
+def _dependence(function: Function, nodes: list[int], parameters: int) -> NDArray[np.bool_]:
+    """Which expressions of the parameters depend on which: (nodes, parameters).
+
+    Whether they do is seen at numbers drawn by chance; what cancels leaves rounding only.
+    """
+    import numpy as np
+
+    output = Output("values", (len(nodes),), tuple(nodes))
+    rng = np.random.default_rng(5)
+    p = rng.uniform(0.5, 1.5, parameters)
+    changed = p + 0.37 * np.eye(parameters)
+    one = Function("values", function.graph, function.inputs, (output,))
+    rows = evaluate(one, {"p": np.vstack([p, changed])}, arithmetic="numpy")["values"]
+    rows = np.broadcast_to(rows, (parameters + 1, len(nodes)))
+    size = np.maximum(1.0, np.abs(rows).max(axis=0))
+    return np.asarray((np.abs(rows[1:] - rows[0]) > ROUNDING * size).T)
