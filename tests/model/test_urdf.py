@@ -124,6 +124,25 @@ def test_snapping(word, value):
     assert snapped(word, float(word)) == value
 
 
+def test_residues_of_angles_are_listed_and_can_be_refused():
+    text = two_links(hinge('<origin xyz="0 0 1" rpy="-1.22e-16 0 1e-15"/>'))
+    model = from_text(text)
+    assert model.snaps == ["joint 'hinge' roll: -1.22e-16 -> 0"]
+    assert [p.name for p in build(model).parameters if "rotation" in p.name] == [
+        "hinge.rotation.yaw"
+    ]
+    assert from_text(text, Options(snap=False)).snaps == []
+
+
+def test_residues_in_an_axis_are_listed_and_can_be_refused():
+    text = two_links(hinge('<axis xyz="6.12323e-17 -1 0"/>'))
+    model = from_text(text)
+    assert model.snaps == ["joint 'hinge' axis x: 6.12323e-17 -> 0"]
+    assert not [p.name for p in build(model).parameters if "axis" in p.name]
+    printed = build(from_text(text, Options(snap=False)))
+    assert [p.name for p in printed.parameters if "axis" in p.name] == ["hinge.axis.x"]
+
+
 def test_snaps_are_listed_and_can_be_refused():
     text = two_links(hinge('<origin xyz="0 0 1" rpy="1.5708 0 0.1"/>'))
     model = from_text(text)

@@ -32,8 +32,8 @@ def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | Non
         else "Pinocchio is not installed"
     )
     out.print(
-        f"{tour.call * 1e9:.0f} ns per call, worst error {tour.error:.1e} against 40 digits, "
-        f"{peer}",
+        f"{tour.call * 1e9:.0f} ns per call, {tour.state * 1e9:.0f} ns per state of a batch, "
+        f"worst error {tour.error:.1e} against 40 digits, {peer}",
         soft_wrap=True,
     )
     out.print(

@@ -1,4 +1,4 @@
-"""Angles of files: rounded quarter turns become exact ones."""
+"""Angles and axes of files: rounded quarter turns become exact ones, residues become 0."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from ..rotation import QUARTER, of_sequence, product
 
 # below this, 2 or 1.6 would be taken for pi/2
 FEWEST_DECIMALS = 2
+# what programs leave of the sine of pi and the like: beside 1 it is lost in doubles
+RESIDUE = 2.0**-52
 _NAMES = {1: "pi/2", -1: "-pi/2", 2: "pi", -2: "-pi"}
 
 
@@ -41,9 +43,28 @@ def snap_all(words: Sequence[str], angles: list[float], who: str, snaps: list[st
     """Roll, pitch and yaw with roundings replaced; each is listed in ``snaps``."""
     names = ("roll", "pitch", "yaw")
     return [
-        snap(word, value, f"{who} {name}", snaps)
+        snap(word, cleared(word, value, 1.0, f"{who} {name}", snaps), f"{who} {name}", snaps)
         for word, value, name in zip(words, angles, names, strict=True)
     ]
+
+
+def snap_axis(
+    words: Sequence[str], axis: Sequence[float], who: str, snaps: list[str]
+) -> list[float]:
+    """An axis without residues; each is listed in ``snaps``."""
+    largest = max(map(abs, axis))
+    return [
+        cleared(word, value, largest, f"{who} axis {name}", snaps)
+        for word, value, name in zip(words, axis, "xyz", strict=True)
+    ]
+
+
+def cleared(word: str, value: float, beside: float, who: str, snaps: list[str]) -> float:
+    """0 for a residue beside a number of this size, listed in ``snaps``; else the value."""
+    if not 0 < abs(value) <= RESIDUE * beside:
+        return value
+    snaps.append(f"{who}: {word} -> 0")
+    return 0.0
 
 
 def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:

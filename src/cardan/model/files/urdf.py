@@ -21,7 +21,7 @@ from ...elements.joints.revolute import Revolute
 from ...errors import ModelError, TopologyError, near
 from ..body import Body
 from ..model import Model
-from .angles import snap_all, turned
+from .angles import snap_all, snap_axis, turned
 from .document import Element, content, parse
 from .meshes import Meshes, shapes
 from .options import Options
@@ -268,6 +268,9 @@ class _Reader:
         direction = [1.0, 0.0, 0.0] if axis is None else axis.numbers("xyz", 3)
         if not any(direction):
             raise ModelError(f"{element.where}: its axis is zero; give for example xyz='0 0 1'")
+        if axis is not None and self.options.snap:
+            words = axis.text("xyz").split()
+            direction = snap_axis(words, direction, element.where, self.scene.snaps)
         if sum(x != 0 for x in direction) == 1:
             direction = [float((x > 0) - (x < 0)) for x in direction]
         family = {"prismatic": Prismatic, "planar": Planar}
