@@ -3,7 +3,7 @@
  * tau with M udot + h = f + tau
  * formalism: composite
  * rewrites: parallel, base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 3, work 0, w 16
  * Operations per call: 129 = 69 mul, 35 add, 21 sub, 2 cos, 2 sin
@@ -194,13 +194,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_U_4 = forearm_alpha * forearm_omega_z;
     const real forearm_U_5 = forearm_omega_z * forearm_omega_y;
     const real forearm_U_6 = forearm_U_2 + forearm_U_3;
+    const real forearm_inertia_force = forearm_first_moment_x * forearm_U_6;
     const real forearm_U_xz = forearm_alpha_y - forearm_U_4;
     const real forearm_U_7 = forearm_alpha_y + forearm_U_4;
-    const real forearm_inertia_force = forearm_base_second_moment_zz * forearm_U_xz
+    const real forearm_inertia_force_2 = forearm_base_second_moment_zz * forearm_U_xz
         + forearm_base_second_moment_xx * forearm_U_7;
-    const real forearm_inertia_force_2 = forearm_first_moment_x * forearm_U_6;
     const real forearm_inertia_force_3 = forearm_first_moment_x * forearm_U_7;
-    const real forearm_f = elbow_p * (elbow_cos * forearm_inertia_force_2
+    const real forearm_f = elbow_p * (elbow_cos * forearm_inertia_force
         + elbow_sin * forearm_inertia_force_3);
 
     /* shared by several: U */
@@ -216,7 +216,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_n = upper_arm_base_second_moment_xy * shoulder_cos * (upper_arm_U_3
         - column_U) + shoulder_udot * upper_arm_turned;
 
-    /* forearm: alpha, a, U, n, inertia force, f */
+    /* forearm: alpha, a, U, inertia force, n, f */
     const real waist_udot = udot[0]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal forearm_inertia_xz = w[2]; /* kg m^2 */
@@ -233,14 +233,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_U_yx = forearm_alpha_z - forearm_alpha * forearm_omega_y;
     const real forearm_U_yz = forearm_alpha_2 + forearm_U_5;
     const real forearm_U_zy = forearm_U_5 - forearm_alpha_2;
-    const real forearm_n_x = forearm_inertia_xy * forearm_U_7 + forearm_inertia_xz * forearm_U_yx
-        - forearm_base_second_moment_zz * forearm_U_yz;
     const real forearm_inertia_force_4 = forearm_inertia_xy * forearm_U_zy
         - forearm_inertia_xz * (forearm_U + forearm_U_2 - forearm_U_6);
-    const real forearm_n_y = forearm_inertia_force - forearm_first_moment_x * forearm_a_z
-        + forearm_inertia_force_4;
     const real forearm_inertia_force_5 = forearm_inertia_xy * (forearm_U_6 - (forearm_U
         + forearm_U_3)) + forearm_inertia_xz * forearm_U_yz;
+    const real forearm_n_x = forearm_inertia_xy * forearm_U_7 + forearm_inertia_xz * forearm_U_yx
+        - forearm_base_second_moment_zz * forearm_U_yz;
+    const real forearm_n_y = forearm_inertia_force_2 - forearm_first_moment_x * forearm_a_z
+        + forearm_inertia_force_4;
     const real forearm_n_z = forearm_base_second_moment_xx * forearm_U_yx
         + forearm_first_moment_x * forearm_a_y - forearm_inertia_force_5;
     const real forearm_f_y = forearm_first_moment_x * forearm_U_yx;
@@ -250,8 +250,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal sub_1 = w[15];
     const real mul_1_4 = shoulder_sin * sub_1;
     const real mul_1_5 = shoulder_sin * mul_1_4;
-    const real add_1 = upper_arm_base_second_moment_xx + mul_1_5;
     const real mul_1_6 = shoulder_cos * mul_1_4;
+    const real add_1 = upper_arm_base_second_moment_xx + mul_1_5;
 
     /* upper_arm: n */
     const wreal upper_arm_base_moment_x = w[9];
@@ -259,28 +259,28 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_n_2 = waist_udot * upper_arm_turned
         + upper_arm_base_moment_x * shoulder_cos * gravity_z + mul_1_6 * (upper_arm_U_2
         - upper_arm_U_3);
-    const real upper_arm_n_3 = forearm_n_y - elbow_p_x * (elbow_sin * forearm_inertia_force_2
+    const real upper_arm_n_3 = upper_arm_U_yz * mul_1_6 + upper_arm_n + waist_udot * add_1
+        + elbow_p_x * forearm_f_y + elbow_cos * forearm_n_z;
+    const real upper_arm_n_z = upper_arm_n_3 - elbow_sin * forearm_n_x;
+    const real upper_arm_n_4 = forearm_n_y - elbow_p_x * (elbow_sin * forearm_inertia_force
         - elbow_cos * forearm_inertia_force_3);
     const real upper_arm_n_y = shoulder_udot * (upper_arm_base_second_moment_zz - mul_1_5
-        + add_1) + upper_arm_n_2 + forearm_f + upper_arm_n_3;
-    const real upper_arm_n_4 = upper_arm_U_yz * mul_1_6 + upper_arm_n + waist_udot * add_1
-        + elbow_p_x * forearm_f_y + elbow_cos * forearm_n_z;
-    const real upper_arm_n_z = upper_arm_n_4 - elbow_sin * forearm_n_x;
-
-    /* column: n */
-    const wreal column_inertia_force = w[14];
-    const real column_n_z = waist_udot * column_inertia_force + upper_arm_n_z;
+        + add_1) + upper_arm_n_2 + forearm_f + upper_arm_n_4;
 
     /* elbow: tau */
     const wreal elbow_damping = w[5]; /* N*m*s/rad */
     out[2] = elbow_u * elbow_damping + forearm_n_y; /* tau: elbow.u.tau [N*m] */
 
-    /* shoulder: tau */
-    const wreal shoulder_damping = w[4]; /* N*m*s/rad */
-    out[1] = shoulder_u * shoulder_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
+    /* column: n */
+    const wreal column_inertia_force = w[14];
+    const real column_n_z = waist_udot * column_inertia_force + upper_arm_n_z;
 
     /* waist: tau */
     const wreal waist_damping = w[3]; /* N*m*s/rad */
     out[0] = waist_u * waist_damping + column_n_z; /* tau: waist.u.tau [N*m] */
+
+    /* shoulder: tau */
+    const wreal shoulder_damping = w[4]; /* N*m*s/rad */
+    out[1] = shoulder_u * shoulder_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
     return CARDAN_OK;
 }

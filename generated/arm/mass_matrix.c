@@ -3,7 +3,7 @@
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
  * rewrites: parallel, base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 9, work 0, w 11
  * Operations per call: 31 = 15 mul, 7 add, 4 sub, 2 cos, 2 sin, 1 neg
@@ -149,6 +149,18 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_inertia_8 = forearm_first_moment_x * elbow_cos * elbow_p_x
         + upper_arm_inertia_7;
 
+    /* upper_arm: composite inertia, inertia */
+    const wreal upper_arm_base_second_moment_xy = w[5];
+    const wreal upper_arm_inertia_2 = w[9];
+    const real upper_arm_composite_inertia_yz = upper_arm_base_second_moment_xy * shoulder_sin
+        - upper_arm_inertia_6;
+    const real upper_arm_inertia_9 = 2.0 * upper_arm_inertia_8;
+    const real upper_arm_composite_inertia_zz = upper_arm_inertia_9 - 2.0 * upper_arm_inertia_7
+        + upper_arm_inertia_5;
+    out[1] = upper_arm_composite_inertia_yz; /* M: waist.u,shoulder.u */
+    out[3] = upper_arm_composite_inertia_yz; /* M: shoulder.u,waist.u */
+    out[4] = upper_arm_inertia_9 + upper_arm_inertia_2; /* M: shoulder.u,shoulder.u */
+
     /* M */
     const wreal forearm_inertia_yy_2 = w[3];
     const real M_3_1 = -upper_arm_inertia_6;
@@ -157,18 +169,6 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[6] = M_3_1; /* M: elbow.u,waist.u */
     out[5] = M_3_2; /* M: shoulder.u,elbow.u */
     out[7] = M_3_2; /* M: elbow.u,shoulder.u */
-
-    /* upper_arm: inertia, composite inertia */
-    const wreal upper_arm_base_second_moment_xy = w[5];
-    const wreal upper_arm_inertia_2 = w[9];
-    const real upper_arm_inertia_9 = 2.0 * upper_arm_inertia_8;
-    const real upper_arm_composite_inertia_yz = upper_arm_base_second_moment_xy * shoulder_sin
-        - upper_arm_inertia_6;
-    const real upper_arm_composite_inertia_zz = upper_arm_inertia_9 - 2.0 * upper_arm_inertia_7
-        + upper_arm_inertia_5;
-    out[4] = upper_arm_inertia_9 + upper_arm_inertia_2; /* M: shoulder.u,shoulder.u */
-    out[1] = upper_arm_composite_inertia_yz; /* M: waist.u,shoulder.u */
-    out[3] = upper_arm_composite_inertia_yz; /* M: shoulder.u,waist.u */
 
     /* column: composite inertia */
     const wreal column_base_inertia_zz = w[7];

@@ -3,7 +3,7 @@
  * tau with M udot + h = f + tau
  * formalism: composite
  * rewrites: base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 2, work 0, w 5
  * Operations per call: 58 = 36 mul, 11 sub, 7 add, 2 cos, 2 sin
@@ -82,33 +82,33 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_R_yx = hang_sin * hang_sin_2;
     const real hang_drift = hang_u_angle1 * hang_u_angle2;
 
-    /* bucket: omega, alpha, a, U, n, f */
+    /* bucket: a, omega, alpha, U, n, f */
     const real hang_u_angle1dot = udot[0]; /* rad/s^2 */
     const real hang_u_angle2dot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[1]; /* m/s^2 */
     const wreal bucket_mass = w[2];
     const wreal bucket_base_second_moment_xx = w[3];
     const wreal bucket_base_second_moment_zz = w[4];
+    const real bucket_a_x = hang_cos * hang_sin_2 * gravity_z;
     const real bucket_omega_x = hang_u_angle1 * hang_cos_2;
     const real bucket_omega_z = hang_u_angle1 * hang_sin_2;
     const real bucket_alpha_x = hang_u_angle1dot * hang_cos_2 - hang_sin_2 * hang_drift;
     const real bucket_alpha_z = hang_cos_2 * hang_drift + hang_u_angle1dot * hang_sin_2;
-    const real bucket_a_x = hang_cos * hang_sin_2 * gravity_z;
     const real bucket_U = hang_u_angle2 * bucket_omega_x;
     const real bucket_U_2 = bucket_omega_x * bucket_omega_z;
     const real bucket_U_3 = hang_u_angle2 * bucket_omega_z;
     const real bucket_U_xy = bucket_U - bucket_alpha_z;
-    const real bucket_U_xz = hang_u_angle2dot + bucket_U_2;
     const real bucket_U_yx = bucket_alpha_z + bucket_U;
-    const real bucket_U_yz = bucket_U_3 - bucket_alpha_x;
-    const real bucket_U_zx = bucket_U_2 - hang_u_angle2dot;
-    const real bucket_U_zy = bucket_alpha_x + bucket_U_3;
     const real bucket_n_z = bucket_base_second_moment_xx * bucket_U_yx
         - bucket_base_second_moment_xx * bucket_U_xy;
-    const real bucket_f = bucket_base_second_moment_xx * bucket_U_zy
-        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
-    const real bucket_f_2 = bucket_base_second_moment_zz * bucket_U_xz - bucket_mass * bucket_a_x
+    const real bucket_U_xz = hang_u_angle2dot + bucket_U_2;
+    const real bucket_U_zx = bucket_U_2 - hang_u_angle2dot;
+    const real bucket_f = bucket_base_second_moment_zz * bucket_U_xz - bucket_mass * bucket_a_x
         - bucket_base_second_moment_xx * bucket_U_zx;
+    const real bucket_U_yz = bucket_U_3 - bucket_alpha_x;
+    const real bucket_U_zy = bucket_alpha_x + bucket_U_3;
+    const real bucket_f_2 = bucket_base_second_moment_xx * bucket_U_zy
+        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
 
     /* air: force, data */
     const wreal rope = w[0]; /* m */
@@ -116,9 +116,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real air_data = 2.0 * (rope * bucket_omega_x * hang_cos - hang_R_yx * air_force);
 
     /* bucket: n */
-    const real bucket_n_x = hang_cos * air_data * rope + bucket_f;
+    const real bucket_n_x = hang_cos * air_data * rope + bucket_f_2;
     /* tau: hang.u.angle2.tau [N*m] */
-    out[1] = rope * (hang_cos_2 * air_force * 2.0 * hang_cos_2 - hang_R_yx * air_data) + bucket_f_2;
+    out[1] = rope * (hang_cos_2 * air_force * 2.0 * hang_cos_2 - hang_R_yx * air_data) + bucket_f;
 
     /* hang: tau angle */
     out[0] = hang_cos_2 * bucket_n_x + hang_sin_2 * bucket_n_z; /* tau: hang.u.angle1.tau [N*m] */

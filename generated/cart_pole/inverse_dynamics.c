@@ -3,7 +3,7 @@
  * tau with M udot + h = f + tau
  * formalism: composite
  * rewrites: base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 2, work 0, w 4
  * Operations per call: 19 = 11 mul, 4 add, 2 sub, 1 cos, 1 sin

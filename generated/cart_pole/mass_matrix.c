@@ -3,7 +3,7 @@
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
  * rewrites: base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 4, work 0, w 3
  * Operations per call: 2 = 1 cos, 1 mul

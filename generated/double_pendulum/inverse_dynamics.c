@@ -3,7 +3,7 @@
  * tau with M udot + h = f + tau
  * formalism: composite
  * rewrites: base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 2, work 0, w 6
  * Operations per call: 31 = 17 mul, 7 sub, 3 add, 2 cos, 2 sin
@@ -87,7 +87,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal gravity_z = w[1]; /* m/s^2 */
     const real upper_a_x = gravity_z * shoulder_sin;
 
-    /* lower: omega, alpha, a, n, f */
+    /* lower: omega, f, alpha, a, n */
     const real shoulder_u = u[0]; /* rad/s */
     const real elbow_u = u[1]; /* rad/s */
     const real shoulder_udot = udot[0]; /* rad/s^2 */
@@ -96,11 +96,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal upper_mass = w[2];
     const wreal lower_inertia_force = w[5];
     const real lower_omega_y = shoulder_u + elbow_u;
+    const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
     const real lower_alpha_y = shoulder_udot + elbow_udot;
     const real lower_a_x = elbow_cos * (upper_a_x - l * shoulder_udot)
         - elbow_sin * (shoulder_u * shoulder_u * l - gravity_z * shoulder_cos);
     const real lower_n_y = lower_alpha_y * lower_inertia_force - upper_mass * lower_a_x;
-    const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
     const real lower_f = l * (elbow_sin * lower_f_z - upper_mass * lower_alpha_y * elbow_cos);
     out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
 

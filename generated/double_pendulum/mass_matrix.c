@@ -3,7 +3,7 @@
  * M: kinetic energy is 1/2 uᵀ M u
  * formalism: composite
  * rewrites: base_parameters
- * passes: reassociate
+ * passes: reassociate, schedule
  *
  * Sizes: out 4, work 0, w 4
  * Operations per call: 6 = 3 mul, 2 add, 1 cos

@@ -60,7 +60,7 @@ def test_head_says_what_where_and_how_much() -> None:
         " * chain_force of three links",
         " * centripetal forces of a chain",
         " * formalism: by hand",
-        " * passes: reassociate",
+        " * passes: reassociate, schedule",
         " * Input q (3): generalized coordinates",
         " *   q[1]  joint2 [rad]",
         " *   u[2]  joint3.u [rad/s]",

@@ -41,7 +41,7 @@ def savings(equations: Equations, name: str, of: str | None = None) -> list[Savi
     for rewrite in applied:
         rest = equations.told(tuple(key for key in applied if key != rewrite))
         found.append(_saving(rewrite, PASSES["unroll"](rest.function(name, of)), whole))
-    for key in (key for key in standard(function) if key != "unroll"):
+    for key in (key for key in standard(function) if key in PASSES and key != "unroll"):
         before, whole = whole, PASSES[key](whole)
         found.append(_saving(key, before, whole))
     return found
