@@ -33,9 +33,9 @@ def standard(function: Function) -> tuple[str, ...]:
     """Passes and orders that pay for a function, as measured.
 
     Factorizations are unrolled, and sums reassociated where no large factorization dominates.
-    Where nothing is divided, as in inverse dynamics of arms, statements are scheduled; in others that
-    was between 3 % faster and 3 % slower, and depth-first from the results between 10 % faster on
-    short arms and 25 % slower on chains. ``trig`` and ``fold`` are exact too, but save an
+    Where nothing is divided, as in inverse dynamics of arms, statements are scheduled; in others
+    that was between 3 % faster and 3 % slower, and depth-first from the results between 10 % faster
+    on short arms and 25 % slower on chains. ``trig`` and ``fold`` are exact too, but save an
     operation in a thousand in the recursions of rigid bodies.
     """
     nodes = function.graph.nodes
