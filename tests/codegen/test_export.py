@@ -1,5 +1,6 @@
 """Exported models: plain C that compiles alone, nobody's files touched."""
 
+import ctypes
 import json
 import os
 import subprocess
@@ -14,8 +15,9 @@ from cardan.codegen import companions
 from cardan.codegen.export import export
 from cardan.codegen.layout import KERNELS
 from cardan.errors import CodegenError, DerivationError
+from codegen.lanes import aligned
 from codegen.models import arm
-from codegen.running import SPEED, STRICT, compilers
+from codegen.running import SPEED, STRICT, Inputs, compilers, pointer
 
 MAIN = """
 #include "functions.h"
@@ -191,6 +193,39 @@ print(json.dumps([
         np.testing.assert_allclose(theirs, ours, rtol=1e-11, atol=1e-12)
     assert "q must have shape (..., 9), not (2, 5)" in found[-1][0]
     assert "there is no 'no'" in found[-1][1]
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_exported_files_are_compiled_for_lanes(compiler: str, tmp_path: Path) -> None:
+    folder = cd.derive(arm()).export(tmp_path / "arm", ["forward_dynamics", "bias"])
+    assert "-DCARDAN_LANES=8" in (folder / "README.md").read_text("utf-8")
+    command = [*compilers()[compiler], *STRICT, "-O2", "-shared", "-fPIC", "-DCARDAN_LANES=8"]
+    both = ["-Dforward_dynamics=wide", "-Dprepare_forward_dynamics=prepare_wide"]
+    for name, words in (("one", command[:-1]), ("wide", [*command, *both])):
+        sources = ["forward_dynamics.c", *(["bias.c", "model.c"] if name == "one" else [])]
+        done = subprocess.run(
+            [*words, "-ffp-contract=off", "-I.", "-o", f"{name}.o.so", *sources, "-lm"],
+            cwd=folder, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+    single, wide = (ctypes.CDLL(str(folder / f"{name}.o.so")) for name in ("one", "wide"))
+    entry = json.loads((folder / "manifest.json").read_text())["functions"]["forward_dynamics"]
+    rng = np.random.default_rng(1)
+    given = {name: aligned((9, 8)) for name in entry["inputs"] if name != "p"}
+    for array in given.values():
+        array[:] = rng.uniform(-1, 1, array.shape)
+    w = np.zeros(entry["prepared_size"])
+    p = (ctypes.c_double * 100).in_dll(single, "cardan_default_p")
+    wide.prepare_wide(p, pointer(w))
+    out, work = aligned((8, 8)), aligned((entry["work_size"] + 1, 8))
+    blocks = Inputs(**{name: pointer(array) for name, array in given.items()}, w=pointer(w))
+    assert wide.wide(ctypes.byref(blocks), pointer(out), pointer(work)) == 0
+    for lane in range(8):
+        own = {name: array[:, lane].copy() for name, array in given.items()}
+        alone, scratch = np.zeros(8), np.zeros(entry["work_size"] + 1)
+        blocks = Inputs(**{name: pointer(array) for name, array in own.items()}, w=pointer(w))
+        single.forward_dynamics(ctypes.byref(blocks), pointer(alone), pointer(scratch))
+        assert out[:, lane].tobytes() == alone.tobytes()
 
 
 def test_unknown_words_are_refused(tmp_path: Path) -> None:

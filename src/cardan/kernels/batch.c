@@ -12,7 +12,14 @@ enum { BLOCKS = 15, L = CARDAN_LANES };
 /* room for so many vectors in whole squares */
 static inline size_t whole(size_t size) { return (size + L - 1) / L * L; }
 
-/* rows of numbers into columns of vectors and back: exchanges of ever larger parts */
+/* loops over a square must be unrolled, or it lives in memory */
+#ifdef __clang__
+#define UNROLL
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
+
+/* A square of numbers is turned in exchanges of ever larger parts: single numbers, pairs, fours. */
 #if defined __clang__ || __GNUC__ >= 12
 #define EXCHANGE(a, b, low, high)                                                                  \
     do {                                                                                           \
@@ -21,12 +28,12 @@ static inline size_t whole(size_t size) { return (size + L - 1) / L * L; }
         a = upper;                                                                                 \
     } while (0)
 #if CARDAN_LANES == 8
+#define LOW_4 0, 1, 2, 3, 8, 9, 10, 11
+#define HIGH_4 4, 5, 6, 7, 12, 13, 14, 15
 #define LOW_1 0, 8, 2, 10, 4, 12, 6, 14
 #define HIGH_1 1, 9, 3, 11, 5, 13, 7, 15
 #define LOW_2 0, 1, 8, 9, 4, 5, 12, 13
 #define HIGH_2 2, 3, 10, 11, 6, 7, 14, 15
-#define LOW_4 0, 1, 2, 3, 8, 9, 10, 11
-#define HIGH_4 4, 5, 6, 7, 12, 13, 14, 15
 #elif CARDAN_LANES == 4
 #define LOW_1 0, 4, 2, 6
 #define HIGH_1 1, 5, 3, 7
@@ -57,23 +64,33 @@ static inline void turn(real *v)
     EXCHANGE(v[3], v[7], LOW_4, HIGH_4);
 #endif
 }
-#else
-static inline void turn(real *v)
-{
-    for (int i = 0; i < L; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double held = v[i][j];
-            v[i][j] = v[j][i];
-            v[j][i] = held;
-        }
-}
-#endif
 
-/* loops over a square must be unrolled, or it lives in memory */
-#ifdef __clang__
-#define UNROLL
+/* L rows of L numbers into L vectors */
+static inline void columns(const double *rows, size_t stride, real *v)
+{
+    UNROLL for (size_t j = 0; j < L; ++j) memcpy(v + j, rows + j * stride, sizeof(real));
+    turn(v);
+}
+
+/* row j of a square that was turned */
+static inline void put_row(const real *v, size_t j, double *row)
+{
+    memcpy(row, v + j, sizeof(real));
+}
 #else
-#define UNROLL _Pragma("GCC unroll 8")
+/* compilers without shuffles: number by number */
+static inline void turn(real *v) { (void)v; }
+
+static inline void put_row(const real *v, size_t j, double *row)
+{
+    for (size_t i = 0; i < L; ++i) row[i] = v[i][j];
+}
+
+static inline void columns(const double *rows, size_t stride, real *v)
+{
+    for (size_t i = 0; i < L; ++i)
+        for (size_t j = 0; j < L; ++j) v[i][j] = rows[j * stride + i];
+}
 #endif
 
 /* `size` entries of L rows into vectors, of which a whole number of squares is written; `room`
@@ -86,13 +103,22 @@ static void gather(const double *rows, size_t stride, size_t size, size_t room, 
         for (; k < size; k += L) {
             const size_t at = size >= L && k + L > size ? size - L : k;
             real square[L];
-            UNROLL for (size_t j = 0; j < L; ++j)
-                memcpy(square + j, rows + j * stride + at, sizeof(real));
-            turn(square);
+            columns(rows + at, stride, square);
             UNROLL for (size_t i = 0; i < L; ++i) to[at + i] = square[i];
         }
     for (; k < size; ++k)
         for (size_t j = 0; j < L; ++j) to[k][j] = rows[j * stride + k];
+}
+
+/* up to L numbers, in halves that overlap: loops over so few become calls of memcpy */
+static inline void put_few(const double *from, size_t size, double *to)
+{
+    if (size >= L / 2) {
+        memcpy(to, from, L / 2 * sizeof(double));
+        memcpy(to + size - L / 2, from + size - L / 2, L / 2 * sizeof(double));
+    } else {
+        for (size_t i = 0; i < size; ++i) to[i] = from[i];
+    }
 }
 
 /* `size` vectors, of which a whole number of squares is read, into L rows, one behind the other */
@@ -104,11 +130,16 @@ static void scatter(const real *from, size_t size, double *rows)
         real square[L];
         UNROLL for (size_t i = 0; i < L; ++i) square[i] = from[at + i];
         turn(square);
-        UNROLL for (size_t j = 0; j < L; ++j)
-            if (j * size + at + L <= L * size)
-                memcpy(rows + j * size + at, square + j, sizeof(real));
-            else
-                for (size_t i = 0; i < size; ++i) rows[j * size + i] = square[j][i];
+        UNROLL for (size_t j = 0; j < L; ++j) {
+            double *const row = rows + j * size + at;
+            if (j * size + at + L <= L * size) {
+                put_row(square, j, row);
+            } else {
+                double last[L];
+                put_row(square, j, last);
+                put_few(last, size - at, row);
+            }
+        }
     }
 }
 

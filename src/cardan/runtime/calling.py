@@ -133,11 +133,26 @@ class Caller:
         blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
         if count * max(1, self.size) > LARGEST:
             raise MemoryError(f"{count} states of {self.size} numbers")
-        result = np.empty((count, self.size))
+        result = self._room(lead, count, blocks, out)
         if count:
             status, failed = self.batch.run(self.call, blocks, strides, result)
             self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
+
+    def _room(
+        self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: Any
+    ) -> Array:
+        """Where results go, (count, size): for a batch ``out`` itself if it takes them so."""
+        if (
+            lead
+            and isinstance(out, np.ndarray)
+            and out.dtype == np.float64
+            and out.shape == lead + self.shape
+            and out.flags.carray
+            and not any(b is not None and np.may_share_memory(b, out) for b in blocks)
+        ):
+            return out.reshape(count, self.size)
+        return np.empty((count, self.size))
 
     def call(
         self, blocks: list[Array | None], strides: Sequence[int], rows: Array
@@ -227,7 +242,8 @@ class Caller:
             raise ArgumentError(
                 f"{self.name}: out has shape {has}, expected float64 of shape {result.shape}"
             )
-        out[...] = result
+        if not np.may_share_memory(out, result):
+            out[...] = result
         return out
 
 

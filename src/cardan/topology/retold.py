@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from ..ir.arithmetic import Scalar
 from ..ir.graph import Graph
@@ -24,13 +25,23 @@ class Placed:
     rotation: Matrix
     origin: Matrix
 
+    @cached_property
+    def turned(self) -> bool:
+        """Whether it has other axes."""
+        return self.rotation.nodes != Matrix.identity(self.rotation.graph, 3).nodes
+
+    @cached_property
+    def same(self) -> bool:
+        """Whether it is the old frame."""
+        return self.origin.is_zero and not self.turned
+
     def rotated(self, x: Matrix) -> Matrix:
         """A vector or the columns of a rotation, from old to new axes."""
-        return self.rotation.T @ x
+        return self.rotation.T @ x if self.turned else x
 
     def point(self, p: Matrix) -> Matrix:
         """A point, from the old frame to the new one."""
-        return self.rotation.T @ (p - self.origin)
+        return self.rotated(p - self.origin)
 
 
 def retold(
@@ -51,6 +62,10 @@ def retold(
         if i in joints:
             told.append(joints[i])
             continue
+        parent = system.bodies[i].parent
+        if placed[i].same and (parent < 0 or placed[parent].same):
+            told.append(joint)
+            continue
         rotation, position = reached(system, graph, placed, i)
         told.append(replace(joint, rotation=rotation.nodes, position=position.nodes))
     return replace(
@@ -68,8 +83,11 @@ def reached(
     """Parent side of joint i in new frames: R (3, 3) and position (3, 1) in axes of the parent."""
     joint, parent, own = system.joints[i], system.bodies[i].parent, placed[i]
     rotation = Matrix(graph, 3, 3, joint.rotation)
-    position = Matrix(graph, 3, 1, joint.position) + rotation @ own.origin
-    rotation = rotation @ own.rotation
+    position = Matrix(graph, 3, 1, joint.position)
+    if not own.origin.is_zero:
+        position = position + rotation @ own.origin
+    if own.turned:
+        rotation = rotation @ own.rotation
     if parent < 0:
         return rotation, position
     return placed[parent].rotated(rotation), placed[parent].point(position)
@@ -77,6 +95,8 @@ def reached(
 
 def _body(graph: Graph, body: Body, at: Placed) -> Body:
     """Mass properties about the new origin in new axes; the parts stay with the old system."""
+    if at.same:
+        return replace(body, parts=())
     with graph.made_by(body.name, "mass"):
         inertia = Inertia(
             Scalar(graph, body.mass),
@@ -86,12 +106,12 @@ def _body(graph: Graph, body: Body, at: Placed) -> Body:
         # the new origin sees the old one at -origin
         inertia = moved(inertia, -at.origin)
         moment = at.rotated(inertia.moment)
-        tensor = turn_symmetric(at.rotation.T, inertia.tensor)
+        tensor = turn_symmetric(at.rotation.T, inertia.tensor) if at.turned else inertia.tensor
     return replace(body, first_moment=moment.nodes, inertia=tensor.nodes, parts=())
 
 
 def _frame(graph: Graph, frame: Frame, placed: Sequence[Placed]) -> Frame:
-    if frame.body < 0:
+    if frame.body < 0 or placed[frame.body].same:
         return frame
     at = placed[frame.body]
     rotation = at.rotated(Matrix(graph, 3, 3, frame.rotation))

@@ -103,7 +103,7 @@ class _Work:
         if line is None:
             return None
         z = Matrix(g, 3, 1, (ZERO, ZERO, ONE))
-        turned = placed[i].rotation.nodes != Matrix.identity(g, 3).nodes
+        turned = placed[i].turned
         axis = z if turned else line
         data = {**joint.data, joint.element.line: (3, 1, axis.nodes)}
         plain = replace(joint, rotation=whole.nodes, position=position.nodes, data=data)

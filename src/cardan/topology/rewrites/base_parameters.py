@@ -19,6 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from typing import TypeAlias
 
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
@@ -32,7 +33,9 @@ from ...spatial.moments import (
 )
 from ..system import Body, Joint, System
 
-Row = tuple[Fraction, ...]
+Row: TypeAlias = tuple[Fraction, ...]
+# motions that span those of a joint, in body axes
+Modes: TypeAlias = tuple[tuple[float, ...], ...]
 # the ten numbers of an inertia: m, m c, then the tensor or the second moment
 ENTRIES = ("m", "hx", "hy", "hz", "xx", "yy", "zz", "xy", "xz", "yz")
 DIAGONAL = slice(4, 7)
@@ -104,7 +107,9 @@ def base_parameters(system: System) -> System:
     if any(body.second_moment is not None for body in system.bodies):
         return system
     graph = system.graph.fork()
-    forms = [_regrouped(graph, system, second) for second in (False, True)]
+    scratch = graph.fork()
+    modes = [_modes(scratch, joint) for joint in system.joints]
+    forms = [_regrouped(graph, system, modes, second) for second in (False, True)]
     bodies = [
         _with(body, *both)
         for body, both in zip(system.bodies, zip(*forms, strict=True), strict=True)
@@ -112,13 +117,13 @@ def base_parameters(system: System) -> System:
     return replace(system, graph=graph, bodies=tuple(bodies))
 
 
-def _regrouped(graph: Graph, system: System, second: bool) -> list[Ten]:
+def _regrouped(graph: Graph, system: System, modes: Sequence[Modes], second: bool) -> list[Ten]:
     """The ten numbers of every body after all that can go inward went."""
     tens = [_of_body(graph, body, second) for body in system.bodies]
     for i in range(len(tens) - 1, -1, -1):
         body, joint = system.bodies[i], system.joints[i]
         with graph.made_by(body.name, "base"):
-            tens[i], gone = _split(tens[i], _directions(_modes(graph, joint), second))
+            tens[i], gone = _split(tens[i], _directions(modes[i], second))
             if body.parent >= 0:
                 rotation, at = Matrix(graph, 3, 3, joint.rotation), joint.position
                 inward = gone.inward(rotation, Matrix(graph, 3, 1, at))
@@ -149,21 +154,16 @@ def _with(body: Body, first: Ten, second: Ten) -> Body:
     )
 
 
-def _modes(graph: Graph, joint: Joint) -> tuple[tuple[float, ...], ...]:
+def _modes(graph: Graph, joint: Joint) -> Modes:
     """Numbers that span the motions of a joint in body axes: S, or unit motions that contain it."""
-    scratch = graph.fork()
     element = joint.element
-    q = Matrix(
-        scratch,
-        len(element.coordinates),
-        1,
-        [scratch.var("q", k) for k in range(len(element.coordinates))],
-    )
-    data = {name: Matrix(scratch, *entry) for name, entry in joint.data.items()}
+    slots = [graph.var("q", k) for k in range(len(element.coordinates))]
+    q = Matrix(graph, len(slots), 1, slots)
+    data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
     s = element.motion(q, **data)
     found: dict[tuple[float, ...], None] = {}
     for j in range(s.columns):
-        values = [scratch.value(node) for node in s.column(j).nodes]
+        values = [graph.value(node) for node in s.column(j).nodes]
         if None not in values:
             found[tuple(v for v in values if v is not None)] = None
         else:
@@ -187,7 +187,7 @@ def _split(ten: Ten, directions: tuple[Direction, ...]) -> tuple[Ten, Ten]:
 
 
 @lru_cache(maxsize=256)
-def _directions(modes: tuple[tuple[float, ...], ...], second: bool) -> tuple[Direction, ...]:
+def _directions(modes: Modes, second: bool) -> tuple[Direction, ...]:
     """The parts of an inertia that motions along ``modes`` do not feel, in reduced form."""
     basis = [_spatial(entry, second) for entry in range(len(ENTRIES))]
     conditions: list[Row] = []
