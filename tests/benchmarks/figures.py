@@ -141,7 +141,7 @@ def building(found: Found) -> Iterator[Figure]:
     yield Figure("cold compile, Panda", 0.3, value("panda", "compiled"), "s")
     yield Figure("cold compile, chain of 100", 3, value("chain100", "compiled"), "s")
     yield Figure("cold compile, chain of 1,000, loops", 0.4, value("1000", "compiled"), "s")
-    far, near = value("100000", "state"), value("1000", "state")
+    far, near = value("100000", "call"), value("1000", "call")
     growth = far / near if far and near else None
     yield Figure("100,000 bodies, per body and state, of the time at 1,000", 1.3, growth)
 

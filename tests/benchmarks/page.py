@@ -59,13 +59,13 @@ def buildings(found: Found) -> Section:
     """From the scene to the first number."""
     headings = (
         "mechanism", "method", "derive [ms]", "compile [s]", "check [s]", "load [ms]", "C lines",
-        "object [KiB]", "memory [MiB]", "compiler [MiB]", "per body [ns]",
+        "object [KiB]", "memory [MiB]", "compiler [MiB]", "per body [ns]", "in a batch",
     )  # fmt: skip
     lines = []
     for name, row in found.buildings.items():
-        loaded, body = row.get("loaded"), row.get("state")
+        loaded, bodies = row.get("loaded"), [row.get(key) for key in ("call", "state")]
         lines.append((
-            titles().get(name, f"chain of {name}"),
+            titles().get(name) or f"chain of {int(name):,}",
             row["method"],
             f"{1e3 * row['derived']:.1f}",
             f"{row['compiled']:.2f}",
@@ -75,7 +75,7 @@ def buildings(found: Found) -> Section:
             f"{row['bytes'] / 1024:.0f}",
             f"{row['memory']:.0f}",
             f"{row['compiler_memory']:.0f}",
-            "" if body is None else f"{body:.1f}",
+            *("" if body is None else f"{body:.1f}" for body in bodies),
         ))  # fmt: skip
     return "forward dynamics, from the scene to the first number", headings, lines
 
