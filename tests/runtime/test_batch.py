@@ -187,8 +187,8 @@ def test_ctrl_c_is_heard_by_threads(equations, cache_directory):
         model = CompiledModel(sys.argv[1], threads=2)
         q = np.zeros((3_000_000, 3))
         model.forward_dynamics(q[:100], q[:100])
-        print("ready", flush=True)
         try:
+            print("ready", flush=True)
             for _ in range(1000):
                 model.forward_dynamics(q, q)
         except KeyboardInterrupt:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -108,25 +109,30 @@ class Lanes:
         starts = [None if block is None else block.ctypes.data for block in read]
         steps = [8 * stride for stride in states.strides]
         out = states.out.ctypes.data
-        address, function = ctypes.c_void_p(self.address), ctypes.c_void_p(single)
+        # every thread has memory of its own
+        held = threading.local()
 
         def run(start: int, end: int) -> Answer:
-            memory = np.empty(numbers)
-            begin = memory.ctypes.data
-            here = (s if s is None else s + start * d for s, d in zip(starts, steps, strict=True))
+            try:
+                begin: int = held.begin
+            except AttributeError:
+                held.memory = np.empty(numbers)
+                begin = held.memory.ctypes.data
+                # vectors begin at multiples of their length
+                held.begin = begin = begin + -begin % (8 * self.width)
+            here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
             failed = ctypes.c_ssize_t(-1)
             status = self.driver(
-                address,
-                function,
+                self.address,
+                single,
                 Pointers(*here),
                 strides,
                 lengths,
-                ctypes.c_size_t(end - start),
-                ctypes.c_void_p(out + 8 * size * start),
-                ctypes.c_size_t(size),
-                # vectors begin at multiples of their length
-                ctypes.c_void_p(begin + -begin % (8 * self.width)),
-                ctypes.byref(failed),
+                end - start,
+                out + 8 * size * start,
+                size,
+                begin,
+                failed,
             )
             return status, failed.value + start if failed.value >= 0 else -1
 
@@ -184,4 +190,10 @@ class Recipe:
 @lru_cache(maxsize=16)
 def _driver(reproducible: bool, words: tuple[str, ...]) -> ctypes.CDLL:
     source = [DIRECTORY / "batch.c"]
-    return cache.build(source, [DIRECTORY], reproducible, words=words).load()
+    library = cache.build(source, [DIRECTORY], reproducible, words=words).load()
+    at, count = ctypes.c_void_p, ctypes.c_size_t
+    library.cardan_batch.argtypes = [
+        *(at, at, Pointers, Sizes, Sizes, count, at, count, at),
+        ctypes.POINTER(ctypes.c_ssize_t),
+    ]
+    return library
