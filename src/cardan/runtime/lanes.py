@@ -20,7 +20,7 @@ from .kernels import DIRECTORY
 from .slots import ORDER
 
 Array = NDArray[np.float64]
-Answer = tuple[int, int]
+Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
 # instruction sets by the macros of the compiler, and the doubles that their vectors hold
 SETS = (("__AVX512F__", 8), ("__AVX__", 4), ("__SSE2__", 2), ("__aarch64__", 2))
@@ -92,7 +92,10 @@ class Lanes:
     def call(
         self, single: int, states: States, sizes: Sequence[int], work_size: int
     ) -> Callable[[int, int], Answer]:
-        """The call from one state to another; gives status and state that failed, or -1.
+        """The call from one state to another.
+
+        It gives the status, the state that failed or -1, and whether all numbers are known to be
+        finite: those that are read and the results.
 
         Args:
             single: Address of the function built for one state.
@@ -121,7 +124,7 @@ class Lanes:
                 # vectors begin at multiples of their length
                 held.begin = begin = begin + -begin % (8 * self.width)
             here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
-            failed = ctypes.c_ssize_t(-1)
+            failed, finite = ctypes.c_ssize_t(-1), ctypes.c_int(0)
             status = self.driver(
                 self.address,
                 single,
@@ -133,8 +136,9 @@ class Lanes:
                 size,
                 begin,
                 failed,
+                finite,
             )
-            return status, failed.value + start if failed.value >= 0 else -1
+            return status, failed.value + start if failed.value >= 0 else -1, bool(finite.value)
 
         return run
 
@@ -194,6 +198,6 @@ def _driver(reproducible: bool, words: tuple[str, ...]) -> ctypes.CDLL:
     at, count = ctypes.c_void_p, ctypes.c_size_t
     library.cardan_batch.argtypes = [
         *(at, at, Pointers, Sizes, Sizes, count, at, count, at),
-        ctypes.POINTER(ctypes.c_ssize_t),
+        *(ctypes.POINTER(ctypes.c_ssize_t), ctypes.POINTER(ctypes.c_int)),
     ]
     return library
