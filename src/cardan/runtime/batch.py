@@ -15,6 +15,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,8 +32,6 @@ FIRST = 256  # states before the time of one is known
 PIECE = 0.03  # seconds between two looks at signals
 FEW = 32  # states from which on lanes are worth a thought
 THREADED = 4e-3  # seconds of work from which on threads pay
-# what the compiler takes: seconds for a file, and for an operation of it
-FILE, OPERATION = 0.1, 150e-6
 DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
 LARGEST = 8  # all widths divide it
 
@@ -78,7 +77,6 @@ class Batch:
         address: The function built for one state, 0 without a compiler.
         sizes: Entries of every block that it reads, by slot.
         work_size: Numbers of work memory it needs.
-        operations: How many it does.
         asked: Threads; None for the default.
     """
 
@@ -89,7 +87,6 @@ class Batch:
         address: int = 0,
         sizes: Sequence[int] = (),
         work_size: int = 0,
-        operations: int = 0,
         asked: int | None = None,
     ) -> None:
         self.name = name
@@ -98,11 +95,15 @@ class Batch:
         self.sizes = tuple(sizes) or (0,) * len(ORDER)
         self.work_size = work_size
         self.asked = asked
-        self.cost = FILE + OPERATION * operations
         self._lock = threading.RLock()
         # by whether every state has parameters of its own
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
+
+    @cached_property
+    def cost(self) -> float:
+        """What the compiler is expected to take for a lane build [s]."""
+        return np.inf if self.recipe is None else self.recipe.seconds()
 
     def run(
         self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array
