@@ -74,6 +74,19 @@ def test_no_compiler(capsys, monkeypatch):
     assert "pip install 'cardan[compiler]'" in rows["compiler"]["cure"]
 
 
+def test_batches(capsys, monkeypatch):
+    monkeypatch.setenv("CARDAN_THREADS", "3")
+    monkeypatch.setenv("CARDAN_LANES", "4")
+    _, rows = told(capsys)
+    assert rows["batches"]["says"] == (
+        "4 states side by side (CARDAN_LANES), 3 threads (CARDAN_THREADS)"
+    )
+    monkeypatch.setenv("CARDAN_LANES", "5")
+    status, rows = told(capsys)
+    assert (status, rows["batches"]["ok"]) == (1, False)
+    assert "CARDAN_LANES='5'" in rows["batches"]["says"]
+
+
 def test_compiler_that_fails(capsys, monkeypatch, tmp_path):
     broken = tmp_path / "cc"
     broken.write_text('#!/bin/sh\n[ "$1" = --version ] && echo broken 1.0 && exit\nexit 1\n')

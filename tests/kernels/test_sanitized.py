@@ -134,3 +134,63 @@ def test_clean_and_the_same_numbers(
         scale = np.abs(known).max()
         error = np.abs(results[function] - known.reshape(-1)).max()
         assert error <= bound * scale, function
+
+
+# rows and columns of every size and number, in arrays without a number to spare
+BATCH = """
+#include "batch.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+static size_t size;
+
+static int f(const cardan_in *in, real *out, real *work)
+{
+    (void)work;
+    for (size_t k = 0; k < size; ++k) out[k] = in->q[k] + in->u[k] * in->udot[k];
+    return 0;
+}
+
+int main(void)
+{
+    int wrong = 0;
+    for (size = 1; size < 20; ++size)
+        for (size_t n = 1; n < 3 * CARDAN_LANES; ++n) {
+            const size_t whole = (size + CARDAN_LANES - 1) / CARDAN_LANES * CARDAN_LANES;
+            double *x = malloc(2 * n * size * sizeof(double));
+            double *v = malloc(n * size * sizeof(double));
+            double *out = malloc(n * size * sizeof(double)), *memory = NULL;
+            if (posix_memalign((void **)&memory, 64, 4 * whole * sizeof(real))) return 1;
+            for (size_t i = 0; i < 2 * n * size; ++i) x[i] = (double)(i % 97);
+            for (size_t i = 0; i < n * size; ++i) v[i] = (double)(i % 89);
+            const double *blocks[15] = {NULL, x, x + size, [8] = v};
+            const size_t strides[15] = {0, 2 * size, 2 * size, [8] = size};
+            const size_t sizes[15] = {0, size, size, [8] = size};
+            ptrdiff_t failed;
+            int finite;
+            wrong += cardan_batch(f, NULL, blocks, strides, sizes, n, out, size, memory, &failed,
+                                  &finite) != 0 || !finite || failed != -1;
+            for (size_t i = 0; i < n; ++i)
+                for (size_t k = 0; k < size; ++k) {
+                    const double *row = x + 2 * i * size;
+                    wrong += out[i * size + k] != row[k] + row[size + k] * v[i * size + k];
+                }
+            free(x);
+            free(v);
+            free(out);
+            free(memory);
+        }
+    printf("%d", wrong);
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("lanes", [2, 4, 8])
+def test_batches_stay_inside_their_arrays(lanes: int, tmp_path: Path, sanitizers: None) -> None:
+    main = tmp_path / "main.c"
+    main.write_text("#define _POSIX_C_SOURCE 200112L\n" + BATCH)
+    batch = kernels.DIRECTORY / "batch.c"
+    done = built(tmp_path, [main, batch], f"-DCARDAN_LANES={lanes}", "-march=native")
+    assert done is not None
+    assert (done.returncode, done.stderr, done.stdout) == (0, "", "0")

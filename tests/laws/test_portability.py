@@ -13,7 +13,7 @@ from codegen.lanes import WIDTHS, call_lanes
 from codegen.running import SPEED, STRICT, call, compilers
 from laws.cases import EPS, derived, states, values
 
-MEMBERS = ("spatial_chain", "branched", "free_quaternion", "crane", "springs")
+MEMBERS = ("spatial_chain", "free_quaternion", "crane")
 CONTRACT = {"gcc": "-ffp-contract=fast", "clang": "-ffp-contract=on"}
 X86 = platform.machine() in ("x86_64", "AMD64")
 # what there is, without AVX-512, without AVX2 and FMA; the clang of ziglang spells them its own way

@@ -7,12 +7,13 @@ import signal
 import subprocess
 import sys
 import textwrap
+from itertools import product
 
 import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import BuildError, BuildWarning, SolveWarning
+from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.runtime import batch, lanes, toolchain
 
 WIDTHS = (1, 2, 4, 8)
@@ -33,7 +34,7 @@ def equations():
 def model(equations, request, monkeypatch):
     monkeypatch.setenv("CARDAN_LANES", str(request.param))
     found = cd.compile(equations, functions=FUNCTIONS)
-    found.prepare("forward_dynamics", "rhs", ("pose", "lower"), batch=True)
+    found.prepare("forward_dynamics", batch=True)
     assert found.lanes("forward_dynamics") == request.param
     return found
 
@@ -49,12 +50,12 @@ def rows(model, q, u, **more):
     )
 
 
-@pytest.mark.parametrize("count", [32, 33, 39, 40, 301])
-def test_every_remainder(model, count):
+def test_every_remainder(model):
     rng = np.random.default_rng(1)
-    q, u, tau = rng.uniform(-1, 1, (3, count, 3))
-    found = model.forward_dynamics(q, u, tau=tau)
-    assert found.tobytes() == rows(model, q, u, tau=tau).tobytes()
+    for count in (301, 40, 39, 33, 32):
+        q, u, tau = rng.uniform(-1, 1, (3, count, 3))
+        found = model.forward_dynamics(q, u, tau=tau)
+        assert found.tobytes() == rows(model, q, u, tau=tau).tobytes()
     # what all states share
     assert (
         model.forward_dynamics(q, u[0], tau=tau[1]).tobytes()
@@ -63,6 +64,7 @@ def test_every_remainder(model, count):
 
 
 def test_blocks_of_one_array_and_wide_results(model):
+    model.prepare("rhs", ("pose", "lower"), batch=True)
     rng = np.random.default_rng(2)
     x = rng.uniform(-1, 1, (4, 25, model.nx))
     q = x[..., :3]
@@ -93,6 +95,40 @@ def test_states_without_result_leave_the_others_alone(model):
         found = model.forward_dynamics(q, u)
     assert not np.isfinite(found[17]).all()
     assert (np.delete(found, 17, axis=0) == good).all()
+
+
+def test_numbers_that_are_not_finite_are_named(model):
+    rng = np.random.default_rng(5)
+    q, u, tau = rng.uniform(-1, 1, (3, 300, 3))
+    arrays = ((q, "q of shoulder"), (u, "u of shoulder"), (tau, "tau of shoulder"))
+    for place, (array, name) in product((0, 35, 299), arrays):
+        held = array[place, 0]
+        for bad in (np.nan, np.inf, -np.inf):
+            array[place, 0] = bad
+            with pytest.raises(SolveError, match=f"{name}.* is {bad} at state {place}"):
+                model.forward_dynamics(q, u, tau=tau)
+        array[place, 0] = held
+    with pytest.raises(SolveError, match="tau of elbow"):
+        model.forward_dynamics(q, u, tau=[0.0, 0.0, np.nan])
+    # a sum too large says nothing about its terms
+    q[:, 2] = 1.7e308
+    expected = rows(model, q[:2], u[:2], tau=tau[:2])
+    assert model.forward_dynamics(q, u, tau=tau)[:2].tobytes() == expected.tobytes()
+
+
+def test_results_go_where_they_are_wanted(model):
+    rng = np.random.default_rng(6)
+    q, u = rng.uniform(-1, 1, (2, 64, 3))
+    expected = model.forward_dynamics(q, u)
+    room = np.empty((64, 3))
+    assert model.forward_dynamics(q, u, out=room) is room
+    assert room.tobytes() == expected.tobytes()
+    # into an argument, and into every other row
+    copy = q.copy()
+    assert model.forward_dynamics(copy, u, out=copy).tobytes() == expected.tobytes()
+    wide = np.empty((128, 3))
+    model.forward_dynamics(q, u, out=wide[::2])
+    assert wide[::2].tobytes() == expected.tobytes()
 
 
 def test_lanes_are_built_when_they_pay(equations, monkeypatch):
@@ -187,8 +223,8 @@ def test_ctrl_c_is_heard_by_threads(equations, cache_directory):
         model = CompiledModel(sys.argv[1], threads=2)
         q = np.zeros((3_000_000, 3))
         model.forward_dynamics(q[:100], q[:100])
-        print("ready", flush=True)
         try:
+            print("ready", flush=True)
             for _ in range(1000):
                 model.forward_dynamics(q, q)
         except KeyboardInterrupt:

@@ -15,8 +15,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from .. import __version__
-from ..errors import BuildError
-from ..runtime import abi, bounded, cache, folder, prune, toolchain
+from ..errors import BuildError, CompilerMissing
+from ..runtime import abi, batch, bounded, cache, folder, lanes, prune, toolchain
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
 # what may be missing: package -> what it is for, and the extra that brings it
@@ -58,6 +58,7 @@ def findings() -> list[Finding]:
         *map(_needed, NEEDED),
         _extension(),
         _compiler(),
+        _batches(),
         _limits(),
         _cache(),
         _processor(),
@@ -113,6 +114,18 @@ def _compiler() -> Finding:
     flags = " ".join(chosen.flags())
     text = f"{shlex.join(chosen.command)}: {first}{others}; works, {spent:.2f} s; flags {flags}"
     return Finding("compiler", True, text)
+
+
+def _batches() -> Finding:
+    """What many states at once get."""
+    try:
+        text = f"{lanes.width()} states side by side (CARDAN_LANES), "
+        text += f"{batch.threads()} threads (CARDAN_THREADS)"
+    except CompilerMissing:
+        return Finding("batches", True, "in NumPy, without a compiler")
+    except BuildError as error:
+        return Finding("batches", False, str(error), "correct or unset it")
+    return Finding("batches", True, text)
 
 
 def _limits() -> Finding:

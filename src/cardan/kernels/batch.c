@@ -93,9 +93,21 @@ static inline void columns(const double *rows, size_t stride, real *v)
 }
 #endif
 
+/* the sum of a square: infinite or NaN if one of its numbers is */
+static inline real total(const real *v)
+{
+#if CARDAN_LANES == 8
+    return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+#elif CARDAN_LANES == 4
+    return (v[0] + v[1]) + (v[2] + v[3]);
+#else
+    return v[0] + v[1];
+#endif
+}
+
 /* `size` entries of L rows into vectors, of which a whole number of squares is written; `room`
- * numbers from the first row on may be read */
-static void gather(const double *rows, size_t stride, size_t size, size_t room, real *to)
+ * numbers from the first row on may be read; what is read is added to `sum` */
+static void gather(const double *rows, size_t stride, size_t size, size_t room, real *to, real *sum)
 {
     size_t k = 0;
     /* whole squares, the last of which may overlap the one before or reach into the next rows */
@@ -104,10 +116,13 @@ static void gather(const double *rows, size_t stride, size_t size, size_t room, 
             const size_t at = size >= L && k + L > size ? size - L : k;
             real square[L];
             columns(rows + at, stride, square);
+            *sum += total(square);
             UNROLL for (size_t i = 0; i < L; ++i) to[at + i] = square[i];
         }
-    for (; k < size; ++k)
+    for (; k < size; ++k) {
         for (size_t j = 0; j < L; ++j) to[k][j] = rows[j * stride + k];
+        *sum += to[k];
+    }
 }
 
 /* up to L numbers, in halves that overlap: loops over so few become calls of memcpy */
@@ -121,14 +136,16 @@ static inline void put_few(const double *from, size_t size, double *to)
     }
 }
 
-/* `size` vectors, of which a whole number of squares is read, into L rows, one behind the other */
-static void scatter(const real *from, size_t size, double *rows)
+/* `size` vectors, of which a whole number of squares is read, into L rows, one behind the other;
+ * they are added to `sum` */
+static void scatter(const real *from, size_t size, double *rows, real *sum)
 {
     for (size_t k = 0; k < size; k += L) {
         /* the last square overlaps the one before, or reaches into rows still to come */
         const size_t at = size >= L && k + L > size ? size - L : k;
         real square[L];
         UNROLL for (size_t i = 0; i < L; ++i) square[i] = from[at + i];
+        *sum += total(square);
         turn(square);
         UNROLL for (size_t j = 0; j < L; ++j) {
             double *const row = rows + j * size + at;
@@ -165,7 +182,7 @@ static int one_by_one(cardan_single *single, const double *const *blocks, const 
 
 int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_single *single,
                  const double *const *blocks, const size_t *strides, const size_t *sizes, size_t n,
-                 double *out, size_t out_size, double *memory, ptrdiff_t *failed)
+                 double *out, size_t out_size, double *memory, ptrdiff_t *failed, int *finite)
 {
     cardan_in in = {0};
     const real **field[BLOCKS] = {&in.t,   &in.q,   &in.u,      &in.z,    &in.s,
@@ -173,7 +190,7 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
                                   &in.lam, &in.tau, &in.wrench, &in.du,   &in.q0};
     enum { W = 7 };
     int moving[BLOCKS], movers = 0, status = CARDAN_OK;
-    real *column[BLOCKS], *next = (real *)memory;
+    real *column[BLOCKS], *next = (real *)memory, sum = {0.0};
 
     *failed = -1;
     /* what all states share is copied into all lanes once */
@@ -190,9 +207,13 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
         if (strides[k])
             moving[movers++] = k;
         else
-            for (size_t i = 0; i < sizes[k]; ++i) column[k][i] = CARDAN_REAL(blocks[k][i]);
+            for (size_t i = 0; i < sizes[k]; ++i) {
+                column[k][i] = CARDAN_REAL(blocks[k][i]);
+                sum += column[k][i];
+            }
     }
     real *const result = next, *const work = next + whole(out_size);
+    for (size_t i = out_size; i < whole(out_size); ++i) result[i] = CARDAN_REAL(0.0);
 
     for (size_t i = 0; i < n; i += L) {
         const size_t left = n - i;
@@ -200,11 +221,14 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
             const int k = moving[m];
             const double *const rows = blocks[k] + i * strides[k];
             if (left >= L)
-                gather(rows, strides[k], sizes[k], (left - 1) * strides[k] + sizes[k], column[k]);
+                gather(rows, strides[k], sizes[k], (left - 1) * strides[k] + sizes[k], column[k],
+                       &sum);
             else
-                for (size_t e = 0; e < sizes[k]; ++e)
+                for (size_t e = 0; e < sizes[k]; ++e) {
                     for (size_t j = 0; j < L; ++j)
                         column[k][e][j] = rows[(j < left ? j : left - 1) * strides[k] + e];
+                    sum += column[k][e];
+                }
         }
         const int answer = f(&in, result, work);
         if (answer != CARDAN_OK) {
@@ -216,12 +240,16 @@ int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_si
                 *failed = bad;
             }
         } else if (left >= L) {
-            scatter(result, out_size, out + i * out_size);
+            scatter(result, out_size, out + i * out_size, &sum);
         } else {
-            for (size_t e = 0; e < out_size; ++e)
+            for (size_t e = 0; e < out_size; ++e) {
                 for (size_t j = 0; j < left; ++j) out[(i + j) * out_size + e] = result[e][j];
+                sum += result[e];
+            }
         }
     }
+    *finite = status == CARDAN_OK;
+    for (int j = 0; j < L; ++j) *finite = *finite && sum[j] - sum[j] == 0.0;
     return status;
 }
 

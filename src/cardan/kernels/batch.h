@@ -16,6 +16,7 @@ typedef int cardan_single(const double *const *in, double *out, double *work);
  * out      n results of out_size numbers, one behind the other
  * memory   aligned for `real`: CARDAN_LANES numbers for every entry of a block and of the result,
  *          each rounded up to a multiple of CARDAN_LANES, and for the work memory of f
+ * finite   1 if all numbers read and all results are finite; 0 if not, or if their sum is too large
  * failed   index of the first state at which `single` returned a status other than 0, else -1
  *
  * States come row by row and are turned into vectors block by block of lanes; what is missing in
@@ -24,6 +25,6 @@ typedef int cardan_single(const double *const *in, double *out, double *work);
  */
 int cardan_batch(int (*f)(const cardan_in *in, real *out, real *work), cardan_single *single,
                  const double *const *blocks, const size_t *strides, const size_t *sizes, size_t n,
-                 double *out, size_t out_size, double *memory, ptrdiff_t *failed);
+                 double *out, size_t out_size, double *memory, ptrdiff_t *failed, int *finite);
 
 #endif

@@ -15,24 +15,23 @@ import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import BuildError, BuildWarning
 from .lanes import Answer, Lanes, Recipe, States, width
-from .slots import SLOT
+from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
-Single = Callable[[list[Array | None], Sequence[int], Array], Answer]
+Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
 
 FIRST = 256  # states before the time of one is known
 PIECE = 0.03  # seconds between two looks at signals
 FEW = 32  # states from which on lanes are worth a thought
 THREADED = 4e-3  # seconds of work from which on threads pay
-# what the compiler takes: seconds for a file, and for an operation of it
-FILE, OPERATION = 0.1, 150e-6
 DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
 LARGEST = 8  # all widths divide it
 
@@ -64,7 +63,7 @@ def one_by_one(one: Single, states: States) -> Run:
         pairs = zip(states.blocks, states.strides, strict=True)
         here = [None if block is None else block[start * step :] for block, step in pairs]
         status, failed = one(here, states.strides, states.out[start:end])
-        return status, failed + start if failed >= 0 else -1
+        return status, failed + start if failed >= 0 else -1, False
 
     return run
 
@@ -78,7 +77,6 @@ class Batch:
         address: The function built for one state, 0 without a compiler.
         sizes: Entries of every block that it reads, by slot.
         work_size: Numbers of work memory it needs.
-        operations: How many it does.
         asked: Threads; None for the default.
     """
 
@@ -89,20 +87,23 @@ class Batch:
         address: int = 0,
         sizes: Sequence[int] = (),
         work_size: int = 0,
-        operations: int = 0,
         asked: int | None = None,
     ) -> None:
         self.name = name
         self.recipe = recipe
         self.address = address
-        self.sizes = tuple(sizes)
+        self.sizes = tuple(sizes) or (0,) * len(ORDER)
         self.work_size = work_size
         self.asked = asked
-        self.cost = FILE + OPERATION * operations
         self._lock = threading.RLock()
         # by whether every state has parameters of its own
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
+
+    @cached_property
+    def cost(self) -> float:
+        """What the compiler is expected to take for a lane build [s]."""
+        return np.inf if self.recipe is None else self.recipe.seconds()
 
     def run(
         self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array
@@ -114,7 +115,8 @@ class Batch:
             blocks, strides, out: As :func:`.abi_ctypes.run` takes them.
 
         Returns:
-            (first status that is not 0, index of that state or -1).
+            (first status that is not 0, index of that state or -1, whether all numbers that are
+            read and all results are known to be finite).
         """
         states, own = States(blocks, strides, out), strides[SLOT["w"]] != 0
         count, single = len(out), one_by_one(one, states)
@@ -137,7 +139,13 @@ class Batch:
                 found.extend(self._threaded(way, at, count, piece))
                 break
             end = min(count, at + piece)
-        return next((answer for answer in found if answer[0]), (0, -1))
+        failed = next((answer for answer in found if answer[0]), None)
+        return failed or (0, -1, all(finite for _, _, finite in found))
+
+    def watches(self, strides: Sequence[int], count: int) -> tuple[bool, ...]:
+        """Whether a run will look for numbers that are not finite, by slot."""
+        lanes = count >= FEW and self.ready(strides[SLOT["w"]] != 0) is not None
+        return tuple(lanes and size > 0 for size in self.sizes)
 
     @property
     def lanes(self) -> int:
@@ -161,13 +169,17 @@ class Batch:
                 for task in running:
                     task.cancel()
 
-    def found(self, own: bool, states: States) -> Run | None:
-        """The call of the lane build, if it was made before, here or by another process."""
+    def ready(self, own: bool) -> Lanes | None:
+        """The lane build, if it was made before, here or by another process."""
         with self._lock:
             if self.recipe is not None and own not in self._built:
                 lanes = width()
                 self._built[own] = self.recipe.there(lanes, own) if lanes > 1 else None
-            built = self._built.get(own)
+            return self._built.get(own)
+
+    def found(self, own: bool, states: States) -> Run | None:
+        """The call of the lane build, if it was made before."""
+        built = self.ready(own)
         if built is None:
             return None
         return built.call(self.address, states, self.sizes, self.work_size)

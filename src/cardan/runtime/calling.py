@@ -122,21 +122,31 @@ class Caller:
         count = prod(lead)
         blocks: list[Array | None] = [None] * len(ORDER)
         strides = [0] * len(ORDER)
+        given: list[tuple[Argument, Array]] = []
         for argument, array in zip(self.arguments, arrays, strict=True):
             if array is None:
                 continue
             flat, stride = _rows(array, lead, argument.shape)
-            self._check_finite(argument, flat)
+            given.append((argument, flat))
             for slot, first in argument.blocks:
                 blocks[slot], strides[slot] = flat[first:], stride
         prepared = self.w if w is None else w
         blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
+        # lanes look at the numbers while they have them at hand
+        watched = self.batch.watches(strides, count)
+        later = [row for row in given if all(watched[slot] for slot, _ in row[0].blocks)]
+        for argument, flat in given:
+            if not all(watched[slot] for slot, _ in argument.blocks):
+                self._check_finite(argument, flat)
         if count * max(1, self.size) > LARGEST:
             raise MemoryError(f"{count} states of {self.size} numbers")
         result = self._room(lead, count, blocks, out)
         if count:
-            status, failed = self.batch.run(self.call, blocks, strides, result)
-            self.check_result(result, status, failed, single=not lead)
+            status, failed, finite = self.batch.run(self.call, blocks, strides, result)
+            if not finite:
+                for argument, flat in later:
+                    self._check_finite(argument, flat)
+                self.check_result(result, status, failed, single=not lead)
         return self._deliver(result.reshape(lead + self.shape), out)
 
     def _room(

@@ -94,10 +94,9 @@ def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
         for (slot, first), end in zip(argument.blocks, ends, strict=True):
             sizes[slot] = end - first if ORDER[slot] in entry["inputs"] else 0
     sizes[SLOT["w"]] = int(entry["prepared_size"])
-    operations = sum(entry["operations"].values())
     work = int(entry["work_size"])
     recipe = code.recipe if max(entry["lanes"]) > 1 else None
-    return Batch(code.symbol, recipe, code.address, sizes, work, operations, threads)
+    return Batch(code.symbol, recipe, code.address, sizes, work, threads)
 
 
 def assemble(
