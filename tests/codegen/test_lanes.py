@@ -85,6 +85,15 @@ def test_pivots_differ_from_lane_to_lane(kind: str, compiler: str) -> None:
     agree(generate(solving(kind, of="p")), of_p, compiler, FLAGS[compiler], own=True)
 
 
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_many_columns_at_once(compiler: str) -> None:
+    rng = np.random.default_rng(5)
+    factors = [np.tril(rng.uniform(-0.5, 0.5, (6, 6))) + np.eye(6) for _ in range(8)]
+    systems = [(x.T @ x, rng.uniform(-1, 1, (6, 11))) for x in factors]
+    states = [{"q": [*a.ravel(), *b.ravel()]} for a, b in systems]
+    agree(generate(solving("spd", 6, 11), chosen=()), states, compiler, FLAGS[compiler])
+
+
 @pytest.mark.parametrize("kind", PIVOTING)
 def test_a_lane_without_solution_leaves_the_others_alone(kind: str) -> None:
     systems = [system(kind, seed, 3, 1) for seed in range(4)]

@@ -39,6 +39,35 @@ def test_solution_has_a_small_residual(kind: str, of: str, compiler: str) -> Non
         assert answer.out[8] == pytest.approx(x.sum(), rel=1e-13)
 
 
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+@pytest.mark.parametrize("m", [8, 15, 30])
+def test_many_columns_of_a_tree(m: int, compiler: str) -> None:
+    """The kernel that takes eight columns at once, with the zeros that branches leave in A."""
+    n = 12
+    cfile = generate(solving("spd", n, m), chosen=())
+    assert "CARDAN_SOLVE(spd, 12" in cfile.text
+    rng = np.random.default_rng(m)
+    factor = np.tril(rng.uniform(-1, 1, (n, n)))
+    factor[8:, 4:8] = 0
+    np.fill_diagonal(factor, rng.uniform(1, 2, n))
+    a, x = factor.T @ factor, rng.uniform(-1, 1, (n, m))
+    # only the lower triangle is read
+    given = np.where(np.triu(np.ones((n, n)), 1) == 1, 77.0, a)
+    answer = call(cfile, {"q": [*given.ravel(), *(a @ x).ravel()]}, compiler)
+    assert answer.status == 0
+    bound = 50 * np.finfo(float).eps * np.linalg.cond(a)
+    assert np.abs(answer.out[: n * m].reshape(n, m) - x).max() <= bound
+
+
+@pytest.mark.parametrize("pivot", [0.0, -1.0, np.nan])
+def test_what_is_not_positive_definite_has_no_solution(pivot: float) -> None:
+    cfile = generate(solving("spd", 3, 2), chosen=())
+    a = np.array([[1.0, 0, 0], [0, pivot, 0], [0, 0, 1]])
+    answer = call(cfile, {"q": [*a.ravel(), *np.ones(6)]})
+    assert answer.status == 1
+    assert np.isnan(answer.out).all()
+
+
 def test_redundant_equations_are_solved() -> None:
     cfile = generate(solving("rank_revealing", 4, 1))
     rng = np.random.default_rng(7)

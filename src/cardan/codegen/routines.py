@@ -97,7 +97,7 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     plan = make_plan(graph, stage.order, wanted, given, values.names, values.owners)
     builder = _Builder(stage, plan, values)
     pieces = parts.split(arrange(plan), longest)
-    builder.crossing, length = parts.crossing(pieces, plan.reads, builder.length)
+    builder.crossing, length = parts.crossing(pieces, builder.reads, builder.length)
     bodies = [builder.part(piece) for piece in pieces]
     bodies[-1].extend(builder.plain())
 
@@ -147,6 +147,12 @@ class _Builder:
             if node[0] == "solve":
                 self.systems[i] = self.length
                 self.length += room(node[2], node[3])
+        # solutions stand in the array already: every part reads them there
+        solved = self.systems.keys()
+        self.reads = {
+            i: read if solved.isdisjoint(read) else tuple(k for k in read if k not in solved)
+            for i, read in plan.reads.items()
+        }
 
     def part(self, sections: Sections) -> list[Statement]:
         """The statements of some sections; each section after what it loads from outside.
@@ -154,7 +160,7 @@ class _Builder:
         Values of other parts are loaded where they are read first and stored where they are made,
         so that few are alive at a time.
         """
-        reads, crossing = self.plan.reads, self.crossing
+        reads, crossing = self.reads, self.crossing
         here: set[int] = set()
         found: list[Statement] = []
         for title, statements in sections:

@@ -22,6 +22,7 @@ from ..ir.request import Request
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
 from .directions import Direction, directions, is_single
+from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .newton_euler_derivatives import Derivatives
 
@@ -59,6 +60,9 @@ def derivative(c: Context) -> tuple[Output, ...]:
     if bool(recipe.of) != (request.of is not None):
         wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
         raise DerivationError(f"derivative: '{request.function}' {wanted}: '{request}'")
+    if c.d.method == "articulated":
+        # M is needed in any case, and with it udot is one column more
+        c = replace(c, d=Dynamics(c.k, "composite"))
     parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
     flat = [d for part in parts.values() for d in part]
     outputs = recipe.build(replace(c, of=request.of))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .graph import ZERO, Graph
-from .matrix import Matrix
+from .matrix import Matrix, inner
 
 KINDS = ("spd", "symmetric_indefinite", "rank_revealing")
 
@@ -75,6 +75,25 @@ def substitute(lower: list[list[int]], inverse: list[int], graph: Graph, b: list
     return x
 
 
+def inverted(lower: list[list[int]], graph: Graph) -> list[list[int]]:
+    """S with L⁻¹ = 1 - S, strictly lower; what is 0 between branches stays 0."""
+    n = len(lower)
+    strict = [[ZERO] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i):
+            column = [strict[k][j] for k in range(i)]
+            strict[i][j] = graph.sub(lower[i][j], inner(graph, lower[i][:i], column))
+    return strict
+
+
+def multiply(strict: list[list[int]], d: list[int], graph: Graph, b: list[int]) -> list[int]:
+    """x = L⁻¹ D⁻¹ L⁻ᵀ b, with S of :func:`inverted` and the reciprocals of D."""
+    n = len(b)
+    z = [graph.sub(b[j], inner(graph, [strict[k][j] for k in range(n)], b)) for j in range(n)]
+    z = [graph.mul(d[j], z[j]) for j in range(n)]
+    return [graph.sub(z[i], inner(graph, strict[i], z)) for i in range(n)]
+
+
 Factor = tuple[list[list[int]], list[int]]
 
 
@@ -101,5 +120,11 @@ def unrolled(
             graph.label(inverse[k], owner, f"D_inverse_{k + 1}")
             for j in range(k):
                 graph.label(lower[k][j], owner, f"L_{k + 1}_{j + 1}")
-    columns = [substitute(*factors[a], graph, list(b[j::m])) for j in range(m)]
+    lower, inverse = factors[a]
+    if m > n and any(lower[k][j] == ZERO for k in range(n) for j in range(k)):
+        # what is 0 in a column stays 0 in branches that it does not reach
+        strict = inverted(lower, graph)
+        columns = [multiply(strict, inverse, graph, list(b[j::m])) for j in range(m)]
+    else:
+        columns = [substitute(lower, inverse, graph, list(b[j::m])) for j in range(m)]
     return [columns[j][i] for i in range(n) for j in range(m)]

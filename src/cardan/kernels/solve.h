@@ -241,6 +241,68 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
     return CARDAN_OK;
 }
 
+/*
+ * Lᵀ D L X = B for several columns of B at once, of type `columns` at `at`: L (unit lower) and the
+ * reciprocals of D stand in A. Zeros of L are passed over.
+ */
+#define CARDAN_SUBSTITUTE(name, columns)                                                           \
+    CARDAN_INLINE void name(int n, int m, const double *a, double *at)                             \
+    {                                                                                              \
+        for (int k = n - 1; k > 0; --k) {                                                          \
+            const columns x = *(columns *)(at + k * m);                                            \
+            for (int j = 0; j < k; ++j)                                                            \
+                if (a[k * n + j] != 0.0) *(columns *)(at + j * m) -= a[k * n + j] * x;             \
+        }                                                                                          \
+        for (int k = 0; k < n; ++k) {                                                              \
+            columns x = *(columns *)(at + k * m) * a[k * n + k];                                   \
+            for (int j = 0; j < k; ++j)                                                            \
+                if (a[k * n + j] != 0.0) x -= a[k * n + j] * *(columns *)(at + j * m);             \
+            *(columns *)(at + k * m) = x;                                                          \
+        }                                                                                          \
+    }
+CARDAN_SUBSTITUTE(cardan_substitute_1, double)
+#if defined(__GNUC__)
+typedef double cardan_columns_2 __attribute__((vector_size(16), aligned(8), may_alias));
+typedef double cardan_columns_4 __attribute__((vector_size(32), aligned(8), may_alias));
+typedef double cardan_columns_8 __attribute__((vector_size(64), aligned(8), may_alias));
+CARDAN_SUBSTITUTE(cardan_substitute_2, cardan_columns_2)
+CARDAN_SUBSTITUTE(cardan_substitute_4, cardan_columns_4)
+CARDAN_SUBSTITUTE(cardan_substitute_8, cardan_columns_8)
+#endif
+
+/*
+ * A X = B for symmetric positive definite A = Lᵀ D L, eliminated from the last row up without
+ * exchanges: zeros that the branches of a tree leave in A stay zeros. Only the lower triangle of A
+ * is read. Meant for many columns.
+ *
+ * Returns CARDAN_SINGULAR where a pivot is not positive.
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 6.5.
+ */
+CARDAN_INLINE int cardan_solve_spd(int n, int m, double *a, double *b, double *scratch)
+{
+    int c = 0;
+    (void)scratch;
+
+    for (int k = n - 1; k >= 0; --k) {
+        double *const row = a + k * n;
+        if (!(row[k] > 0.0)) return cardan_no_solution(n * m, b);
+        row[k] = 1.0 / row[k];
+        for (int i = k - 1; i >= 0; --i) {
+            const double factor = row[i] * row[k];
+            if (factor == 0.0) continue;
+            for (int j = 0; j <= i; ++j) a[i * n + j] -= factor * row[j];
+            row[i] = factor;
+        }
+    }
+#if defined(__GNUC__)
+    for (; c + 8 <= m; c += 8) cardan_substitute_8(n, m, a, b + c);
+    for (; c + 4 <= m; c += 4) cardan_substitute_4(n, m, a, b + c);
+    for (; c + 2 <= m; c += 2) cardan_substitute_2(n, m, a, b + c);
+#endif
+    for (; c < m; ++c) cardan_substitute_1(n, m, a, b + c);
+    return CARDAN_OK;
+}
+
 #if CARDAN_LANES > 1
 /* The systems of lanes one after the other, since pivots differ. */
 CARDAN_INLINE int cardan_solve_lanes(cardan_solver *solve, int n, int m, real *a, real *b,

@@ -232,13 +232,11 @@ class _Writer:
         for k, node in enumerate(s.entries):
             head = f"{indent}{s.array}[{s.start + k}] = "
             _line(head, self._number(node, s.array == "w"), "", indent, lines)
-        # the static elimination of spd needs no kernel of its own: any pivoting does
-        kernel = "symmetric_indefinite" if s.kind == "spd" else s.kind
         places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
         status = "status |= " if s.array == "work" else "(void)"
         self.touched.add(s.array)
         self.checked = True
-        lines.append(f"{indent}{status}CARDAN_SOLVE({kernel}, {s.n}, {s.m}, {places});")
+        lines.append(f"{indent}{status}CARDAN_SOLVE({s.kind}, {s.n}, {s.m}, {places});")
 
     def _loop(self, s: Loop, indent: str, lines: list[str]) -> None:
         inner = _Writer(s.scope, self.program)
