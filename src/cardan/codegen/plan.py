@@ -117,9 +117,10 @@ class _Planner:
 
     def plan(self, order: list[int], outside: frozenset[int], names: Mapping[int, str]) -> None:
         nodes, uses, width, sees = self.graph.nodes, self.uses, self.width, self.sees
-        # what is labeled or wanted is a statement in any case
+        # what is labeled or wanted is a statement in any case, and entries of linear systems
+        systems = [k for i in order if nodes[i][0] == "solve" for k in nodes[i][4:]]
         kept = bytearray(len(nodes))
-        for i in (*self.graph.labels, *self.roots):
+        for i in (*self.graph.labels, *self.roots, *systems):
             kept[i] = 1
         for i in order:
             node = nodes[i]

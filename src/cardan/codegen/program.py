@@ -90,14 +90,15 @@ class Solve(NamedTuple):
     Attributes:
         kind: As in :func:`cardan.ir.solve.solve`.
         n, m: Rows of A, columns of B.
-        entries: Nodes of A and of B, row by row.
+        entries: Nodes of A and of B, row by row; None where they stand in the array already, or
+            are not read.
         array, start: Where A begins; B and the scratch of the kernel follow it.
     """
 
     kind: str
     n: int
     m: int
-    entries: tuple[int, ...]
+    entries: tuple[int | None, ...]
     array: str
     start: int
 

@@ -142,17 +142,33 @@ class _Builder:
         self.turned: dict[int, Place] = {}
         self.tables: tuple[Table, ...] = ()
         self.length = stage.start
+        # entries that are computed go to their places at once, solutions are read in theirs
+        self.entries: dict[int, list[Place]] = {}
+        self.left: dict[int, tuple[int | None, ...]] = {}
+        self.reads = dict(plan.reads)
         for i in plan.reads:
             node = self.graph.nodes[i]
             if node[0] == "solve":
-                self.systems[i] = self.length
-                self.length += room(node[2], node[3])
-        # solutions stand in the array already: every part reads them there
-        solved = self.systems.keys()
-        self.reads = {
-            i: read if solved.isdisjoint(read) else tuple(k for k in read if k not in solved)
-            for i, read in plan.reads.items()
-        }
+                self._reserve(i, node[2], node[3])
+            elif node[0] == "item":
+                self.reads[i] = ()
+
+    def _reserve(self, i: int, n: int, m: int) -> None:
+        """Room for a linear system and what its kernel needs."""
+        _, kind, _, _, *entries = self.graph.nodes[i]
+        start = self.systems[i] = self.length
+        self.length += room(n, m)
+        left: list[int | None] = []
+        for at, k in enumerate(entries):
+            # of spd the lower triangle of A alone is read
+            wanted = kind != "spd" or at >= n * n or at % n <= at // n
+            if wanted and k in self.plan.reads:
+                self.entries.setdefault(k, []).append(Place(self.stage.array, start + at))
+                wanted = False
+            left.append(k if wanted else None)
+        self.left[i] = tuple(left)
+        missing = set(left)
+        self.reads[i] = tuple(k for k in self.plan.reads[i] if k in missing)
 
     def part(self, sections: Sections) -> list[Statement]:
         """The statements of some sections; each section after what it loads from outside.
@@ -180,6 +196,7 @@ class _Builder:
                 for i in group:
                     here.add(i)
                     self._state(i, lines, results)
+                    lines.extend([Assign(place, i) for place in self.entries.get(i, ())])
                     if i in crossing:
                         lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
@@ -248,7 +265,7 @@ class _Builder:
             return
         if node[0] == "solve":
             kind, n, m = node[1:4]
-            lines.append(Solve(kind, n, m, node[4:], self.stage.array, self.systems[i]))
+            lines.append(Solve(kind, n, m, self.left[i], self.stage.array, self.systems[i]))
             return
         name = self.names[i] = self.values.named(i, self.plan.owners[i])
         if node[0] == "item":

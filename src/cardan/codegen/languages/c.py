@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import groupby
 from typing import Any
 
+from ...ir.graph import ZERO
 from ..naming import comment
 from ..program import (
     Angles,
@@ -29,6 +31,8 @@ from .expressions import definitions
 SUFFIX = ".c"
 COLUMNS = 100
 STEP = "    "
+# so many zeros of a linear system are written one by one
+FEW = 4
 
 # what stands below is about states: several of them side by side, if the compiler is told so
 LANES = '#include "lanes.h"'
@@ -227,11 +231,19 @@ class _Writer:
         lines.append(f"{indent}}}")
 
     def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
-        """A and B into the array, then the kernel."""
+        """What is missing of A and B into the array, then the kernel."""
         right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
-        for k, node in enumerate(s.entries):
-            head = f"{indent}{s.array}[{s.start + k}] = "
-            _line(head, self._number(node, s.array == "w"), "", indent, lines)
+        at = s.start
+        for node, run in groupby(s.entries):
+            start, at = at, at + len(list(run))
+            if node is None:
+                continue
+            if node == ZERO and at - start > FEW:
+                lines.append(f"{indent}for (int i = {start}; i < {at}; ++i) {s.array}[i] = 0.0;")
+                continue
+            for k in range(start, at):
+                value = self._number(node, s.array == "w")
+                _line(f"{indent}{s.array}[{k}] = ", value, "", indent, lines)
         places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
         status = "status |= " if s.array == "work" else "(void)"
         self.touched.add(s.array)
