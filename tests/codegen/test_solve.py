@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from cardan.codegen import generate
+from cardan.ir.function import Function, Output
 from codegen.functions import solving
 from codegen.running import call, compilers
 
@@ -57,6 +58,28 @@ def test_many_columns_of_a_tree(m: int, compiler: str) -> None:
     assert answer.status == 0
     bound = 50 * np.finfo(float).eps * np.linalg.cond(a)
     assert np.abs(answer.out[: n * m].reshape(n, m) - x).max() <= bound
+
+
+@pytest.mark.parametrize("kind", [*PIVOTING, "spd"])
+def test_solutions_are_read_in_other_parts(kind: str) -> None:
+    """A long function is split behind its systems; entries that are computed are stored at once."""
+    plain = solving(kind)
+    g = plain.graph
+    _, _, n, m, *entries = next(node for node in g.nodes if node[0] == "solve")
+    twice = [g.mul(g.const(2.0), k) for k in entries]
+    node = g.intern(("solve", kind, n, m, *twice))
+    items = [g.intern(("item", node, k)) for k in range(n * m)]
+    squares = [g.mul(a, g.add(a, b)) for a in items for b in items]
+    outputs = (Output("x", (n, m), tuple(items)), Output("y", (len(squares),), tuple(squares)))
+    function = Function("solving", g, plain.inputs, outputs)
+    cfile = generate(function, chosen=(), longest=20)
+    assert "solving_part3" in cfile.text
+    a, b = system(kind, 3)
+    a = a @ a.T + np.eye(4) if kind == "spd" else a
+    x = call(cfile, {"q": [*a.ravel(), *b.ravel()]}).out
+    assert np.allclose(x[:8].reshape(4, 2), np.linalg.solve(a, b), rtol=1e-11)
+    expected = np.outer(x[:8], np.ones(8)) * (x[:8, None] + x[None, :8])
+    assert np.allclose(x[8:], expected.ravel(), rtol=1e-13)
 
 
 @pytest.mark.parametrize("pivot", [0.0, -1.0, np.nan])

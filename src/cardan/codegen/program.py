@@ -90,8 +90,7 @@ class Solve(NamedTuple):
     Attributes:
         kind: As in :func:`cardan.ir.solve.solve`.
         n, m: Rows of A, columns of B.
-        entries: Nodes of A and of B, row by row; None where they stand in the array already, or
-            are not read.
+        entries: Nodes of A and of B, row by row; None where they stand in the array already.
         array, start: Where A begins; B and the scratch of the kernel follow it.
     """
 

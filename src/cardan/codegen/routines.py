@@ -155,17 +155,13 @@ class _Builder:
 
     def _reserve(self, i: int, n: int, m: int) -> None:
         """Room for a linear system and what its kernel needs."""
-        _, kind, _, _, *entries = self.graph.nodes[i]
         start = self.systems[i] = self.length
         self.length += room(n, m)
         left: list[int | None] = []
-        for at, k in enumerate(entries):
-            # of spd the lower triangle of A alone is read
-            wanted = kind != "spd" or at >= n * n or at % n <= at // n
-            if wanted and k in self.plan.reads:
-                self.entries.setdefault(k, []).append(Place(self.stage.array, start + at))
-                wanted = False
-            left.append(k if wanted else None)
+        for at, k in enumerate(self.graph.nodes[i][4:], start):
+            left.append(None if k in self.plan.reads else k)
+            if k in self.plan.reads:
+                self.entries.setdefault(k, []).append(Place(self.stage.array, at))
         self.left[i] = tuple(left)
         missing = set(left)
         self.reads[i] = tuple(k for k in self.plan.reads[i] if k in missing)
