@@ -12,7 +12,7 @@ from collections.abc import Mapping
 
 from ..ir.function import Function
 from ..ir.graph import ZERO, Graph
-from ..ir.rewrite import rebuild_function
+from ..ir.rewrite import rebuild_function, with_roots
 from ..ir.solve import Factor, unrolled
 
 # rows² x columns that would take minutes to compile, where there are several columns
@@ -26,23 +26,49 @@ def straight(kind: str, n: int, m: int) -> bool:
 
 def unroll(function: Function) -> Function:
     """The function without ``spd`` solve nodes that are small; other kinds stay."""
+    nodes, live = function.graph.nodes, function.live()
+    found = [i for i in live if nodes[i][0] == "solve" and straight(*nodes[i][1:4])]
+    if not found:
+        return function
+    # solutions that nothing but results read are written behind what is there
+    if all(nodes[i][0] == "item" for i in live if i > found[0]):
+        return _appended(function, found[0])
+    return _rebuilt(function, set(found))
+
+
+def _appended(function: Function, i: int) -> Function:
+    """The function with its only solve node written out at the end of a copy of its graph."""
+    graph, node = function.graph.fork(), function.graph.nodes[i]
+    with graph.made_by(*graph.origins[i]):
+        solution = unrolled(graph, node[2], node[3], node[4:], {})
+    roots = []
+    for root in function.roots:
+        entry = graph.nodes[root]
+        if entry[:2] == ("item", i):
+            root, item = solution[entry[2]], root
+            if item in graph.labels:
+                graph.label(root, *graph.labels[item])
+        roots.append(root)
+    return with_roots(function, graph, roots)
+
+
+def _rebuilt(function: Function, found: set[int]) -> Function:
+    """The function in a new graph, with the solve nodes written out where they stand."""
     nodes = function.graph.nodes
     solutions: dict[int, list[int]] = {}
     factors: dict[tuple[int, ...], Factor] = {}
 
     def rule(target: Graph, i: int, copies: Mapping[int, int]) -> int | None:
         node = nodes[i]
-        if node[0] == "solve" and straight(*node[1:4]):
+        if i in found:
             entries = [copies[k] for k in node[4:]]
             solutions[i] = unrolled(target, node[2], node[3], entries, factors)
             return ZERO
         if node[0] == "item" and node[1] in solutions:
-            found = solutions[node[1]][node[2]]
+            solved = solutions[node[1]][node[2]]
             if i in function.graph.labels:
-                target.label(found, *function.graph.labels[i])
-            return found
+                target.label(solved, *function.graph.labels[i])
+            return solved
         return None
 
-    if not any(nodes[i][0] == "solve" for i in function.live()):
-        return function
     return rebuild_function(function, rule)
