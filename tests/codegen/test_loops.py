@@ -47,7 +47,7 @@ def test_a_reader_finds_the_way() -> None:
     for line in (
         " * visits: 20 outward, 20 inward, 20 outward",
         "/* outward, 20 visits */",
-        "for (int i = 0; i < 5; ++i) {",
+        "for (int i = 0; i < ",
         "body_omega_x",
         "parent_omega_x",
         " and 7 more */",

@@ -24,19 +24,13 @@ from ..ir.derivative import directional, forward
 from ..ir.graph import Graph
 from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, turn_general
+from .accelerations import Accelerations, accelerations
 from .directions import Direction
 from .inertia import of_body, second_moment_of_body
 from .kinematics import Kinematics
 from .loads import Loads, spread
 from .relative.composite import composites, inward
-from .relative.newton_euler import (
-    Accelerations,
-    JointForces,
-    accelerations,
-    along_joint,
-    driving_force,
-    joint_forces,
-)
+from .relative.newton_euler import JointForces, along_joint, driving_force, joint_forces
 
 
 @dataclass(frozen=True)

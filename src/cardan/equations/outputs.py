@@ -11,18 +11,12 @@ from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, second_moment
 from ..topology.system import Part
+from .accelerations import Accelerations, accelerations, second_moment_force
 from .dynamics import Dynamics
 from .inertia import of_body
 from .kinematics import Kinematics
 from .loads import applied
-from .relative.newton_euler import (
-    Accelerations,
-    accelerations,
-    along_joint,
-    driving_force,
-    joint_forces,
-    second_moment_force,
-)
+from .relative.newton_euler import along_joint, driving_force, joint_forces
 
 
 def pose(k: Kinematics, frame: int) -> Matrix:

@@ -1,8 +1,10 @@
 """Articulated bodies: forward dynamics in one inward and one outward sweep.
 
-A body with everything outboard of it answers an acceleration of its origin with the moment and
+Accelerations at udot = 0 come first, gravity among them, as in the recursion of Newton and Euler. A
+body with everything outboard of it answers a further acceleration of its origin with the moment and
 force [[I, H], [Hᵀ, M]] [alpha; a] + bias; the free speeds of each joint are eliminated on the way
-in. Accelerations are those of the origins, so that no linear velocity is needed.
+in. Accelerations are those of the origins, so that no linear velocity is needed, and velocity
+products do not pass through the articulated inertias: a tenth of the operations less.
 
 Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7.
 """
@@ -16,6 +18,7 @@ from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
 from ...spatial.moments import turn_general, turn_symmetric
+from ..accelerations import Accelerations, accelerations, own_force
 from ..carried import CELLS, Sums
 from ..inertia import of_body
 from ..kinematics import Kinematics
@@ -43,11 +46,10 @@ class Articulated:
 
 @dataclass(frozen=True)
 class Elimination:
-    """udot of a joint = free - gain · (acceleration the parent imposes)."""
+    """udot of a joint = free - gain · (further acceleration the parent imposes)."""
 
     free: Matrix
     gain: Matrix
-    imposed: Matrix
 
 
 def forward_dynamics(k: Kinematics, tau: Matrix, loads: Loads, gravity: Matrix) -> Matrix:
@@ -57,8 +59,9 @@ def forward_dynamics(k: Kinematics, tau: Matrix, loads: Loads, gravity: Matrix) 
         DerivationError: a joint is coupled to another, or carries no inertia along its motion.
     """
     _refuse_coupled(k)
-    eliminations = _inward(k, tau, loads)
-    return _outward(k, eliminations, gravity)
+    still = [Matrix.zeros(k.graph, len(j.element.speeds)) for j in k.system.joints]
+    eliminations = _inward(k, tau, loads, accelerations(k, still, gravity, word="still_"))
+    return _outward(k, eliminations)
 
 
 def _refuse_coupled(k: Kinematics) -> None:
@@ -70,10 +73,10 @@ def _refuse_coupled(k: Kinematics) -> None:
         )
 
 
-def _inward(k: Kinematics, tau: Matrix, loads: Loads) -> list[Elimination]:
+def _inward(k: Kinematics, tau: Matrix, loads: Loads, known: Accelerations) -> list[Elimination]:
     """Articulated inertias from the leaves to the ground, eliminating each joint's speeds."""
     n = len(k.system.bodies)
-    sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads).parts for i in range(n)])
+    sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads, known).parts for i in range(n)])
     eliminations: dict[int, Elimination] = {}
     for i in range(n - 1, -1, -1):
         joint, parent, name = k.system.joints[i], k.system.bodies[i].parent, k.owner(i)
@@ -81,35 +84,27 @@ def _inward(k: Kinematics, tau: Matrix, loads: Loads) -> list[Elimination]:
         for block, letter in ((body.I, "I"), (body.H, "H"), (body.M, "M")):
             block.label(name, f"articulated_{letter}", CELLS)
         with k.graph.made_by(name, "elimination"):
-            imposed = k.carry(i, "imposed", _imposed_by_motion(k, i), ())
             if joint.motion is not None:
-                eliminations[i] = Elimination(
-                    Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()), imposed
-                )
+                eliminations[i] = Elimination(Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()))
                 rest = body
             else:
-                eliminations[i], rest = _eliminate(k, i, body, tau, loads, imposed)
+                eliminations[i], rest = _eliminate(k, i, body, tau, loads)
         if parent >= 0:
             with k.graph.made_by(k.owner(parent), "articulated"):
-                sums.add(parent, i, _carried(k, i, rest, imposed).parts)
+                sums.add(parent, i, _carried(k, i, rest).parts)
     return [eliminations[i] for i in range(n)]
 
 
-def _rigid(k: Kinematics, i: int, loads: Loads) -> Articulated:
-    """A body by itself: its inertia, and gyroscopic less applied forces as bias."""
-    inertia, g, omega = of_body(k, i), k.graph, k.omega[i]
-    with g.made_by(k.owner(i), "bias"):
-        moment = omega.cross(inertia.tensor @ omega)
-        force = omega.cross(omega.cross(inertia.moment))
-        if i in loads.wrenches:
-            moment = moment - loads.wrenches[i][0]
-            force = force - loads.wrenches[i][1]
+def _rigid(k: Kinematics, i: int, loads: Loads, known: Accelerations) -> Articulated:
+    """A body by itself: its inertia, and what it needs at udot = 0 as bias."""
+    inertia, g = of_body(k, i), k.graph
     mass = Matrix.identity(g, 3) * inertia.mass
-    return Articulated(inertia.tensor, inertia.moment.skew, mass, Matrix.vstack(moment, force))
+    bias = Matrix.vstack(*own_force(k, i, known, loads))
+    return Articulated(inertia.tensor, inertia.moment.skew, mass, bias)
 
 
 def _eliminate(
-    k: Kinematics, i: int, body: Articulated, tau: Matrix, loads: Loads, imposed: Matrix
+    k: Kinematics, i: int, body: Articulated, tau: Matrix, loads: Loads
 ) -> tuple[Elimination, Articulated]:
     """Solve the joint's equation for its udot and put it into the body's."""
     joint, s, g = k.system.joints[i], k.joints[i].S, k.graph
@@ -132,7 +127,7 @@ def _eliminate(
     names = [c.name for c in joint.element.speeds]
     free = k.carry(i, "free", free, names, joint.name)
     gain = k.carry(i, "gain", gain, (), joint.name)
-    elimination = Elimination(free, gain, imposed)
+    elimination = Elimination(free, gain)
     if k.system.bodies[i].parent < 0:
         return elimination, body
     plain = s.columns == 1 and i not in loads.rotors
@@ -178,11 +173,11 @@ def _rest(
     )
 
 
-def _carried(k: Kinematics, i: int, rest: Articulated, imposed: Matrix) -> Articulated:
-    """The rest of body i as its parent feels it: velocity products added, turned and moved."""
+def _carried(k: Kinematics, i: int, rest: Articulated) -> Articulated:
+    """The rest of body i as its parent feels it: turned and moved."""
     joint = k.joints[i]
     r, p = joint.rotation, joint.position
-    bias = rest.bias + rest.times(imposed)
+    bias = rest.bias
     tensor, coupling, mass = rest.I, rest.H, rest.M
     for turn in reversed(joint.turns):
         tensor, mass = turn_symmetric(turn, tensor), turn_symmetric(turn, mass)
@@ -195,16 +190,6 @@ def _carried(k: Kinematics, i: int, rest: Articulated, imposed: Matrix) -> Artic
     return Articulated(tensor + added, moved, mass, Matrix.vstack(moment, force))
 
 
-def _imposed_by_motion(k: Kinematics, i: int) -> Matrix:
-    """Acceleration of body i at rest parent and udot: velocity products of joint and parent."""
-    joint, parent = k.joints[i], k.system.bodies[i].parent
-    if parent < 0:
-        return k.convective(i)
-    omega = k.omega[parent]
-    centripetal = joint.rotation.T @ omega.cross(omega.cross(joint.position))
-    return k.convective(i) + Matrix.vstack(Matrix.zeros(k.graph, 3), centripetal)
-
-
 def _symmetric(a: Matrix, b: Matrix) -> Matrix:
     """Upper triangle of a b (3, 3), mirrored; for terms of a sum that is symmetric."""
     upper = {(i, j): a.row(i) for i in range(3) for j in range(i, 3)}
@@ -212,20 +197,19 @@ def _symmetric(a: Matrix, b: Matrix) -> Matrix:
     return Matrix(a.graph, 3, 3, [nodes[min(i, j), max(i, j)] for i in range(3) for j in range(3)])
 
 
-def _outward(k: Kinematics, eliminations: list[Elimination], gravity: Matrix) -> Matrix:
-    """Accelerations of the bodies and the udot they leave to the joints."""
+def _outward(k: Kinematics, eliminations: list[Elimination]) -> Matrix:
+    """What udot adds to the accelerations of the bodies, and the udot they leave to the joints."""
     g, reached = k.graph, list[Matrix]()
     udot = [ZERO] * k.system.nu
     for i, elimination in enumerate(eliminations):
         parent, joint, record = k.system.bodies[i].parent, k.joints[i], k.system.joints[i]
         with g.made_by(k.owner(i), "a"):
             if parent < 0:
-                carried = Matrix.vstack(Matrix.zeros(g, 3), joint.rotation.T @ -gravity)
+                imposed = Matrix.zeros(g, 6)
             else:
                 alpha, a = reached[parent].block(slice(0, 3)), reached[parent].block(slice(3, 6))
                 linear = joint.rotation.T @ (a + alpha.cross(joint.position))
-                carried = Matrix.vstack(joint.rotation.T @ alpha, linear)
-            imposed = carried + elimination.imposed
+                imposed = Matrix.vstack(joint.rotation.T @ alpha, linear)
         if record.motion is not None:
             reached.append(k.carry(i, "reached", imposed, ()))
             continue
