@@ -7,15 +7,16 @@ from dataclasses import replace
 
 from ..errors import DerivationError, near
 from ..topology.system import Named, System
+from .counts import Counts
 from .record import Equations
 from .relative import FORMALISMS, OTHER_NAMES
 from .rewritten import check_names
 
 # operations by which eliminating a joint within its bodies exceeds writing its rows of M, measured
-# on arms, legged robots and chains: 45 to 75 in space, 10 to 30 in a plane
-ELIMINATION = 55
+# on arms, legged robots and chains: 25 to 40 in space, less in a plane
+ELIMINATION = 40
 # ratios of the two between which the functions are counted
-UNCLEAR = (0.7, 2.5)
+UNCLEAR = (0.85, 2.5)
 
 
 def chosen_by(
@@ -35,14 +36,18 @@ def chosen_by(
         return Equations(system, best, chosen, reason, names)
     both = {m: Equations(system, m, chosen, "", names) for m in ("composite", "articulated")}
     try:
-        counts = {m: both[m].operations_of("forward_dynamics").total for m in both}
+        counts = {m: both[m].operations_of("forward_dynamics") for m in both}
     except DerivationError:
         # M is singular: everything but udot can be had
         return Equations(system, "composite", chosen, f"{system.depth()} joints deep", names)
-    best = min(counts, key=lambda m: counts[m])
+    best = min(counts, key=lambda m: counts[m].cycles)
     other = next(m for m in counts if m != best)
-    reason = f"{counts[best]} operations, {counts[other]} by {other}"
+    reason = f"{_told(counts[best])}; by {other} {_told(counts[other])}"
     return replace(both[best], reason=reason)
+
+
+def _told(counts: Counts) -> str:
+    return f"{counts.total} operations, {counts.critical_path:.0f} in a row"
 
 
 def check_method(method: str) -> None:
