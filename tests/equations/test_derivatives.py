@@ -94,6 +94,33 @@ def test_forward_dynamics(name: str) -> None:
     judge(derived(name), "forward_dynamics", (*FORCES, "tau"), (q[-1], u[-1]))
 
 
+JOINTS = {
+    "cylindrical": cd.Cylindrical("x"),
+    "screw": cd.Screw((1, 2, 3), pitch=0.2),
+    "planar": cd.Planar("y"),
+    "free": cd.Free(),
+    "universal": cd.Universal("x", "z"),
+    "spherical": cd.Spherical("XYZ"),
+}
+
+
+@pytest.mark.parametrize("function", ["inverse_dynamics", "forward_dynamics"])
+@pytest.mark.parametrize("kind", JOINTS)
+def test_joints_that_are_carried(kind: str, function: str) -> None:
+    # below two skew axes, so that all velocity products are there
+    scene = cd.Model("carried", gravity=(0, 0, -9.81))
+    inner = scene.ground
+    for i, joint in enumerate((cd.Revolute("x"), cd.Revolute("y"), JOINTS[kind])):
+        body = scene.body(f"b{i}", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
+        scene.joint(f"j{i}", joint, inner.at(0.3, 0.1, 0.2), body)
+        inner = body
+    equations, rng = cd.derive(scene), np.random.default_rng(SEED)
+    q = rng.uniform(0.2, 0.8, equations.system.nq)
+    if kind == "free":
+        q[2:6] /= np.linalg.norm(q[2:6])
+    judge(equations, function, ("q", "u"), (q, rng.uniform(-2, 2, equations.system.nu)))
+
+
 @pytest.mark.parametrize("name", ["crane", "driven", "springs", "satellite", "free_mrp", "gripper"])
 @pytest.mark.parametrize("function", ["rhs", "outputs", "power", "energy", "bias", "qdot"])
 def test_every_other_function(name: str, function: str) -> None:

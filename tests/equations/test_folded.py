@@ -42,6 +42,15 @@ def comb() -> cd.Model:
     return scene
 
 
+def teeth_last() -> cd.Model:
+    """A rope whose teeth are declared after all its links."""
+    scene = rope(50, "yz")
+    for i in range(50):
+        tooth = scene.body(f"tooth{i}", mass=0.1 + 0.01 * i, com=(0.1, 0, 0), inertia=(1e-3,) * 3)
+        scene.joint(f"root{i}", cd.Revolute("x"), scene.bodies[f"link{i}"].at(0.1, 0, 0), tooth)
+    return scene
+
+
 FOLDED = {
     "plane": lambda: rope(60),
     "space": lambda: rope(80, "xyz"),
@@ -53,6 +62,7 @@ FOLDED = {
     "pushed in the middle": lambda: rope(45, force=22),
 }
 WHOLE = {
+    "teeth after the rope": teeth_last,
     "short": lambda: rope(30),
     "axes of a long period": lambda: rope(45, "xyzx"),
 }

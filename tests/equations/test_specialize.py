@@ -53,3 +53,34 @@ def test_other_values_and_what_is_built_in() -> None:
         ModelError, match=r"specialize: no parameter is called 'lower.mas'.*lower.mass"
     ):
         cd.derive(arm(), specialize="lower.mas")
+
+
+def spring() -> cd.Model:
+    scene = cd.Model("spring", gravity=(0, 0, -9.81))
+    k = scene.parameter("k", 2.0)
+    bob = scene.body("bob", mass=1.0)
+    scene.joint("slide", cd.Prismatic("z"), scene.ground, bob)
+    scene.force("push", cd.JointForce("slide", 1 / k))
+    return scene
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"m": float("nan")}, "'m' must be a finite number"),
+        ({"m": "abc"}, "'m' must be a finite number"),
+        ({"m": None}, "'m' must be a finite number"),
+        (3.5, "names, numbers by name, or True"),
+        ([1], "names, numbers by name, or True"),
+    ],
+)
+def test_what_cannot_be_built_in(asked: object, words: str) -> None:
+    with pytest.raises(ModelError, match=words):
+        cd.derive(arm(), specialize=asked)
+
+
+def test_zeros_are_built_in() -> None:
+    equations = cd.derive(arm(), specialize={"lower.mass": 0.0, "lower.com.x": 0.0})
+    assert "lower.mass" not in equations.parameters
+    with pytest.raises(ModelError, match=r"divides by a structural zero.*specialize"):
+        cd.derive(spring(), specialize={"k": 0})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import cardan as cd
 from cardan.equations.functions import RECIPES
 from cardan.equations.record import Equations
 from cardan.errors import DerivationError
@@ -75,3 +76,21 @@ def test_no_rewrite_adds_operations(name: str) -> None:
 def test_a_second_time_changes_nothing(name: str, key: str) -> None:
     once = REWRITES[key](derived(name).system)
     assert REWRITES[key](once) is once
+
+
+@pytest.mark.parametrize("angle", [1e-3, 1e-7, 1e-10, 2e-12, 1e-13, 0.0])
+def test_lines_that_are_nearly_parallel(angle: float) -> None:
+    scene = cd.Model("near", gravity=(0, 0, -9.81))
+    inner, turn = scene.ground, scene.parameter("turn", angle)
+    for i in range(4):
+        link = scene.body(f"link{i}", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
+        place = inner.at(0.3, 0.1, 0.2, rotation=("XYZ", turn, 0, 0)) if i else inner
+        scene.joint(f"joint{i}", cd.Revolute((1, 2, 3)), place, link)
+        inner = link
+    plain = cd.derive(scene, rewrites=())
+    blocks = {"t": [0.0], "p": [p.value for p in plain.system.parameters], "r": []}
+    blocks |= {"q": [0.3, -0.4, 0.5, 0.7], "u": [1.0, -2.0, 0.5, 1.0], "tau": [0.0] * 4}
+    exact = evaluate(plain.function("forward_dynamics"), blocks, "mp")["udot"]
+    found = evaluate(cd.derive(scene).function("forward_dynamics"), blocks)["udot"]
+    worst = max(abs(float(a - b)) for a, b in zip(found, exact, strict=True))
+    assert worst <= 1e-12 * max(abs(float(x)) for x in exact)

@@ -122,7 +122,12 @@ def fold(system: System) -> Fold | None:
     turns = (end - start) // period - 2 * KEPT
     if turns < 1:
         return None
-    return _without(system, start + KEPT * period, turns, period)
+    gap, after = start + KEPT * period, start + (KEPT + turns) * period
+    # nothing may hang on what is left out but the next turn
+    others = (body.parent for body in system.bodies[after + period :])
+    if any(gap <= above < after for above in others):
+        return None
+    return _without(system, gap, turns, period)
 
 
 def _without(system: System, gap: int, turns: int, period: int) -> Fold:
@@ -185,7 +190,6 @@ def _longest(
             start = i - 2 * period + 1
         if i + 1 - start > best[1] - best[0]:
             best = (start, i + 1, period)
-    # the tips have other children: they do not belong to it
     return best
 
 
@@ -198,6 +202,9 @@ def _stride(
         return None
     parents = system.bodies[i].parent - system.bodies[i - period].parent
     if parents not in (0, period):
+        return None
+    # a parent that moves on with the body must belong to the repetition itself
+    if parents and i - system.bodies[i].parent > period:
         return None
     return (parents, *(y - x for x, y in zip(a.places, b.places, strict=True)))
 

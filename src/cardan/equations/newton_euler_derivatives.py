@@ -150,7 +150,6 @@ class Derivatives:
             zeta_w = zeta_w + alpha.cross(xi_w) + omega.cross(turned)
             zeta_v = zeta_v + a.cross(xi_w) - turned.cross(v * 2)
             zeta_v = zeta_v + alpha.cross(xi_v) + omega.cross(omega.cross(xi_v))
-            zeta_v = zeta_v + turned.cross(joint.velocity.block(slice(3, 6)) * 2)
         name = k.system.joints[i].name
         eta.label(name, "eta")
         return Cause(column, shift, eta, Matrix.vstack(zeta_w, zeta_v), modes)

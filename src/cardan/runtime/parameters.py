@@ -73,7 +73,9 @@ class Parameters(Mapping[str, float]):
             raise ModelError(f"parameter '{name}' does not exist.{near(name, known)}")
         array = numbers(f"parameter '{name}'", value)
         if not np.isfinite(array).all():
-            raise ModelError(f"parameter '{name}' must be finite, not {value!r}")
+            bad = np.argwhere(~np.isfinite(array))[0]
+            where = f" at {tuple(map(int, bad))}" if array.ndim else ""
+            raise ModelError(f"parameter '{name}' must be finite, not {array[tuple(bad)]}{where}")
         # the number written as the mass of a body, under the name the model gave it
         if name.endswith(".mass") and self.unit(name) == "kg" and (array < 0).any():
             raise ModelError(f"parameter '{name}' is a mass and cannot be {value!r} kg")

@@ -36,6 +36,11 @@ def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] =
     """
     try:
         return _build(model, BuiltIn.of(specialize))
+    except ZeroDivisionError as problem:
+        raise ModelError(
+            f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
+            "give another value"
+        ) from problem
     except (ModelError, TopologyError) as problem:
         found = located(problem, model.origins)
         if found is problem:

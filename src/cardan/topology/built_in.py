@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import isfinite
 
 from ..errors import ModelError, near
+from ..model.checks import is_number
 from .system import Parameter
 
 
@@ -25,13 +27,24 @@ class BuiltIn:
 
     @staticmethod
     def of(asked: bool | Sequence[str] | Mapping[str, float]) -> BuiltIn | None:
-        """From what the user wrote; None for nothing."""
-        if isinstance(asked, Mapping):
-            return BuiltIn(frozenset(asked), {name: float(x) for name, x in asked.items()})
+        """From what the user wrote; None for nothing.
+
+        Raises:
+            ModelError: it is neither names nor finite numbers by name.
+        """
         if isinstance(asked, bool):
             return BuiltIn(None) if asked else None
         names = (asked,) if isinstance(asked, str) else asked
-        return BuiltIn(frozenset(names)) if names else None
+        if not isinstance(names, Iterable) or not all(isinstance(name, str) for name in names):
+            raise ModelError(
+                f"specialize: names, numbers by name, or True for all are wanted, not {asked!r}"
+            )
+        if not isinstance(asked, Mapping):
+            return BuiltIn(frozenset(names)) if names else None
+        for name, value in asked.items():
+            if not is_number(value) or not isfinite(value):
+                raise ModelError(f"specialize: '{name}' must be a finite number, not {value!r}")
+        return BuiltIn(frozenset(asked), {name: float(x) for name, x in asked.items()})
 
     def takes(self, name: str) -> bool:
         """Whether a parameter becomes a number."""
@@ -40,13 +53,13 @@ class BuiltIn:
         self.found.add(name)
         return True
 
-    def finish(self, left: Sequence[Parameter]) -> None:
-        """All that was asked for was met.
+    def finish(self, left: Sequence[Parameter], structural: Collection[str]) -> None:
+        """All that was asked for was met, or is part of the equations' form anyway.
 
         Raises:
             ModelError: a name that no parameter has.
         """
-        for name in sorted((self.wanted or frozenset()) - self.found):
+        for name in sorted((self.wanted or frozenset()) - self.found - set(structural)):
             known = [*self.found, *(parameter.name for parameter in left)]
             listed = near(name, known).replace(" Known:", " Parameters:")
             raise ModelError(f"specialize: no parameter is called '{name}'.{listed}")

@@ -226,7 +226,7 @@ class Converter:
             ModelError: one has a name that no number has.
         """
         if self.built_in is not None:
-            self.built_in.finish(self.parameters)
+            self.built_in.finish(self.parameters, self.structural)
         for name in self.values:
             known = [*(parameter.name for parameter in self.parameters), *self.structural]
             listed = near(name, known).replace(" Known:", " Parameters:")

@@ -21,7 +21,7 @@ from ...spatial.axis import complement, principal, unit
 from ..retold import Placed, reached, retold
 from ..system import Joint, System
 
-# lines whose sine is below this are parallel: any direction across is normal to both
+# lines whose sine is below this are parallel: any direction across is normal to both, to rounding
 PARALLEL = 1e-12
 
 
@@ -164,4 +164,7 @@ def _normal(a: Matrix, b: Matrix, otherwise: Matrix) -> Matrix:
     parallel = size.apply("lt", PARALLEL**2)
     scale = 1 / sqrt(select(parallel, 1.0, size))
     rows = [select(parallel, o, x * scale) for o, x in zip(otherwise, across, strict=True)]
-    return Matrix.vector(a.graph, rows)
+    # rounding leaves a part along a where lines are nearly parallel: it must go
+    found = Matrix.vector(a.graph, rows)
+    found = found - a * a.dot(found)
+    return found / sqrt(found.dot(found))
