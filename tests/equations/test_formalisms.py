@@ -76,3 +76,15 @@ def test_unknown_function_frame_and_joint_are_named() -> None:
         equations.function("reaction", "jont0")
     with pytest.raises(DerivationError, match="needs a frame"):
         equations.function("pose")
+
+
+@pytest.mark.parametrize(
+    ("rewrites", "words"),
+    [(False, "names are wanted"), (3, "names are wanted"), ("axis", "Did you mean 'axes'")],
+)
+def test_rewrites_are_names(rewrites: object, words: str) -> None:
+    from cardan.equations.rewritten import check_names
+
+    with pytest.raises(DerivationError, match=words):
+        check_names(rewrites)
+    assert check_names("parallel") == ("parallel",)

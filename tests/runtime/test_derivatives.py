@@ -195,3 +195,14 @@ def test_frame_jacobians_in_both_axes(name: str) -> None:
             np.testing.assert_allclose(found, moving - still, rtol=1e-12, atol=1e-12)
     with pytest.raises(ArgumentError, match="in_ must be"):
         model.frame_jacobian(rest, q, in_="body")
+
+
+@pytest.mark.parametrize("wrt", [None, 3, ()])
+def test_wrt_must_name_something(wrt: object) -> None:
+    scene = cd.Model("slider")
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
+    model = cd.compile(scene)
+    with pytest.raises(ModelError, match="wrt is a block such as 'q'"):
+        model.derivative("forward_dynamics", wrt=wrt)
+    with pytest.raises(ModelError, match="a name, or a pair"):
+        model.derivative(5, wrt="q")

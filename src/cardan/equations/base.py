@@ -68,7 +68,9 @@ def base_parameters(equations: Equations) -> BaseParameters:
             continue
         ten = (body.mass, *body.first_moment, j[0], j[4], j[8], j[1], j[2], j[5])
         for entry, node in zip(ENTRIES, ten, strict=True):
-            numbers[f"{body.name}.base_{entry}"] = node
+            # signs stand at the sums that take a number
+            inner = graph.nodes[node][1] if graph.nodes[node][0] == "neg" else node
+            numbers[f"{body.name}.base_{entry}"] = inner
     # those that a call reads, and not only what makes up another one
     read = set(live(graph, wanted, stop=set(numbers.values())))
     found = {name: node for name, node in numbers.items() if node != ZERO and node in read}
@@ -83,7 +85,7 @@ def base_parameters(equations: Equations) -> BaseParameters:
         for name, node in found.items()
     }
     return BaseParameters(
-        expressions,
+        {name: expression for name, expression in expressions.items() if expression != 0},
         tuple(name for k, name in enumerate(names) if k not in every),
         tuple(name for k, name in enumerate(names) if k in inertial - alone),
     )

@@ -16,7 +16,7 @@ from .rewritten import check_names
 # on arms, legged robots and chains: 25 to 40 in space, less in a plane
 ELIMINATION = 40
 # ratios of the two between which the functions are counted
-UNCLEAR = (0.85, 2.5)
+UNCLEAR = (0.85, 3.5)
 
 
 def chosen_by(
@@ -59,7 +59,9 @@ def check_method(method: str) -> None:
     if method in FORMALISMS or method == "auto":
         return
     other = OTHER_NAMES.get(method.lower())
-    hint = f" '{method}' is called '{other}' here." if other else near(method, FORMALISMS)
+    hint = (
+        f" '{method}' is called '{other}' here." if other else near(method, ("auto", *FORMALISMS))
+    )
     raise DerivationError(f"method '{method}' does not exist.{hint}")
 
 

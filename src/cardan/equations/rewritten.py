@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from ..errors import DerivationError, near
@@ -29,6 +29,12 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
     Raises:
         DerivationError: one does not exist.
     """
+    names = (names,) if isinstance(names, str) else names
+    if not isinstance(names, Iterable):
+        raise DerivationError(
+            f"rewrites: names are wanted, () for none, not {names!r}. Known: {', '.join(REWRITES)}"
+        )
+    names = tuple(names)
     for name in names:
         if name not in REWRITES:
             raise DerivationError(f"rewrite '{name}' does not exist.{near(name, REWRITES)}")

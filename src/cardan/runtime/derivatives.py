@@ -51,7 +51,13 @@ class Derivatives(Dynamics, ABC):
             ModelError: no such function, block, parameter or input.
             ArgumentError: the function does not read what it is to be differentiated by.
         """
-        name, of = (function, None) if isinstance(function, str) else function
+        pair = (function, None) if isinstance(function, str) else function
+        if not isinstance(pair, tuple) or len(pair) != 2:
+            raise ModelError(
+                f"derivative: a name, or a pair such as ('pose', 'hand'), is wanted, "
+                f"not {function!r}"
+            )
+        name, of = pair
         if name not in SMOOTH:
             raise ModelError(f"derivative of '{name}' does not exist.{near(name, SMOOTH)}")
         if (name in NAMED) != (of is not None):
@@ -59,6 +65,11 @@ class Derivatives(Dynamics, ABC):
             raise ModelError(f"derivative: {name} {wanted}")
         self._check_of(name, of)
         reads = {*READS[name].replace("x", "q u").split(), "p"}
+        if not wrt or not isinstance(wrt, (str, list, tuple)):
+            raise ModelError(
+                "derivative: wrt is a block such as 'q', a parameter or input, or several of "
+                f"them, not {wrt!r}"
+            )
         entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
         if wrt is STANDARD:
             entries = tuple(block for block in STANDARD if block in reads)

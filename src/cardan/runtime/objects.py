@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 Provide = Callable[[str, str | None], str]
 Key = tuple[str, str | None]
 
+# seconds between two looks at compilers that are to end
+PATIENCE = 0.02
+
 
 @dataclass(frozen=True)
 class Code:
@@ -181,10 +184,12 @@ class Objects:
             try:
                 done = [task.exception() for task in running]
             except BaseException:
-                # Ctrl-C reaches this thread alone: the compilers of the others end now
+                # Ctrl-C reaches this thread alone: the compilers of the others end now, those too
+                # that a thread is just about to start
                 pool.shutdown(wait=False, cancel_futures=True)
-                bounded.stop(threads)
-                wait([task for task in running if not task.cancelled()])
+                begun = [task for task in running if not task.cancelled()]
+                while wait(begun, timeout=PATIENCE).not_done:
+                    bounded.stop(threads)
                 _discard(running)
                 raise
         failed = [error for error in done if error]

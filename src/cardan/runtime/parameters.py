@@ -66,7 +66,8 @@ class Parameters(Mapping[str, float]):
         if name in self._structural:
             raise ModelError(
                 f"parameter '{name}' is structural: its value {self._structural[name]} is built "
-                "into the equations. Declare it with model.parameter(name, value) to set it later"
+                "into the equations. Declare it with model.parameter(name, value), and leave it "
+                "out of specialize=, to set it later"
             )
         if name not in self._place:
             known = [*self._place, *self._structural]
