@@ -42,6 +42,7 @@ class Joint:
         couple: What it follows, or None.
         base: Body in whose axes ``at`` is given, None for the ground.
         friction: Dry friction of a file [N m or N]; it does not act yet.
+        cut: Asked to close a circuit.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Joint:
     couple: Couple | None = None
     base: Body | None = None
     friction: float = 0.0
+    cut: bool = False
 
     def __repr__(self) -> str:
         ends = f"{self.parent.name!r} -> {self.child.name!r}"

@@ -16,18 +16,16 @@ from .body import Body, placed, tensor
 from .connections import Force, Joint, couple_of, element_of, limits_of
 from .frame import Frame, Located, Place, triple
 from .include import Included, include
-from .parameters import Declared, Output, Placeholder
+from .parameters import Constraint, Declared, Output, Placeholder
 from .shape import Shape
 from .summary import summary
-from .units import unit as unit_of
+from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from ..topology.graph_view import GraphView
 
-COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 9: tuple(f"{i}{j}" for i in "xyz" for j in "xyz")}
 
-
-class Model:
+class Model(Vocabulary):
     """A scene: bodies, joints, forces, parameters, inputs and outputs.
 
     Args:
@@ -38,7 +36,7 @@ class Model:
         ground: The body that does not move.
         bodies, joints, forces: By name, in the order of declaration.
         frames: By name; those made by :meth:`Body.at`.
-        parameters, inputs, outputs: By name.
+        parameters, inputs, outputs, constraints: By name.
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
         values: Numbers by dotted name that replace those written, such as ``upper.mass``.
@@ -57,6 +55,7 @@ class Model:
         self.parameters: dict[str, Declared] = {}
         self.inputs: dict[str, Declared] = {}
         self.outputs: dict[str, Output] = {}
+        self.constraints: dict[str, Constraint] = {}
         self.atoms: dict[str, Placeholder] = {}
         self.notes: list[str] = []
         self.snaps: list[str] = []
@@ -73,103 +72,6 @@ class Model:
     def _repr_html_(self) -> str:
         """Summary and drawn graph in notebooks."""
         return f"<pre>{escape(str(self))}</pre>{self.graph.svg()}"
-
-    # what expressions are made of
-
-    def parameter(self, name: str, value: float, unit: str | None = None) -> Any:
-        """Declare a parameter.
-
-        Args:
-            name: Its name.
-            value: Default value in the given unit.
-            unit: Such as "kg" or "mm"; the value is converted to SI. Without one the parameter
-                fits anywhere.
-
-        Returns:
-            Its SymPy symbol.
-
-        Raises:
-            ModelError: the name is taken, the value is not a finite number or the unit is unknown.
-        """
-        self._declare(self.parameters, "parameter", name, value, unit)
-        return _symbol(name)
-
-    def input(self, name: str, default: float = 0.0, unit: str | None = None) -> Any:
-        """Declare an input: a control or a prescribed signal.
-
-        Returns:
-            Its SymPy symbol.
-
-        Raises:
-            ModelError: the name is taken, the default is not a finite number or the unit unknown.
-        """
-        self._declare(self.inputs, "input", name, default, unit)
-        return _symbol(name)
-
-    def _declare(
-        self, where: dict[str, Declared], what: str, name: str, value: float, unit: str | None
-    ) -> None:
-        checks.name(what, name)
-        if name == "t":
-            raise ModelError(f"{what} 't': t is the time; choose another name")
-        if name in self.parameters or name in self.inputs:
-            raise ModelError(f"{what} '{name}': the name is taken by a parameter or an input")
-        measured = unit_of(unit or "")
-        number = checks.number(f"{what} '{name}'", value) * measured.factor
-        where[name] = Declared(name, number, measured.si, unit is not None)
-
-    def output(self, name: str, expression: Any, unit: str = "") -> None:
-        """Name an expression to be computed along with the motion.
-
-        Args:
-            unit: What the value is measured in, for the reader. It is computed in SI: an output
-                declared in mm comes in m.
-
-        Raises:
-            ModelError: the name is taken or the unit unknown.
-        """
-        checks.new("output", name, self.outputs)
-        self.outputs[name] = Output(name, expression, unit_of(unit).si)
-
-    def q(self, coordinate: str) -> Any:
-        """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several."""
-        return self._coordinate("q", coordinate, coordinate)
-
-    def u(self, speed: str) -> Any:
-        """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
-        joint, _, component = speed.partition(".")
-        if speed in self.joints:
-            joint, component = speed, ""
-        return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
-
-    def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
-        fitting = [j for j in self.joints if given == j or given.startswith(j + ".")]
-        name = max(fitting, key=len, default="")
-        if not name:
-            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
-        kind = self.joints[name].kind
-        parts = [c.name for c in (kind.coordinates if quantity == "q" else kind.speeds)]
-        component = given[len(name) + 1 :]
-        if component not in parts:
-            known = [f"{name}.{c}" if c else name for c in parts]
-            raise ModelError(f"{quantity}('{given}'): no such component." + near(given, known))
-        self.atoms[symbol] = Placeholder(quantity, name, None, None, component)
-        return _symbol(symbol)
-
-    def placeholders(
-        self, place: Located, quantity: str, count: int, others: Sequence[Any]
-    ) -> list[Any]:
-        """Symbols that stand for the motion of a frame, see :class:`Located`."""
-        names = [self.place(f"{place.name}.{quantity}", o) if o else "" for o in others]
-        suffix = "".join(f"@{n}" if n else "" for n in names)
-        if names[1] and not names[0]:
-            suffix = "@" + suffix
-        symbols = []
-        for k, component in enumerate(COMPONENTS[count]):
-            text = f"{place.name}.{quantity}{suffix}.{component}"
-            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k)
-            symbols.append(_symbol(text))
-        return symbols
 
     # bodies and frames
 
@@ -283,7 +185,8 @@ class Model:
                 q = 0. Where the child has ``pose=`` and the parent is a body, the frame on the
                 parent follows from the poses.
             motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed.
-            cut: Ask for this joint to close a circuit.
+            cut: Ask for this joint to close a circuit; without it circuits are cut where that
+                leaves the fewest speeds.
             q0, u0: Initial values.
             limits: (lower, upper), or a mapping with lower, upper, speed, effort.
             at: Place of the joint in ground axes at the reference configuration; its frames are
@@ -309,8 +212,11 @@ class Model:
             raise ModelError(
                 f"{who}: it cannot both follow motion= and another joint; leave out one"
             )
-        if cut:
-            raise checks.circuits(f"{who} with cut=True closes a circuit")
+        if cut and (motion is not None or couple is not None):
+            raise ModelError(
+                f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
+                "another joint of the circuit"
+            )
         if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
             raise ModelError(f"{who}: at= needs bodies, not frames: it makes the frames itself")
         made = Joint(
@@ -324,6 +230,7 @@ class Model:
             limits_of(who, limits),
             None if at is None else triple(at, f"{who}: at"),
             couple_of(who, couple),
+            cut=cut,
         )
         self.joints[name] = made
         return made
@@ -385,9 +292,3 @@ class Model:
         from ..topology.graph_view import view
 
         return view(self)
-
-
-def _symbol(name: str) -> Any:
-    from sympy import Symbol
-
-    return Symbol(name)

@@ -48,3 +48,12 @@ class Output:
     name: str
     expression: Any
     unit: str
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """A named expression that is kept at 0, in SI."""
+
+    name: str
+    expression: Any
+    unit: str

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..errors import TopologyError
 from ..ir.graph import ZERO
 from ..model.body import Body as UserBody
 from ..model.checks import is_number
@@ -18,8 +19,8 @@ from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
 from .reference import Reference
-from .system import GROUND, Body, Frame, Joint, Nodes, Part
-from .tree import Branch
+from .system import GROUND, Body, Cut, Frame, Joint, Nodes, Part
+from .tree import Branch, Closing
 
 ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
 
@@ -59,6 +60,7 @@ class Assembly:
         self.frames: list[Frame] = []
         self.joints: list[Joint] = []
         self.fixed: list[str] = []
+        self.cuts: list[Cut] = []
         self.numbers: dict[Any, int] = {}
         named = (frame.name for frame in model.frames.values() if frame.named)
         self.written = {"ground", *model.bodies, *named}
@@ -176,6 +178,63 @@ class Assembly:
         if slots:
             self.nq += len(coordinates)
             self.nu += len(speeds)
+
+    def close(self, closing: Closing) -> None:
+        """A joint of a circuit between bodies that are in the tree already."""
+        g, joint = self.graph, closing.joint
+        with g.made_by(joint.name, "placement"):
+            sides = self.reference.closing(
+                joint,
+                self._local(joint.parent, joint.name),
+                self._local(joint.child, f"{joint.name}.child"),
+            )
+            (parent, inner), (child, outer) = (
+                self.home[place.body] for place in (joint.parent, joint.child)
+            )
+            places = [inner.then(g, sides[0]), outer.then(g, sides[1])]
+        base, path = self._circuit(parent, child)
+        if not path:
+            raise TopologyError(
+                f"joint '{joint.name}' ({joint.kind.kind}) closes a circuit in which nothing "
+                f"moves: '{joint.parent.body.name}' and '{joint.child.body.name}' are fixed to "
+                "each other. Leave it out, or let another joint of the circuit move"
+            )
+        with g.made_by(joint.name, "data"):
+            data = {
+                name: self.convert.quantity(entry, f"{joint.name}.{name}")
+                for name, entry in joint.kind.quantities().items()
+            }
+        self.cuts.append(
+            Cut(
+                name=joint.name,
+                element=joint.kind,
+                data=data,
+                parent_frame=self._joint_frame(
+                    joint.parent, f"{joint.name}.parent", parent, places[0]
+                ),
+                child_frame=self._joint_frame(
+                    joint.child, f"{joint.name}.child", child, places[1]
+                ),
+                base=base,
+                path=path,
+                rows=tuple(range(len(joint.kind.held))),
+                reason=closing.reason,
+            )
+        )
+
+    def _circuit(self, parent: int, child: int) -> tuple[int, tuple[tuple[int, int], ...]]:
+        """Where the branches to two bodies part, and the joints from there, with their signs."""
+        path: list[tuple[int, int]] = []
+        one, other = parent, child
+        while one != other:
+            # bodies are numbered regularly: the higher number cannot be inboard of the other
+            if one > other:
+                path.append((one, -1))
+                one = self.bodies[one].parent
+            else:
+                path.append((other, 1))
+                other = self.bodies[other].parent
+        return one, tuple(sorted(path))
 
     def _label_place(self, joint: str, place: Placement) -> None:
         """Names for readers of the C: where a joint sits on the parent body."""

@@ -6,17 +6,18 @@ from collections.abc import Mapping, Sequence
 
 from ..elements.forces.force import ForceElement
 from ..errors import ModelError, TopologyError, near
-from ..ir.graph import Graph
+from ..ir.graph import ZERO, Graph
 from ..model.model import Model
 from ..model.origins import located
 from . import announcements, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
+from .circuits import independent
 from .convert import Converter
 from .pictures import pictures
 from .rotors import with_rotors
 from .system import Atom, Force, Named, System
-from .tree import open_tree
+from .tree import rooted_tree
 
 
 def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] = False) -> System:
@@ -50,7 +51,7 @@ def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] =
 
 def _build(model: Model, built_in: BuiltIn | None) -> System:
     scene, rotors = with_rotors(model)
-    branches = open_tree(scene)
+    branches, closing = rooted_tree(scene)
     convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
     inputs = motion.declare_inputs(scene, convert)
@@ -62,6 +63,8 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
     for branch in branches:
         assembly.add(branch)
     assembly.couple()
+    for joint in closing:
+        assembly.close(joint)
     for frame in scene.frames.values():
         if frame.named:
             assembly.frame(frame, frame.name)
@@ -74,7 +77,10 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
     forces = tuple([_force(model, assembly, name) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
+    constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
+    parents = [rigid.parent for rigid in assembly.bodies]
+    cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
     convert.finish()
     made = System(
         name=scene.name,
@@ -90,6 +96,8 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
         atoms=atoms,
         nq=assembly.nq,
         nu=assembly.nu,
+        cuts=cuts,
+        constraints=constraints,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),
         shapes=pictures(scene, assembly.numbers),
@@ -165,6 +173,15 @@ def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, 
     if f"{force}.rotor" in assembly.rotors:
         found["rotor"] = assembly.joint_number[f"{force}.rotor"]
     return found
+
+
+def _constraint(scene: Model, convert: Converter, name: str) -> Named:
+    entry = scene.constraints[name]
+    with convert.graph.made_by(name, "constraint"):
+        node = convert.scalar(entry.expression, f"constraint.{name}", entry.unit)
+    if node == ZERO:
+        raise ModelError(f"constraint '{name}' is 0 always; leave it out")
+    return Named(name, node, entry.unit)
 
 
 def _output(scene: Model, convert: Converter, name: str) -> Named:

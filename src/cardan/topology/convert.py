@@ -99,11 +99,16 @@ class Converter:
         self._nodes[name] = self._parameter(name, number, unit)
         return self._nodes[name]
 
-    def defaults(self, nodes: Sequence[int]) -> list[float]:
-        """Values of expressions of the parameters at their defaults."""
+    def defaults(self, nodes: Sequence[int], graph: Graph | None = None) -> list[float]:
+        """Values of expressions of the parameters at their defaults.
+
+        Args:
+            nodes: The expressions.
+            graph: Where they live, where that is a fork of this one's.
+        """
         values = {"p": [parameter.value for parameter in self.parameters]}
         output = Output("values", (len(nodes),), tuple(nodes))
-        found = evaluate(Function("values", self.graph, (), (output,)), values)["values"]
+        found = evaluate(Function("values", graph or self.graph, (), (output,)), values)["values"]
         return [float(x) for x in found]
 
     def expression(self, value: Any, name: str, unit: str = "") -> int:

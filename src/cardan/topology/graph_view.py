@@ -26,13 +26,15 @@ class GraphView:
         name: Of the model.
         bodies: Names of the bodies, ground first.
         branches: The joints of the spanning tree in regular order.
-        closing: The joints that close circuits.
+        closing: The joints that close circuits, and are cut.
+        reasons: Why each of them was chosen.
     """
 
     name: str
     bodies: tuple[str, ...]
     branches: tuple[Branch, ...] = field(repr=False)
     closing: tuple[Joint, ...] = ()
+    reasons: tuple[str, ...] = ()
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -142,7 +144,8 @@ def view(model: Model) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
     branches, closing = spanning_tree(model)
     bodies: list[Body] = [model.ground, *model.bodies.values()]
-    return GraphView(model.name, tuple(b.name for b in bodies), tuple(branches), tuple(closing))
+    names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
+    return GraphView(model.name, names, tuple(branches), cut, tuple(c.reason for c in closing))
 
 
 def _leader(leaders: dict[str, str | None], joint: str) -> str | None:

@@ -56,6 +56,22 @@ class Reference:
         self.poses[body] = given or found
         return parent, child
 
+    def closing(
+        self, joint: Joint, parent: Placement, child: Placement
+    ) -> tuple[Placement, Placement]:
+        """The frames of a joint between bodies that have their places already."""
+        if not self.active:
+            return parent, child
+        g = self.convert.graph
+        base, outer = self.poses[joint.parent.body], self.poses[joint.child.body]
+        if joint.at is not None:
+            place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
+            place = self._base(joint.base).then(g, place)
+            return base.inverse(g).then(g, place), outer.inverse(g).then(g, place)
+        if joint.child.body.pose is not None and isinstance(joint.parent, Body):
+            return base.inverse(g).then(g, outer.then(g, child)), child
+        return parent, child
+
     def _backwards(
         self, joint: Joint, parent: Placement, child: Placement
     ) -> tuple[Placement, Placement]:

@@ -174,6 +174,32 @@ class Joint:
 
 
 @dataclass(frozen=True)
+class Cut:
+    """A joint that closes a circuit.
+
+    Attributes:
+        name, element, data: As of a :class:`Joint`.
+        parent_frame, child_frame: Indices in ``System.frames``.
+        base: The body from which both branches of the circuit start, -1 for the ground.
+        path: (joint, sign) of the tree joints of the circuit: 1 on the branch of the child, -1 on
+            that of the parent.
+        rows: Which of its closing conditions are independent of each other, whatever the motion
+            of the circuit; the others hold by themselves.
+        reason: Why this joint was cut.
+    """
+
+    name: str
+    element: JointElement
+    data: dict[str, tuple[int, int, Nodes]]
+    parent_frame: int
+    child_frame: int
+    base: int
+    path: tuple[tuple[int, int], ...]
+    rows: tuple[int, ...]
+    reason: str = ""
+
+
+@dataclass(frozen=True)
 class Force:
     """A force element with its data converted; frames and joints by number."""
 
@@ -216,6 +242,7 @@ class System:
     """A scene as a graph with expressions.
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
+    ``cuts`` close the circuits of the tree, ``constraints`` are expressions that are kept at 0.
     ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
     ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
     what the user should know.
@@ -234,6 +261,8 @@ class System:
     atoms: dict[str, Atom] = field(repr=False)
     nq: int
     nu: int
+    cuts: tuple[Cut, ...] = ()
+    constraints: tuple[Named, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
     shapes: tuple[tuple[int, Mapping[str, object]], ...] = ()
@@ -244,6 +273,12 @@ class System:
     def children(self, body: int) -> list[int]:
         """Bodies jointed outboard to a body (-1: to the ground)."""
         return [i for i, b in enumerate(self.bodies) if b.parent == body]
+
+    @property
+    def closed(self) -> bool:
+        """Whether its speeds are bound by anything beyond the tree."""
+        rolling = any(joint.element.slips for joint in self.joints)
+        return bool(self.cuts or self.constraints) or rolling
 
     def depth(self) -> int:
         """Number of joints on the longest path from the ground."""

@@ -1,13 +1,17 @@
-"""The spanning tree of a model: which joint is inboard of which body, in regular order."""
+"""The spanning tree of a model: which joint is inboard of which body, and which joints are cut.
+
+Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 8.2; Prim's algorithm for
+the tree of fewest freedoms.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from ..errors import TopologyError
 from ..model.body import Body
-from ..model.checks import circuits
 from ..model.connections import Joint
 from ..model.model import Model
 
@@ -26,13 +30,45 @@ class Branch:
         return self.joint.parent.body is self.outer
 
 
-def spanning_tree(model: Model) -> tuple[list[Branch], list[Joint]]:
-    """Grow the tree from the ground, taking joints in the order of declaration.
+@dataclass(frozen=True)
+class Closing:
+    """A joint that closes a circuit.
+
+    Attributes:
+        joint: The joint.
+        ring: All joints of the circuit, itself included.
+        reason: Why this one was cut.
+    """
+
+    joint: Joint
+    ring: tuple[Joint, ...]
+    reason: str
+
+
+def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
+    """The tree from the ground, and the joints that close its circuits.
+
+    Joints are taken in the order of declaration. Where there are circuits, those of most freedoms
+    are cut: that leaves the fewest speeds, and with them the fewest constraints.
 
     Returns:
-        The branches, every inner body before its outer one, and the joints that close circuits.
+        The branches, every inner body before its outer one, and the cut joints.
     """
     joints = list(model.joints.values())
+    asked = {joint.name for joint in joints if joint.cut}
+    branches, closing = _grow(model, [joint for joint in joints if not joint.cut])
+    if closing:
+        branches, closing = _grow(model, _fewest_freedoms(model, asked))
+        closing += [j for j in joints if j not in closing and _closes(branches, j)]
+    closing += [j for j in joints if j.cut and j not in closing and _reached(model, branches, j)]
+    order = {joint.name: k for k, joint in enumerate(joints)}
+    closing.sort(key=lambda joint: order[joint.name])
+    return branches, [_closing(branches, joint) for joint in closing]
+
+
+def _grow(model: Model, joints: Collection[Joint]) -> tuple[list[Branch], list[Joint]]:
+    """A tree of the joints in their order, and those of them that close circuits."""
+    joints = list(joints)
     at: dict[Body, list[int]] = {body: [] for body in model.bodies.values()}
     at[model.ground] = []
     for k, joint in enumerate(joints):
@@ -63,20 +99,92 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Joint]]:
     return branches, closing
 
 
-def open_tree(model: Model) -> list[Branch]:
-    """The spanning tree of a model without circuits in which all bodies hang on the ground.
+def freedoms(joint: Joint) -> int:
+    """Speeds that a joint adds to the tree; -1 where it must not be cut."""
+    if joint.motion is not None or joint.couple is not None or not joint.kind.cuttable:
+        return -1
+    return len(joint.kind.speeds)
+
+
+def _fewest_freedoms(model: Model, asked: Collection[str]) -> list[Joint]:
+    """The joints of the tree of fewest speeds; among those, of the shallowest, declared first."""
+    joints = list(model.joints.values())
+    at: dict[Body, list[int]] = {}
+    for k, joint in enumerate(joints):
+        if joint.name not in asked:
+            for body in (joint.parent.body, joint.child.body):
+                at.setdefault(body, []).append(k)
+    depth = {model.ground: 0}
+    open_joints: list[tuple[int, int, int]] = []
+
+    def offer(body: Body) -> None:
+        for k in at.get(body, []):
+            heappush(open_joints, (freedoms(joints[k]), depth[body], k))
+
+    offer(model.ground)
+    taken: set[int] = set()
+    while open_joints:
+        _, deep, k = heappop(open_joints)
+        ends = (joints[k].parent.body, joints[k].child.body)
+        outer = next((body for body in ends if body not in depth), None)
+        if outer is None:
+            continue
+        taken.add(k)
+        depth[outer] = deep + 1
+        offer(outer)
+    return [joints[k] for k in sorted(taken)]
+
+
+def _reached(model: Model, branches: list[Branch], joint: Joint) -> bool:
+    """Whether both bodies of a joint hang on the ground without it.
 
     Raises:
-        TopologyError: a circuit, a body that nothing joins to the ground, or a joint whose child
-            is nearer to the ground than its parent.
+        TopologyError: the tree needs a joint that is to be cut.
+    """
+    known = {model.ground, *(branch.outer for branch in branches)}
+    ends = (joint.parent.body, joint.child.body)
+    if all(body in known for body in ends):
+        return True
+    loose = next(body.name for body in ends if body not in known)
+    raise TopologyError(
+        f"joint '{joint.name}' ({joint.kind.kind}): cut=True, but it closes no circuit: without it "
+        f"nothing joins body '{loose}' to the ground. Leave out cut=True"
+    )
+
+
+def _closes(branches: list[Branch], joint: Joint) -> bool:
+    return not joint.cut and all(branch.joint is not joint for branch in branches)
+
+
+def _closing(branches: list[Branch], joint: Joint) -> Closing:
+    ring = tuple(loop(branches, joint))
+    if joint.cut:
+        return Closing(joint, ring, "cut=True asks for it")
+    if freedoms(joint) < 0:
+        held = "it is prescribed or follows another joint"
+        if not joint.kind.cuttable:
+            held = "a joint of this kind has no closing condition of its own"
+        raise TopologyError(
+            f"joint '{joint.name}' ({joint.kind.kind}) closes a circuit of joints of which none "
+            f"can be cut: {', '.join(repr(j.name) for j in ring)}; {held}. Make another joint of "
+            "the circuit one that can, such as Revolute or Spherical"
+        )
+    count = freedoms(joint)
+    others = [j for j in ring if j is not joint and freedoms(j) >= count]
+    freest = f"its {count} freedom{'s' if count != 1 else ''} leave the tree the fewest speeds"
+    if others:
+        freest += f", as those of '{others[0].name}' would, and so the tree is shallower"
+    return Closing(joint, ring, freest)
+
+
+def rooted_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
+    """The spanning tree of a model in which all bodies hang on the ground.
+
+    Raises:
+        TopologyError: a body that nothing joins to the ground, a joint whose child is nearer to
+            the ground than its parent, or a circuit that cannot be cut.
     """
     branches, closing = spanning_tree(model)
-    if closing:
-        names = ", ".join(f"'{j.name}'" for j in loop(branches, closing[0]))
-        raise circuits(
-            f"joint '{closing[0].name}' closes a circuit: body '{closing[0].child.body.name}' is "
-            f"reached twice; joints on the loop: {names}"
-        )
     reached = {branch.outer for branch in branches}
     loose = [body.name for body in model.bodies.values() if body not in reached]
     if loose:
@@ -92,7 +200,7 @@ def open_tree(model: Model) -> list[Branch]:
                 f"joint '{joint.name}' ({joint.kind.kind}): its child '{branch.inner.name}' is "
                 f"nearer to the ground than its parent '{branch.outer.name}'; exchange the two"
             )
-    return branches
+    return branches, closing
 
 
 def loop(branches: list[Branch], closing: Joint) -> list[Joint]:

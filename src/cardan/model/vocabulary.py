@@ -1,0 +1,151 @@
+"""What expressions of a scene are made of: parameters, inputs, coordinates, motions of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ..errors import ModelError, near
+from . import checks
+from .connections import Joint
+from .frame import Located, Place
+from .parameters import Constraint, Declared, Output, Placeholder
+from .units import unit as unit_of
+
+COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 9: tuple(f"{i}{j}" for i in "xyz" for j in "xyz")}
+
+
+class Vocabulary:
+    """The declarations of a model; the model holds what is declared."""
+
+    name: str
+    joints: dict[str, Joint]
+    parameters: dict[str, Declared]
+    inputs: dict[str, Declared]
+    outputs: dict[str, Output]
+    constraints: dict[str, Constraint]
+    atoms: dict[str, Placeholder]
+
+    def parameter(self, name: str, value: float, unit: str | None = None) -> Any:
+        """Declare a parameter.
+
+        Args:
+            name: Its name.
+            value: Default value in the given unit.
+            unit: Such as "kg" or "mm"; the value is converted to SI. Without one the parameter
+                fits anywhere.
+
+        Returns:
+            Its SymPy symbol.
+
+        Raises:
+            ModelError: the name is taken, the value is not a finite number or the unit is unknown.
+        """
+        self._declare(self.parameters, "parameter", name, value, unit)
+        return _symbol(name)
+
+    def input(self, name: str, default: float = 0.0, unit: str | None = None) -> Any:
+        """Declare an input: a control or a prescribed signal.
+
+        Returns:
+            Its SymPy symbol.
+
+        Raises:
+            ModelError: the name is taken, the default is not a finite number or the unit unknown.
+        """
+        self._declare(self.inputs, "input", name, default, unit)
+        return _symbol(name)
+
+    def _declare(
+        self, where: dict[str, Declared], what: str, name: str, value: float, unit: str | None
+    ) -> None:
+        checks.name(what, name)
+        if name == "t":
+            raise ModelError(f"{what} 't': t is the time; choose another name")
+        if name in self.parameters or name in self.inputs:
+            raise ModelError(f"{what} '{name}': the name is taken by a parameter or an input")
+        measured = unit_of(unit or "")
+        number = checks.number(f"{what} '{name}'", value) * measured.factor
+        where[name] = Declared(name, number, measured.si, unit is not None)
+
+    def output(self, name: str, expression: Any, unit: str = "") -> None:
+        """Name an expression to be computed along with the motion.
+
+        Args:
+            unit: What the value is measured in, for the reader. It is computed in SI: an output
+                declared in mm comes in m.
+
+        Raises:
+            ModelError: the name is taken or the unit unknown.
+        """
+        checks.new("output", name, self.outputs)
+        self.outputs[name] = Output(name, expression, unit_of(unit).si)
+
+    def constraint(self, name: str, expression: Any, unit: str = "") -> None:
+        """Keep an expression at 0: a relation between coordinates, frames or speeds, and t.
+
+        An expression without speeds and velocities holds at position level and is differentiated;
+        one with them must be linear in the speeds and holds at velocity level: it is
+        nonholonomic, or said to be integrable. One that contains t or a prescribing input is
+        rheonomic.
+
+        Args:
+            name: Its name, that of its multiplier.
+            expression: In coordinates (:meth:`q`), speeds (:meth:`u`), motions of frames and t.
+            unit: What it is measured in, for the reader of residuals and multipliers.
+
+        Raises:
+            ModelError: the name is taken or the unit unknown.
+
+        Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 5.
+        """
+        checks.new("constraint", name, self.constraints)
+        if name in self.joints:
+            raise ModelError(f"constraint '{name}': a joint has this name; rename one of them")
+        self.constraints[name] = Constraint(name, expression, unit_of(unit).si)
+
+    def q(self, coordinate: str) -> Any:
+        """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several."""
+        return self._coordinate("q", coordinate, coordinate)
+
+    def u(self, speed: str) -> Any:
+        """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
+        joint, _, component = speed.partition(".")
+        if speed in self.joints:
+            joint, component = speed, ""
+        return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
+
+    def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
+        fitting = [j for j in self.joints if given == j or given.startswith(j + ".")]
+        name = max(fitting, key=len, default="")
+        if not name:
+            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
+        kind = self.joints[name].kind
+        parts = [c.name for c in (kind.coordinates if quantity == "q" else kind.speeds)]
+        component = given[len(name) + 1 :]
+        if component not in parts:
+            known = [f"{name}.{c}" if c else name for c in parts]
+            raise ModelError(f"{quantity}('{given}'): no such component." + near(given, known))
+        self.atoms[symbol] = Placeholder(quantity, name, None, None, component)
+        return _symbol(symbol)
+
+    def placeholders(
+        self, place: Located, quantity: str, count: int, others: Sequence[Any]
+    ) -> list[Any]:
+        """Symbols that stand for the motion of a frame, see :class:`Located`."""
+        names = [self.place(f"{place.name}.{quantity}", o) if o else "" for o in others]
+        suffix = "".join(f"@{n}" if n else "" for n in names)
+        if names[1] and not names[0]:
+            suffix = "@" + suffix
+        symbols = []
+        for k, component in enumerate(COMPONENTS[count]):
+            text = f"{place.name}.{quantity}{suffix}.{component}"
+            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k)
+            symbols.append(_symbol(text))
+        return symbols
+
+
+def _symbol(name: str) -> Any:
+    from sympy import Symbol
+
+    return Symbol(name)

@@ -1,0 +1,189 @@
+"""Which closing conditions of a circuit are independent, whatever its motion.
+
+The motions of one end of a circuit against the other lie in the group that its joints generate:
+the plane for parallel axes, the rotations about a point for axes that meet there. Conditions that
+hold all over the group are left out, so that planar and spherical circuits close by the two or
+three conditions of their own geometry. The group is found by its algebra: the twists of the joints
+and all their products [a, b], as many as are independent.
+
+Source: Hervé, Analyse structurelle des mécanismes par groupe des déplacements, Mech. Mach. Theory
+13 (1978); Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..elements.joints.closing import closed
+from ..elements.joints.joint import Joint as JointElement
+from ..ir.matrix import Matrix
+from .convert import Converter
+from .system import Cut, Frame, Joint, Nodes
+
+Array = NDArray[np.float64]
+# what is left of a twist of length 1 that depends on others
+DEPENDENT = 1e-9
+# joint positions at which twists and gradients are taken: the default one, and one beside it
+SAMPLES = 2
+Data = Mapping[str, tuple[int, int, Nodes]]
+
+
+@dataclass(frozen=True)
+class Pose:
+    """R (3, 3) and p (3)."""
+
+    rotation: Array
+    position: Array
+
+    def then(self, inner: Pose) -> Pose:
+        return Pose(
+            self.rotation @ inner.rotation, self.position + self.rotation @ inner.position
+        )
+
+    def inverse(self) -> Pose:
+        return Pose(self.rotation.T, -self.rotation.T @ self.position)
+
+    def carried(self, twist: Array) -> Array:
+        """A twist about the inner origin in inner axes, about the outer one in outer axes."""
+        turning, moving = self.rotation @ twist[:3], self.rotation @ twist[3:]
+        return np.concatenate([turning, moving + np.cross(self.position, turning)])
+
+
+HERE = Pose(np.eye(3), np.zeros(3))
+
+
+def independent(
+    cuts: Sequence[Cut],
+    joints: Sequence[Joint],
+    parents: Sequence[int],
+    frames: Sequence[Frame],
+    convert: Converter,
+) -> tuple[Cut, ...]:
+    """The cuts with the rows that are independent on the group of their circuit.
+
+    Args:
+        cuts: With all rows.
+        joints, parents: The tree joints and the body inboard of each.
+        frames: Of the system.
+        convert: Knows the default parameters, at which this is found.
+    """
+    numbers = Numbers(convert)
+    return tuple([_independent(cut, joints, parents, frames, numbers) for cut in cuts])
+
+
+def _independent(
+    cut: Cut,
+    joints: Sequence[Joint],
+    parents: Sequence[int],
+    frames: Sequence[Frame],
+    numbers: Numbers,
+) -> Cut:
+    at, twists = {cut.base: HERE}, list[Array]()
+    for i, _ in cut.path:
+        joint = joints[i]
+        seat = at[parents[i]].then(numbers.pose(joint.rotation, joint.position))
+        for sample in range(SAMPLES):
+            pose, modes = numbers.motion(joint.element, joint.data, sample)
+            moved = seat.then(pose)
+            twists += [moved.carried(mode) for mode in modes.T]
+            if sample == 0:
+                at[i] = moved
+    algebra = closure(twists)
+    if len(algebra) == 6:
+        return cut
+    # the group as the cut joint sees it: about the origin and in the axes of its child frame
+    frame = frames[cut.parent_frame]
+    seat = at[frame.body].then(numbers.pose(frame.rotation, frame.position))
+    blocks = []
+    for sample in range(SAMPLES):
+        pose, _ = numbers.motion(cut.element, cut.data, sample)
+        back = seat.then(pose).inverse()
+        group = np.stack([back.carried(twist) for twist in algebra], axis=1)
+        blocks.append(numbers.gradient(cut, pose) @ group)
+    rank = int(np.linalg.matrix_rank(blocks[-1], tol=DEPENDENT * max(1.0, abs(blocks[-1]).max())))
+    return dataclasses.replace(cut, rows=_leading(np.hstack(blocks), rank))
+
+
+def closure(twists: Sequence[Array]) -> list[Array]:
+    """An orthonormal basis of the algebra that twists generate."""
+    basis: list[Array] = []
+    waiting = list(twists)
+    while waiting and len(basis) < 6:
+        new = waiting.pop(0)
+        size = float(np.linalg.norm(new))
+        if size == 0:
+            continue
+        rest = new / size
+        # twice, so that rounding leaves nothing along the basis
+        for _ in range(2):
+            for known in basis:
+                rest = rest - known * (known @ rest)
+        left = float(np.linalg.norm(rest))
+        if left > DEPENDENT:
+            rest = rest / left
+            waiting += [product(known, rest) for known in basis]
+            basis.append(rest)
+    return basis
+
+
+def product(a: Array, b: Array) -> Array:
+    """[a, b]: how twist b changes as its line moves along a."""
+    moving = np.cross(a[:3], b[3:]) + np.cross(a[3:], b[:3])
+    return np.concatenate([np.cross(a[:3], b[:3]), moving])
+
+
+def _leading(rows: Array, rank: int) -> tuple[int, ...]:
+    """As many rows as the rank says, each the least dependent on those before it."""
+    rest, chosen = rows.copy(), list[int]()
+    for _ in range(rank):
+        sizes = np.linalg.norm(rest, axis=1)
+        # the first of equal ones: the same choice on every machine
+        best = int(np.flatnonzero(sizes > 0.999 * sizes.max())[0])
+        chosen.append(best)
+        along = rest[best] / sizes[best]
+        rest = rest - np.outer(rest @ along, along)
+    return tuple(sorted(chosen))
+
+
+class Numbers:
+    """Poses, modes of motion and gradients of joints at the default parameters."""
+
+    def __init__(self, convert: Converter) -> None:
+        self.convert = convert
+        self.graph = convert.graph.fork()
+
+    def values(self, *nodes: int) -> Array:
+        return np.array(self.convert.defaults(nodes, self.graph))
+
+    def pose(self, rotation: Nodes, position: Nodes) -> Pose:
+        values = self.values(*rotation, *position)
+        return Pose(values[:9].reshape(3, 3), values[9:])
+
+    def _data(self, data: Data) -> dict[str, Matrix]:
+        return {name: Matrix(self.graph, *entry) for name, entry in data.items()}
+
+    def motion(self, element: JointElement, data: Data, sample: int) -> tuple[Pose, Array]:
+        """Pose and modes S (6, nu) of a joint at its default coordinates, or beside them."""
+        g, given = self.graph, self._data(data)
+        start = [g.const(c.default) for c in element.coordinates]
+        q = Matrix(g, len(start), 1, start)
+        if sample:
+            step = [g.const(0.3 + 0.17 * k) for k in range(len(element.speeds))]
+            q = element.integrate(q, Matrix(g, len(step), 1, step), **given)
+        rotation, position = element.pose(q, **given)
+        modes = element.motion(q, **given)
+        found = self.values(*modes.nodes).reshape(6, modes.columns)
+        return self.pose(rotation.nodes, position.nodes), found
+
+    def gradient(self, cut: Cut, pose: Pose) -> Array:
+        """Of the closing conditions along twists (m, 6)."""
+        g = self.graph
+        rotation = Matrix(g, 3, 3, [g.const(float(x)) for x in pose.rotation.ravel()])
+        position = Matrix(g, 3, 1, [g.const(float(x)) for x in pose.position])
+        _, gradient = closed(cut.element, rotation, position, self._data(cut.data))
+        return self.values(*gradient.nodes).reshape(gradient.rows, 6)
