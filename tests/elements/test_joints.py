@@ -133,6 +133,153 @@ def test_convective_acceleration(bench: Bench) -> None:
         assert close(bench.value(convective), wanted)
 
 
+CUT = [name for name, joint in INSTANCES.items() if joint.cuttable]
+
+
+@pytest.fixture(params=CUT)
+def cut(request: pytest.FixtureRequest) -> Cut:
+    return Cut(request.param)
+
+
+class Cut(Bench):
+    """A joint that closes a circuit: relative poses beside those of its coordinates."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        pose, place = block(self.graph, "R", 9), block(self.graph, "place", 3)
+        self.R, self.x = Matrix(self.graph, 3, 3, pose.nodes), place
+        self.closure = self.joint.closure(self.R, self.x, **self.data)
+        rotation, position = self.joint.pose(self.q, **self.data)
+        self.at_R, self.at_x = self.value(rotation), self.value(position)
+
+    def gradient(self) -> Any:
+        """d closure / d twist of C at its origin, in C axes, (m, 6), by differences."""
+        columns = []
+        for k in range(6):
+            turn, shift = np.zeros(3, object), np.zeros(3, object)
+            (turn if k < 3 else shift)[k % 3] = mpmath.mpf(1)
+            spin, drift = self.at_R @ skew(turn), self.at_R @ shift
+            columns.append(difference(lambda t, s=spin, d=drift: self.near(t, s, d)))
+        return np.stack(columns, axis=-1) if len(self.joint.held) else np.zeros((0, 6))
+
+    def near(self, t: Any, spin: Any, drift: Any) -> Any:
+        R, x = self.at_R + t * spin, self.at_x + t * drift
+        return self.value(self.closure, R=list(R.ravel()), place=list(x))
+
+
+def skew(v: Any) -> Any:
+    x, y, z = v
+    return np.array([[0 * x, -z, y], [z, 0 * x, -x], [-y, x, 0 * x]], dtype=object)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_closure_vanishes_at_every_pose_of_the_joint(cut: Cut, seed: int) -> None:
+    joint, rng = cut.joint, np.random.default_rng(seed)
+    held = joint.held
+    assert cut.closure.rows == len(held) == 6 - cut.nu
+    start = Matrix.vector(cut.graph, [x.default for x in joint.coordinates])
+    q = joint.integrate(start, block(cut.graph, "du", cut.nu), **cut.data)
+    R, p = joint.pose(q, **cut.data)
+    # more than half a turn too, where that is inside the domain
+    reach = 1.2 if joint.domain else 5.0
+    du = [mpmath.mpf(x) for x in rng.uniform(-reach, reach, cut.nu)]
+    assert close(cut.value(joint.closure(R, p, **cut.data), du=du), 0, 60)
+    facing = joint.facing(R, p, **cut.data)
+    assert all(x > 0 for x in cut.value(facing, du=du)) or joint.domain
+
+
+def test_closure_leaves_the_motion_free_and_holds_the_rest(cut: Cut) -> None:
+    gradient = cut.gradient()
+    S = cut.value(cut.joint.motion(cut.q, **cut.data)).reshape(6, cut.nu)
+    T = cut.value(cut.joint.constrained(cut.q, **cut.data)).reshape(6, 6 - cut.nu)
+    assert close(gradient @ S, 0)
+    held = np.array(gradient @ T, float)
+    assert not held.size or np.linalg.cond(held) < 100
+
+
+def test_rows_of_the_closure_are_angles_and_lengths(cut: Cut) -> None:
+    """A row in m grows with the length of a translation, a row in rad with an angle only."""
+    for row, component in zip(cut.gradient(), cut.joint.held, strict=True):
+        angular, linear = (float(sum(x * x for x in part)) for part in (row[:3], row[3:]))
+        assert component.unit in ("m", "rad")
+        if component.unit == "m":
+            assert linear == pytest.approx(1, abs=1e-15)
+        else:
+            assert linear < 1e-70
+            assert 0.1 < angular < 1 + 1e-15
+    names = [component.name for component in cut.joint.held]
+    assert len(set(names)) == len(names)
+    assert all(names)
+
+
+OTHER_BRANCH = {
+    "revolute z": [1.0, -1.0, -1.0],
+    "prismatic x": [-1.0, -1.0, 1.0],
+    "cylindrical y": [1.0, -1.0, -1.0],
+    "screw -x": [-1.0, -1.0, 1.0],
+    "planar": [-1.0, 1.0, -1.0],
+    "fixed": [1.0, -1.0, -1.0],
+}
+
+
+@pytest.mark.parametrize("name", OTHER_BRANCH)
+def test_an_axis_turned_round_does_not_face(name: str) -> None:
+    cut = Cut(name)
+    R, x = np.diag(OTHER_BRANCH[name]).ravel(), np.zeros(3)
+    assert close(cut.value(cut.closure, R=R, place=x), 0)
+    facing = cut.joint.facing(cut.R, cut.x, **cut.data)
+    assert min(cut.value(facing, R=R, place=x)) <= 0
+
+
+def test_a_screw_closes_after_whole_turns() -> None:
+    cut = Cut("screw oblique")
+    R, p = cut.joint.pose(cut.q, **cut.data)
+    closure = cut.joint.closure(R, p, **cut.data)
+    for turns in (-3, 0.4, 2.6, 100):
+        assert close(cut.value(closure, q=[2 * mpmath.pi * turns]), 0, 60)
+    # half a lead off is as far as it gets
+    shifted = cut.joint.closure(R, p + p / (p.dot(p) ** 0.5) * 0.1, **cut.data)
+    row = cut.value(shifted, q=[mpmath.mpf(1)])[-1]
+    assert abs(abs(row) - mpmath.mpf("0.1")) < 1e-60
+
+
+def test_a_custom_joint_says_why_it_is_not_cut() -> None:
+    custom = INSTANCES["custom two"]
+    graph = Graph()
+    assert not custom.cuttable
+    assert custom.held == ()
+    with pytest.raises(cd.TopologyError, match="choose another joint of the loop to cut"):
+        custom.closure(Matrix.identity(graph, 3), Matrix.zeros(graph, 3))
+
+
+def test_reversed_joints_tell_the_same_pose_backwards(bench: Bench) -> None:
+    """Pose and modes of the exchanged frames, in the same coordinates, from the same data."""
+    joint, back = bench.joint, bench.joint.reversed()
+    assert (back.kind, back.coordinates, back.speeds) == (
+        joint.kind,
+        joint.coordinates,
+        joint.speeds,
+    )
+    data, parameters = converted(bench.graph, back.quantities())
+    R, p = (bench.value(x) for x in joint.pose(bench.q, **bench.data))
+    turned = back.pose(bench.q, **data)
+    assert close(bench.value(turned[0], **parameters), R.T, 60)
+    assert close(bench.value(turned[1], **parameters), -(R.T @ p), 60)
+    # the velocity of the pose told backwards
+    S, T = back.motion(bench.q, **data), back.constrained(bench.q, **data)
+    path = [bench.along(x) for x in joint.pose(bench.q, **bench.data)]
+    spin = R @ difference(lambda t: path[0](t).T)
+    drift = R @ difference(lambda t: -(path[0](t).T @ path[1](t)))
+    assert close(bench.value(S @ bench.u, **parameters), [*unskew(spin), *drift])
+    assert close(bench.value(T.T @ S, **parameters), 0, 60)
+    if joint.cuttable:
+        closure = back.closure(*turned, **data)
+        assert closure.rows == len(back.held) == len(joint.held)
+        assert close(bench.value(closure, **parameters), 0, 60)
+    if not joint.line:
+        assert back.reversed() is joint
+
+
 def test_rates_and_speeds_are_inverse(bench: Bench) -> None:
     again = bench.joint.speeds_of(bench.q, bench.rate, **bench.data)
     assert close(bench.value(again, rate=bench.rates()), bench.speed, 60)

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint
+from .joint import Component, Joint, held_across
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,18 @@ class Cylindrical(Joint):
         across = Matrix.hstack(*complement(unit(data["axis"])))
         zero = Matrix.zeros(q.graph, 3, 2)
         return Matrix.vstack(Matrix.hstack(across, zero), Matrix.hstack(zero, across))
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["axis"])
+        return Matrix.vstack(tilt(R, n), Matrix.hstack(*complement(n)).T @ p)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (*held_across(self.axis, "r"), *held_across(self.axis, "p"))
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["axis"])
+        return n.T @ (R @ n)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(q.graph, 6)

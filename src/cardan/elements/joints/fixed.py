@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .joint import Component, Joint
+from ...spatial.alignment import diagonal, turning
+from .joint import POSITIONS, ROTATIONS, Component, Joint
 
 
 @dataclass(frozen=True)
@@ -31,3 +32,13 @@ class Fixed(Joint):
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         return Matrix.identity(q.graph, 6)
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.vstack(turning(R), p)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (*ROTATIONS, *POSITIONS)
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return diagonal(R)

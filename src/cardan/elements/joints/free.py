@@ -69,6 +69,13 @@ class Free(Joint):
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(q.graph, 6, 0)
 
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(R.graph, 0)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return ()
+
     def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         omega, v = self._split(u)
         return Matrix.vstack(self.parameters.rates(self._split(q)[0], omega), v)

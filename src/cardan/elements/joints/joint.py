@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Quantity
+from ..quantity import Direction, Quantity
 
 
 @dataclass(frozen=True)
@@ -25,11 +25,41 @@ class Component:
     default: float = 0.0
 
 
+ROTATIONS = tuple(Component(name, "rad") for name in ("rx", "ry", "rz"))
+POSITIONS = tuple(Component(name, "m") for name in ("px", "py", "pz"))
+
+
+def held_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
+    """Rotations ("r") or positions ("p") along the two directions across an axis.
+
+    They are called by the letters of the axes where the axis is one of them, else by 1 and 2.
+    """
+    k, sign = _letter(axis)
+    names = "12" if k is None else ("yzx"[k] + "zxy"[k])[::sign]
+    unit = "rad" if prefix == "r" else "m"
+    return Component(prefix + names[0], unit), Component(prefix + names[1], unit)
+
+
+def held_along(axis: Direction, prefix: str) -> str:
+    """Name of the rotation ("r") or position ("p") along an axis; 3 if it is no letter."""
+    k, _ = _letter(axis)
+    return prefix + ("3" if k is None else "xyz"[k])
+
+
+def _letter(axis: Direction) -> tuple[int | None, int]:
+    """Which axis of the frame a direction of three entries is, and its sign."""
+    filled = [(k, x) for k, x in enumerate(axis) if not (isinstance(x, float) and x == 0.0)]
+    if len(filled) == 1 and isinstance(filled[0][1], float) and abs(filled[0][1]) == 1.0:
+        return filled[0][0], int(filled[0][1])
+    return None, 1
+
+
 class Joint(ABC):
     """A joint between a parent frame P and a child frame C that coincide at the default q.
 
     All methods work on expressions; ``data`` are the quantities of :meth:`quantities`, converted.
-    6-vectors have the angular part first.
+    6-vectors have the angular part first. In the spanning tree a joint adds its motion
+    (``pose``, ``motion``); where it closes a circuit it holds the rest (``closure``, ``slip``).
     """
 
     kind: ClassVar[str]
@@ -90,6 +120,68 @@ class Joint(ABC):
         """The du with integrate(q0, du) = q1; by default q1 - q0."""
         return q1 - q0
 
+    @abstractmethod
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        """What must vanish where the joint closes a circuit: residuals of a relative pose.
+
+        They are smooth and of full rank at every pose the joint allows. They may vanish at
+        isolated other branches, such as an axis turned round, which :meth:`facing` tells apart.
+
+        Args:
+            R: R_PC, (3, 3).
+            p: p_PC in P axes [m], (3, 1).
+
+        Returns:
+            (m, 1), m = 6 minus the number of speeds, rotations [rad] before lengths [m].
+
+        Raises:
+            TopologyError: the joint is not :attr:`cuttable`.
+        """
+
+    @property
+    @abstractmethod
+    def held(self) -> tuple[Component, ...]:
+        """Names and units of the rows of :meth:`closure`.
+
+        The multiplier of a row in rad is a torque [N m], of a row in m a force [N].
+        """
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        """Numbers (k, 1) that are positive at every pose the joint allows, while one of them is
+        not at the other poses where the closure vanishes; by default there are none."""
+        return Matrix.zeros(R.graph, 0)
+
+    @property
+    def cuttable(self) -> bool:
+        """Whether the joint can close a circuit."""
+        return True
+
+    def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
+        """Velocities (k, 1) [m/s] that vanish beyond the derivative of the closure, or None.
+
+        Args:
+            R, p: The relative pose, as in :meth:`closure`.
+            twist: Velocity of C against P at the origin of C, in C axes, (6, 1); the result is
+                linear in it. In the spanning tree it is S u.
+        """
+        return None
+
+    @property
+    def slips(self) -> tuple[Component, ...]:
+        """Names and units of the rows of :meth:`slip`."""
+        return ()
+
+    def reversed(self) -> Joint:
+        """The joint with parent and child exchanged, in the same coordinates and speeds.
+
+        Where all motion is along one line it is the same kind along the opposite direction.
+        """
+        if not self.line:
+            return Reversed(self)
+        back = tuple(-x if x else x for x in getattr(self, self.line))
+        changed: Joint = replace(self, **{self.line: back})  # type: ignore[type-var]
+        return changed
+
     @property
     def quaternion(self) -> int | None:
         """Index in q of the scalar part of a unit quaternion that must be kept normalized."""
@@ -99,3 +191,100 @@ class Joint(ABC):
     def domain(self) -> str:
         """Where the coordinates are regular, in words; "" where they are everywhere."""
         return ""
+
+
+@dataclass(frozen=True)
+class Reversed(Joint):
+    """A joint whose child carries its parent: the same pose, speeds and data, told backwards.
+
+    Args:
+        element: The joint as declared.
+    """
+
+    element: Joint
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "kind", self.element.kind)
+        object.__setattr__(self, "source", self.element.source)
+
+    @property
+    def coordinates(self) -> tuple[Component, ...]:
+        return self.element.coordinates
+
+    @property
+    def speeds(self) -> tuple[Component, ...]:
+        return self.element.speeds
+
+    def quantities(self) -> dict[str, Quantity]:
+        return self.element.quantities()
+
+    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
+        return _inverse(*self.element.pose(q, **data))
+
+    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
+        R, p = self.element.pose(q, **data)
+        turning, sliding = _halves(self.element.motion(q, **data))
+        turned = R @ turning
+        return Matrix.vstack(-turned, -(R @ sliding + p.skew @ turned))
+
+    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
+        R, p = self.element.pose(q, **data)
+        torques, forces = _halves(self.element.constrained(q, **data))
+        turned = R @ forces
+        return Matrix.vstack(-(R @ torques + p.skew @ turned), -turned)
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return self.element.closure(*_inverse(R, p), **data)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return self.element.held
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return self.element.facing(*_inverse(R, p), **data)
+
+    @property
+    def cuttable(self) -> bool:
+        return self.element.cuttable
+
+    def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
+        turning, sliding = _halves(twist)
+        turned = R @ turning
+        back = Matrix.vstack(-turned, -(R @ sliding + p.cross(turned)))
+        return self.element.slip(*_inverse(R, p), back, **data)
+
+    @property
+    def slips(self) -> tuple[Component, ...]:
+        return self.element.slips
+
+    def reversed(self) -> Joint:
+        return self.element
+
+    def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        return self.element.rates(q, u, **data)
+
+    def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
+        return self.element.speeds_of(q, qdot, **data)
+
+    def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
+        return self.element.integrate(q, du, **data)
+
+    def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
+        return self.element.difference(q0, q1, **data)
+
+    @property
+    def quaternion(self) -> int | None:
+        return self.element.quaternion
+
+    @property
+    def domain(self) -> str:
+        return self.element.domain
+
+
+def _inverse(R: Matrix, p: Matrix) -> tuple[Matrix, Matrix]:
+    """Pose of P in C of the pose of C in P."""
+    return R.T, -(R.T @ p)
+
+
+def _halves(x: Matrix) -> tuple[Matrix, Matrix]:
+    return x.block(slice(0, 3)), x.block(slice(3, 6))

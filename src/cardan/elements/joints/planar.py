@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint
+from .joint import Component, Joint, held_across, held_along
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,18 @@ class Planar(Joint):
         n, zero = unit(data["normal"]), Matrix.zeros(q.graph, 3)
         across = Matrix.vstack(Matrix.hstack(*complement(n)), Matrix.zeros(q.graph, 3, 2))
         return Matrix.hstack(across, Matrix.vstack(zero, n))
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["normal"])
+        return Matrix.vstack(tilt(R, n), n.T @ p)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (*held_across(self.normal, "r"), Component(held_along(self.normal, "p"), "m"))
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["normal"])
+        return n.T @ (R @ n)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         # the speeds are along directions of the parent: nothing is left without udot

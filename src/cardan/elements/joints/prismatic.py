@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...spatial.alignment import diagonal, turning
 from ...spatial.axis import complement, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint
+from .joint import ROTATIONS, Component, Joint, held_across
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,17 @@ class Prismatic(Joint):
             Matrix.hstack(Matrix.identity(graph, 3), Matrix.zeros(graph, 3, 2)),
             Matrix.hstack(Matrix.zeros(graph, 3, 3), across),
         )
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        sideways = Matrix.hstack(*complement(unit(data["axis"]))).T @ p
+        return Matrix.vstack(turning(R), sideways)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (*ROTATIONS, *held_across(self.axis, "p"))
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return diagonal(R)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(q.graph, 6)

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint
+from .joint import POSITIONS, Component, Joint, held_across
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,17 @@ class Revolute(Joint):
             Matrix.hstack(across, Matrix.zeros(graph, 3, 3)),
             Matrix.hstack(Matrix.zeros(graph, 3, 2), Matrix.identity(graph, 3)),
         )
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.vstack(tilt(R, unit(data["axis"])), p)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (*held_across(self.axis, "r"), *POSITIONS)
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["axis"])
+        return n.T @ (R @ n)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(q.graph, 6)

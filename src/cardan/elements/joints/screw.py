@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from ...ir.arithmetic import atan2, cos, select, sin
 from ...ir.matrix import Matrix
+from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis, number
-from .joint import Component, Joint
+from .joint import Component, Joint, held_across, held_along
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,31 @@ class Screw(Joint):
         across, zero = Matrix.hstack(*complement(n)), Matrix.zeros(q.graph, 3, 2)
         along = Matrix.vstack(-(n * data["pitch"][0]), n)
         return Matrix.hstack(Matrix.vstack(across, zero), Matrix.vstack(zero, across), along)
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        """The last row is the displacement minus pitch times angle, without whole turns.
+
+        A pose knows the angle up to turns only: the row is the remainder within half a lead.
+        """
+        n, pitch = unit(data["axis"]), data["pitch"][0]
+        first, second = complement(n)
+        x, y, z = first.dot(R @ first), second.dot(R @ first), n.dot(p)
+        # the angle that belongs to the displacement, minus that of R, within half a turn
+        flat = pitch.apply("eq", 0.0)
+        angle = z / select(flat, 1.0, pitch)
+        c, s = cos(angle), sin(angle)
+        apart = select(flat, z, pitch * atan2(s * x - c * y, c * x + s * y))
+        sideways = Matrix.hstack(first, second).T @ p
+        return Matrix.vstack(tilt(R, n), sideways, Matrix.vector(R.graph, [apart]))
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        sideways = held_across(self.axis, "p")
+        return (*held_across(self.axis, "r"), *sideways, Component(held_along(self.axis, "p"), "m"))
+
+    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        n = unit(data["axis"])
+        return n.T @ (R @ n)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(q.graph, 6)

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.rotations import Rotation, parametrization
-from .joint import Component, Joint
+from .joint import POSITIONS, Component, Joint
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,13 @@ class Spherical(Joint):
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         return Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return p
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return POSITIONS
 
     def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return self.parameters.rates(q, u)

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...errors import ModelError
+from ...ir.arithmetic import sqrt
 from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis, parallel
-from .joint import Component, Joint
+from .joint import POSITIONS, Component, Joint
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,17 @@ class Universal(Joint):
         across, zero = first.cross(second), Matrix.zeros(q.graph, 3)
         held = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
         return Matrix.hstack(Matrix.vstack(across, zero), held)
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        # the angle between the two axes stays as it is
+        first, second = unit(data["axis1"]), unit(data["axis2"])
+        lever = first.cross(second)
+        apart = (first.dot(second) - first.dot(R @ second)) / sqrt(lever.dot(lever))
+        return Matrix.vstack(Matrix.vector(R.graph, [apart]), p)
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return (Component("r", "rad"), *POSITIONS)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         # the first axis turns back in the child with the second angle
