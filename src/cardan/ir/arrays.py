@@ -31,7 +31,7 @@ class Arrays(Numbers):
         """X (n m, row by row) of A X = B, from the entries of A and B row by row."""
         both = np.stack(np.broadcast_arrays(*entries), axis=-1)
         batch = both.shape[:-1]
-        if kind == "rank_revealing":
+        if kind in ("rank_revealing", "semidefinite", "basic"):
             # the choice of pivots differs within the batch
             flat = both.reshape(-1, n * (n + m))
             solved = [numbers.FLOATS.solve(kind, n, m, row.tolist()) for row in flat]

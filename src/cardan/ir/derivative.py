@@ -16,6 +16,7 @@ from .partials import PARTIALS, choice
 from .solve import solve
 
 CHOICES = frozenset({"select", "min", "max"})
+UNSYMMETRIC = frozenset({"rank_revealing", "basic"})
 
 
 def forward(graph: Graph, roots: Sequence[int], seeds: Mapping[int, int]) -> list[int]:
@@ -216,7 +217,7 @@ def _solve_reverse(graph: Graph, i: int, bars: Mapping[int, int]) -> list[tuple[
     given = Matrix(graph, n, m, [bars.get(k, ZERO) for k in range(n * m)])
     if given.is_zero:
         return []
-    b_bar = solve(kind, a.T if kind == "rank_revealing" else a, given)
+    b_bar = solve(kind, a.T if kind in UNSYMMETRIC else a, given)
     a_bar = -(b_bar @ x.T)
     return [*zip(b.nodes, b_bar.nodes, strict=True), *zip(a.nodes, a_bar.nodes, strict=True)]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..errors import SolveError
+from .solve import DEPENDENT
 
 Rows = list[list[Any]]
 
@@ -22,6 +23,10 @@ def solve(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
         SolveError: A is singular; a ``rank_revealing`` solve goes on with zeros for the unknowns
             that A does not determine, unless B contradicts A.
     """
+    if kind == "semidefinite":
+        return _semidefinite(a, b)
+    if kind == "basic":
+        return _basic(a, b)
     return _static(a, b) if kind == "spd" else _pivoting(kind, a, b, eps)
 
 
@@ -47,6 +52,49 @@ def _static(a: Rows, b: Rows) -> Rows:
     return b
 
 
+def _basic(a: Rows, b: Rows) -> Rows:
+    """Complete pivoting on the rows that are independent, measured by their largest entries."""
+    n = len(a)
+    for i, row in enumerate(a):
+        largest = max(map(abs, row))
+        if largest:
+            a[i], b[i] = [x / largest for x in row], [x / largest for x in b[i]]
+    columns, rank = list(range(n)), n
+    for k in range(n):
+        size, row, column = _largest(a, k)
+        if not size * size > DEPENDENT:
+            rank = k
+            break
+        _exchange(k, row, column, columns, a, b)
+        _clear_below(a, b, k)
+    return _back(a, b, columns, rank)
+
+
+def _largest(a: Rows, k: int) -> tuple[Any, int, int]:
+    """The largest entry from row and column k on, the first of equal ones."""
+    n = len(a)
+    size, row, column = max((abs(a[i][j]), -i, -j) for i in range(k, n) for j in range(k, n))
+    return size, -row, -column
+
+
+def _exchange(k: int, row: int, column: int, columns: list[int], a: Rows, *others: Any) -> None:
+    """Bring an entry of A to the place of pivot k."""
+    for rows in (a, *others):
+        rows[k], rows[row] = rows[row], rows[k]
+    columns[k], columns[column] = columns[column], columns[k]
+    for line in a:
+        line[k], line[column] = line[column], line[k]
+
+
+def _clear_below(a: Rows, b: Rows, k: int) -> list[Any]:
+    """Subtract row k from those below; the factors."""
+    factors = [a[i][k] / a[k][k] for i in range(k + 1, len(a))]
+    for i, factor in enumerate(factors, k + 1):
+        a[i] = [x - factor * y for x, y in zip(a[i], a[k], strict=True)]
+        b[i] = [x - factor * y for x, y in zip(b[i], b[k], strict=True)]
+    return factors
+
+
 def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
     """Gaussian elimination with complete pivoting."""
     n = len(a)
@@ -55,27 +103,44 @@ def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
     # the largest entry of every row of B tells rounding from contradiction
     scale = [max(map(abs, row)) for row in b]
     for k in range(n):
-        size, row, column = max((abs(a[i][j]), -i, -j) for i in range(k, n) for j in range(k, n))
-        row, column = -row, -column
+        size, row, column = _largest(a, k)
         largest = largest or size
         if size <= n * eps * largest:
             rank = k
             break
-        for rows in (a, b, scale):
-            rows[k], rows[row] = rows[row], rows[k]
-        columns[k], columns[column] = columns[column], columns[k]
-        for line in a:
-            line[k], line[column] = line[column], line[k]
-        for i in range(k + 1, n):
-            factor = a[i][k] / a[k][k]
-            a[i] = [x - factor * y for x, y in zip(a[i], a[k], strict=True)]
-            b[i] = [x - factor * y for x, y in zip(b[i], b[k], strict=True)]
+        _exchange(k, row, column, columns, a, b, scale)
+        for i, factor in enumerate(_clear_below(a, b, k), k + 1):
             scale[i] = max(scale[i], abs(factor) * scale[k])
     if rank < n and kind != "rank_revealing":
         raise SolveError(f"a system of {n} equations has rank {rank}: its matrix is singular")
     if any(abs(x) > 64 * n * eps * scale[i] for i in range(rank, n) for x in b[i]):
         raise SolveError(f"a system of {n} equations has rank {rank} and contradicts itself")
     return _back(a, b, columns, rank)
+
+
+def _semidefinite(a: Rows, b: Rows) -> Rows:
+    """Elimination along the diagonal, of the rows that are independent."""
+    n = len(a)
+    size, left, taken = [a[i][i] for i in range(n)], list(range(n)), list[int]()
+    while left:
+        best = max(left, key=lambda i: (a[i][i] / size[i] if size[i] > 0 else 0, -i))
+        if not a[best][best] > DEPENDENT * size[best]:
+            break
+        left.remove(best)
+        taken.append(best)
+        for i in left:
+            factor = a[i][best] / a[best][best]
+            for j in left:
+                a[i][j] -= factor * a[best][j]
+            b[i] = [x - factor * y for x, y in zip(b[i], b[best], strict=True)]
+    x: Rows = [[entry * 0 for entry in b[0]] for _ in a]
+    for place in range(len(taken) - 1, -1, -1):
+        k = taken[place]
+        right = b[k]
+        for j in taken[place + 1 :]:
+            right = [r - a[k][j] * y for r, y in zip(right, x[j], strict=True)]
+        x[k] = [r / a[k][k] for r in right]
+    return x
 
 
 def _back(a: Rows, b: Rows, columns: list[int], rank: int) -> Rows:

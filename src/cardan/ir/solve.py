@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from .graph import ZERO, Graph
 from .matrix import Matrix, inner
 
-KINDS = ("spd", "symmetric_indefinite", "rank_revealing")
+KINDS = ("spd", "symmetric_indefinite", "rank_revealing", "semidefinite", "basic")
+# of its diagonal entry: where the pivot of a row of a semidefinite matrix counts as zero
+DEPENDENT = 1e-9
 
 
 def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
@@ -20,7 +22,11 @@ def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
     Args:
         kind: ``"spd"``: symmetric positive definite, eliminated in static order from the last row
             to the first (LᵀL, no fill on the pattern of a tree); ``"symmetric_indefinite"`` and
-            ``"rank_revealing"``: a C kernel that pivots.
+            ``"rank_revealing"``: a C kernel that pivots; ``"semidefinite"``: one that takes the
+            rows of a symmetric positive semidefinite A as far as they are independent, each
+            measured by its diagonal entry, and gives the others the solution 0; ``"basic"``: one
+            that leaves out rows that follow from others, each measured by its largest entry, and
+            gives unknowns that are free the solution 0.
         a: (n, n).
         b: (n, m).
     """

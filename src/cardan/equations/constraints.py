@@ -1,0 +1,294 @@
+"""What binds the speeds of a tree: circuits, rolling, relations that the user wrote.
+
+Every joint that closes a circuit says by its residuals at position level what it holds; their
+derivative along the relative twist of its two frames, carried back through the joints of the
+circuit, is the constraint Jacobian: g = 0, G u + g_t = 0, G udot = gamma.
+
+Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 5 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from ..elements.joints.closing import closed
+from ..elements.joints.joint import Component
+from ..errors import DerivationError
+from ..ir.derivative import forward
+from ..ir.function import live
+from ..ir.graph import ONE, ZERO
+from ..ir.matrix import Matrix
+from ..topology.system import Cut, System
+from .kinematics import Kinematics
+
+POSITION, VELOCITY = "position", "velocity"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One constraint.
+
+    Attributes:
+        name: Of its multiplier: ``J3.px``.
+        unit: Of its residual at position level, or at velocity level where it has no other.
+        owner: The joint or constraint it belongs to.
+        level: ``"position"`` or ``"velocity"``: where it holds first.
+    """
+
+    name: str
+    unit: str
+    owner: str
+    level: str
+
+    @property
+    def force_unit(self) -> str:
+        """Unit of its multiplier."""
+        length = {"m": "N", "m/s": "N", "rad": "N*m", "rad/s": "N*m"}
+        return length.get(self.unit, f"J/({self.unit})" if self.unit else "J")
+
+
+def rows(system: System) -> tuple[Row, ...]:
+    """The constraints of a system: those of position level first, in the order of the matrices."""
+    held, slipping = list[Row](), list[Row]()
+    for cut in system.cuts:
+        kept = [cut.element.held[i] for i in cut.rows]
+        held += _rows(cut.name, kept, POSITION)
+        slipping += _rows(cut.name, cut.element.slips, VELOCITY)
+    for joint in system.joints:
+        slipping += _rows(joint.name, joint.element.slips, VELOCITY)
+    for entry in system.constraints:
+        level = VELOCITY if _has_speeds(system, entry.node) else POSITION
+        row = Row(entry.name, entry.unit, entry.name, level)
+        (held if level == POSITION else slipping).append(row)
+    return (*held, *slipping)
+
+
+def _rows(owner: str, components: Sequence[Component], level: str) -> list[Row]:
+    return [Row(f"{owner}.{c.name}", c.unit, owner, level) for c in components]
+
+
+def _has_speeds(system: System, node: int) -> bool:
+    """Whether an expression contains speeds, or velocities of frames."""
+    for i in live(system.graph, [node]):
+        kind, name = system.graph.nodes[i][0], system.graph.nodes[i][1:2]
+        if kind == "var" and name == ("u",):
+            return True
+        if kind == "atom" and name[0] in system.atoms:
+            quantity = system.atoms[str(name[0])].quantity
+            if quantity in ("u", "velocity", "angular_velocity"):
+                return True
+    return False
+
+
+@dataclass(frozen=True)
+class Ends:
+    """How the frames of a cut joint lie and move against each other.
+
+    Attributes:
+        rotation, position: R_PC (3, 3) and p_PC (3, 1) in P axes.
+        columns: Speed -> twist of C against P at the origin of C, in C axes (6, 1).
+        twist: All of it (6, 1), prescribed motion included.
+    """
+
+    rotation: Matrix
+    position: Matrix
+    columns: dict[int, Matrix]
+    twist: Matrix
+
+
+class Constraints:
+    """The constraints of a system as expressions, derived when asked for.
+
+    Args:
+        k: Motion of the tree.
+    """
+
+    def __init__(self, k: Kinematics) -> None:
+        self.k = k
+        self.rows = rows(k.system)
+        self.positions = sum(row.level == POSITION for row in self.rows)
+        self._ends = [_ends(k, cut) for cut in k.system.cuts]
+        self._closed = [
+            closed(cut.element, e.rotation, e.position, data)
+            for cut, e, data in zip(k.system.cuts, self._ends, self._data, strict=True)
+        ]
+
+    @cached_property
+    def _data(self) -> list[dict[str, Matrix]]:
+        return [
+            {name: self.k.matrix(*entry) for name, entry in cut.data.items()}
+            for cut in self.k.system.cuts
+        ]
+
+    @cached_property
+    def _written(self) -> list[tuple[str, int, str]]:
+        """(name, node, level) of the relations that the user wrote."""
+        levels = {row.owner: row.level for row in self.rows}
+        return [
+            (entry.name, self.k.resolve([entry.node])[0], levels[entry.name])
+            for entry in self.k.system.constraints
+        ]
+
+    def _column(self, nodes: Sequence[int]) -> Matrix:
+        return Matrix(self.k.graph, len(nodes), 1, nodes)
+
+    @cached_property
+    def position(self) -> Matrix:
+        """g (mp, 1)."""
+        nodes: list[int] = []
+        for cut, (g, _) in zip(self.k.system.cuts, self._closed, strict=True):
+            nodes += [g.nodes[i] for i in cut.rows]
+        nodes += [node for _, node, level in self._written if level == POSITION]
+        return self._column(nodes)
+
+    @cached_property
+    def closure(self) -> Matrix:
+        """Residuals of all closing conditions of all cut joints, dependent ones too."""
+        return self._column([node for g, _ in self._closed for node in g.nodes])
+
+    @cached_property
+    def rates(self) -> Matrix:
+        """G u + g_t (m, 1): derivative of g, then velocities that vanish."""
+        g, held, slipping = self.k.graph, list[int](), list[int]()
+        for n, cut in enumerate(self.k.system.cuts):
+            with g.made_by(cut.name, "rate"):
+                ends, (_, gradient) = self._ends[n], self._closed[n]
+                held += [_times(gradient, i, ends.twist) for i in cut.rows]
+                slipping += self._slip(n, ends.twist)
+        for i, joint in enumerate(self.k.system.joints):
+            with g.made_by(joint.name, "slip"):
+                slipping += self._tree_slip(i, self.k.joints[i].velocity)
+        for name, node, level in self._written:
+            with g.made_by(name, "rate"):
+                if level == POSITION:
+                    held += forward(g, [node], self.k.time_seeds)
+                else:
+                    slipping.append(node)
+        return self._column([*held, *slipping])
+
+    @cached_property
+    def jacobian(self) -> Matrix:
+        """G (m, nu).
+
+        Raises:
+            DerivationError: a relation is not linear in the speeds.
+        """
+        g, nu = self.k.graph, self.k.system.nu
+        held, slipping = list[list[int]](), list[list[int]]()
+        for n, cut in enumerate(self.k.system.cuts):
+            with g.made_by(cut.name, "G"):
+                ends, (_, gradient) = self._ends[n], self._closed[n]
+                for i in cut.rows:
+                    entries = {s: _times(gradient, i, c) for s, c in ends.columns.items()}
+                    held.append([entries.get(s, ZERO) for s in range(nu)])
+                slips = {s: self._slip(n, c) for s, c in ends.columns.items()}
+                for i in range(len(cut.element.slips)):
+                    slipping.append([slips[s][i] if s in slips else ZERO for s in range(nu)])
+        for i, joint in enumerate(self.k.system.joints):
+            with g.made_by(joint.name, "G"):
+                own = {s: self._tree_slip(i, c) for s, c in self.k.joints[i].columns}
+                for n in range(len(joint.element.slips)):
+                    slipping.append([own[s][n] if s in own else ZERO for s in range(nu)])
+        for name, node, level in self._written:
+            with g.made_by(name, "G"):
+                row = self._gradient(name, node, level)
+                (held if level == POSITION else slipping).append(row)
+        return Matrix(g, len(self.rows), nu, [x for row in (*held, *slipping) for x in row])
+
+    @cached_property
+    def gamma(self) -> Matrix:
+        """G udot = gamma (m, 1)."""
+        return -self.k.derivative(self.rates)
+
+    def _slip(self, n: int, twist: Matrix) -> list[int]:
+        cut, ends = self.k.system.cuts[n], self._ends[n]
+        found = cut.element.slip(ends.rotation, ends.position, twist, **self._data[n])
+        return [] if found is None else list(found.nodes)
+
+    def _tree_slip(self, i: int, twist: Matrix) -> list[int]:
+        joint, k = self.k.system.joints[i], self.k
+        if not joint.element.slips:
+            return []
+        pose = joint.element.pose(k.coordinates[i], **k.data[i])
+        found = joint.element.slip(*pose, twist, **k.data[i])
+        return [] if found is None else list(found.nodes)
+
+    def _gradient(self, name: str, node: int, level: str) -> list[int]:
+        """Derivatives of the rate of a relation with respect to the speeds."""
+        g, nu = self.k.graph, self.k.system.nu
+        rate = node if level == VELOCITY else forward(g, [node], self.k.time_seeds)[0]
+        slots = [g.var("u", s) for s in range(nu)]
+        row = [forward(g, [rate], {slot: ONE})[0] for slot in slots]
+        if set(live(g, row)) & set(slots):
+            raise DerivationError(
+                f"constraint '{name}' is not linear in the speeds: write it so that every speed "
+                "and velocity in it has a factor without speeds"
+            )
+        return row
+
+    def wrench(self, cut: int, multipliers: Matrix) -> Matrix:
+        """Moment and force of P on C of a cut joint (6, 1), at the origin of C in C axes."""
+        at = {name: n for n, name in reversed(list(enumerate(r.name for r in self.rows)))}
+        record, ends = self.k.system.cuts[cut], self._ends[cut]
+        gradient, total = self._closed[cut][1], Matrix.zeros(self.k.graph, 6)
+        for i in record.rows:
+            row = gradient.block(slice(i, i + 1)).T
+            total = total + row * multipliers[at[f"{record.name}.{record.element.held[i].name}"]]
+        for n, component in enumerate(record.element.slips):
+            unit = Matrix.identity(self.k.graph, 6)
+            slips = [self._slip(cut, unit.column(j))[n] for j in range(6)]
+            total = total + self._column(slips) * multipliers[at[f"{record.name}.{component.name}"]]
+        return total
+
+
+def _times(gradient: Matrix, i: int, twist: Matrix) -> int:
+    """Row i of a gradient times a twist."""
+    return gradient.block(slice(i, i + 1)).T.dot(twist).node
+
+
+def _ends(k: Kinematics, cut: Cut) -> Ends:
+    """The two frames of a cut joint by the joints of its circuit, from where its branches part."""
+    g = k.graph
+    at = {cut.base: (Matrix.identity(g, 3), Matrix.zeros(g, 3))}
+    with g.made_by(cut.name, "pose"):
+        for i, _ in cut.path:
+            inner, joint = at[k.system.bodies[i].parent], k.joints[i]
+            at[i] = inner[0] @ joint.rotation, inner[1] + inner[0] @ joint.position
+        (r_p, x_p), (r_c, x_c) = (
+            _frame(k, f, at[k.system.frames[f].body]) for f in (cut.parent_frame, cut.child_frame)
+        )
+        rotation, position = r_p.T @ r_c, r_p.T @ (x_c - x_p)
+    columns: dict[int, Matrix] = {}
+    twist = Matrix.zeros(g, 6)
+    with g.made_by(cut.name, "twist"):
+        for i, sign in cut.path:
+            arm = x_c - at[i][1]
+            for slot, column in k.joints[i].columns:
+                own = _carried(at[i][0], arm, column) * sign
+                columns[slot] = columns[slot] + own if slot in columns else own
+            twist = twist + _carried(at[i][0], arm, k.joints[i].velocity) * sign
+        to_child = r_c.T
+        columns = {slot: _turned(to_child, column) for slot, column in columns.items()}
+        twist = _turned(to_child, twist)
+    return Ends(rotation, position, columns, twist)
+
+
+def _frame(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
+    f = k.system.frames[frame]
+    rotation, position = body
+    axes = k.fixed_to(f.body, k.matrix(3, 3, f.rotation))
+    return rotation @ axes, position + rotation @ k.place(frame)
+
+
+def _carried(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
+    """A twist of a body about its origin, about a point an arm away, in the axes of the base."""
+    turning = rotation @ twist.block(slice(0, 3))
+    return Matrix.vstack(turning, rotation @ twist.block(slice(3, 6)) + turning.cross(arm))
+
+
+def _turned(rotation: Matrix, twist: Matrix) -> Matrix:
+    return Matrix.vstack(
+        rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6))
+    )

@@ -1,0 +1,105 @@
+"""What every treatment of constraints is given and gives."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from ...ir.solve import solve
+
+
+@dataclass(frozen=True)
+class Bound:
+    """M udot = drive + Gᵀ lam with G udot = gamma.
+
+    Attributes:
+        mass: M (nu, nu).
+        drive: tau + f - h (nu, 1).
+        jacobian: G (m, nu), rows of position level first.
+        gamma: (m, 1).
+        position: g (mp, 1), of the first mp rows.
+        rates: G u + g_t (m, 1).
+    """
+
+    mass: Matrix
+    drive: Matrix
+    jacobian: Matrix
+    gamma: Matrix
+    position: Matrix
+    rates: Matrix
+
+
+class Treatment(ABC):
+    """A way to make accelerations obey constraints."""
+
+    name: ClassVar[str]
+    source: ClassVar[str]
+    # whether the accelerations fulfil the constraints to rounding
+    exact: ClassVar[bool]
+
+    @abstractmethod
+    def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:
+        """udot (nu, 1) and the multipliers lam (m, 1)."""
+
+
+def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tuple[Matrix, Matrix]:
+    """udot and lam with G udot + compliance lam = gamma.
+
+    M is eliminated in static order; what is left for the multipliers is factored with pivoting.
+    """
+    G = bound.jacobian
+    both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T))
+    free, answers = both.column(0), both.block(slice(0, both.rows), slice(1, both.columns))
+    circuit, right = symmetric(G @ answers), gamma - G @ free
+    if compliance:
+        circuit = circuit + Matrix.identity(G.graph, G.rows) * compliance
+        lam = solve("spd", circuit, right)
+    else:
+        lam = solve("semidefinite", circuit, right)
+    return free + answers @ lam, lam
+
+
+def by_penalty(
+    bound: Bound, gamma: Matrix, weight: float, repetitions: int
+) -> tuple[Matrix, Matrix]:
+    """udot and lam of a penalty, with multipliers that take over its forces again and again."""
+    G = bound.jacobian
+    stiff = symmetric(bound.mass + G.T @ G * weight)
+    lam = Matrix.zeros(G.graph, G.rows)
+    for _ in range(repetitions + 1):
+        udot = solve("spd", stiff, bound.drive + G.T @ (gamma * weight + lam))
+        lam = lam + (gamma - G @ udot) * weight
+    return udot, lam
+
+
+def by_motions(bound: Bound, one: Matrix, motions: Matrix) -> tuple[Matrix, Matrix]:
+    """udot = one + motions y from the balance along the motions, and the lam that goes with it.
+
+    Args:
+        bound: The equations.
+        one: An acceleration that fulfils the constraints (nu, 1).
+        motions: Columns (nu, n) that span all G Z = 0, dependent ones among them.
+    """
+    G, M = bound.jacobian, bound.mass
+    inertia = symmetric(motions.T @ (M @ motions))
+    y = solve("semidefinite", inertia, motions.T @ (bound.drive - M @ one))
+    udot = one + motions @ y
+    missing = M @ udot - bound.drive
+    return udot, solve("semidefinite", symmetric(G @ G.T), G @ missing)
+
+
+def stabilized(bound: Bound, frequency: float, damping: float) -> Matrix:
+    """gamma - 2 damping frequency gdot - frequency² g (m, 1); velocity rows have no g."""
+    m, g = bound.rates.rows, bound.position
+    if m > g.rows:
+        g = Matrix.vstack(g, Matrix.zeros(bound.rates.graph, m - g.rows))
+    return bound.gamma - bound.rates * (2 * damping * frequency) - g * (frequency * frequency)
+
+
+def symmetric(x: Matrix) -> Matrix:
+    """The lower triangle for both."""
+    n = x.rows
+    nodes = [x[max(i, j), min(i, j)].node for i in range(n) for j in range(n)]
+    return Matrix(x.graph, n, n, nodes)
