@@ -13,6 +13,7 @@ from . import __version__, topology
 from .codegen import generate, layout, manifest
 from .equations.choice import chosen_by
 from .equations.record import Equations
+from .equations.treatments import Treatment, treatment
 from .errors import BuildError, DerivationError
 from .runtime import folder as cache
 from .runtime.compiled import CompiledModel
@@ -42,6 +43,13 @@ STANDARD = (
     "reaction",
     "outputs",
     "power",
+    "constraints",
+    "constraint_rates",
+    "constraint_jacobian",
+    "closure",
+    "multipliers",
+    "close_position",
+    "close_velocity",
     "integrate",
     "difference",
     "derivative",
@@ -55,6 +63,7 @@ def derive(
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    constraints: str | Treatment = "auto",
 ) -> Equations:
     """Equations of motion of a scene.
 
@@ -70,6 +79,9 @@ def derive(
         specialize: Parameters whose values are built into the equations: names, or values by
             name; True for all. They cannot be changed afterwards; ``print(equations)`` says what
             it saves.
+        constraints: How they are treated: ``"multipliers"`` (what ``"auto"`` takes),
+            ``"elimination"``, ``"null_space"``, ``"baumgarte"``, ``"penalty"``, ``"augmented"``,
+            ``"perturbed"``, or one of these with its numbers, such as ``cd.Penalty(1e9)``.
 
     Returns:
         The record that says everything else: matrices, counts, functions.
@@ -86,7 +98,7 @@ def derive(
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen, method = topology.named_speeds(scene, system, speeds), "kane"
-    found = chosen_by(system, method, chosen, rewrites)
+    found = chosen_by(system, method, chosen, rewrites, treatment(constraints))
     return replace(found, free=topology.build(scene)) if specialize else found
 
 
@@ -100,6 +112,7 @@ def compile(
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
+    constraints: str | Treatment | None = None,
     loops: bool | None = None,
     threads: int | None = None,
 ) -> CompiledModel:
@@ -109,8 +122,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize: As :func:`derive` takes them, where
-            ``scene`` is a model.
+        coordinates, method, speeds, rewrites, specialize, constraints: As :func:`derive` takes
+            them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -121,21 +134,19 @@ def compile(
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
-    given = {
-        "coordinates": coordinates,
-        "method": method,
-        "speeds": speeds,
-        "rewrites": rewrites,
-        "specialize": specialize,
-    }
-    options: dict[str, Any] = {name: x for name, x in given.items() if x is not None}
-    if isinstance(scene, Equations) and options:
-        raise DerivationError(
-            f"{', '.join(options)}: the equations are derived already; give it to derive()"
-        )
-    equations = scene if isinstance(scene, Equations) else derive(scene, **options)
+    equations = _derived(
+        scene,
+        coordinates=coordinates,
+        method=method,
+        speeds=speeds,
+        rewrites=rewrites,
+        specialize=specialize,
+        constraints=constraints,
+    )
     functions = (functions,) if isinstance(functions, str) else functions
     known = equations.names()
+    if functions is STANDARD:
+        functions = tuple(name for name in STANDARD if name in known)
     for name in functions:
         if name not in known:
             equations.function(name)  # raises, with the near name
@@ -171,6 +182,22 @@ def compile(
     return CompiledModel(folder, provide, threads=threads)
 
 
+def _derived(scene: Model | Equations, **options: Any) -> Equations:
+    """The equations of a scene by the options that are given.
+
+    Raises:
+        DerivationError: options for equations that are derived already.
+    """
+    given = {name: x for name, x in options.items() if x is not None}
+    if not isinstance(scene, Equations):
+        return derive(scene, **given)
+    if given:
+        raise DerivationError(
+            f"{', '.join(given)}: the equations are derived already; give it to derive()"
+        )
+    return scene
+
+
 def fingerprint(equations: Equations, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
@@ -181,6 +208,7 @@ def fingerprint(equations: Equations, loops: bool | None = None) -> str:
         equations.method,
         equations.rewrites,
         equations.chosen,
+        equations.treatment,
         loops,
         system.graph.nodes,
         system.graph.tables,

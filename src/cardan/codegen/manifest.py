@@ -14,7 +14,7 @@ from .. import __version__
 from ..equations import blocks
 from ..equations.record import Equations
 from ..ir.function import Function
-from ..topology.system import Frame, Joint, System
+from ..topology.system import Cut, Frame, Joint, System
 from . import flat
 
 ABI = 1
@@ -66,7 +66,11 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
             for p in system.parameters
         ],
         "structural": dict(system.structural),
-        "multipliers": [],
+        "multipliers": [
+            {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
+            for row in equations.constraint_rows
+        ],
+        "cuts": [_cut(equations, cut) for cut in system.cuts],
         "joints": joints,
         "fixed": list(system.fixed),
         "bodies": [
@@ -103,6 +107,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
+    unknown += ["its circuits are not judged"] if system.closed else []
     return {
         "parents": [b.parent for b in system.bodies],
         "kinds": [j.element.kind for j in system.joints],
@@ -172,6 +177,18 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
         "domain": element.domain,
         "coupled": coupled,
         "prescribed": joint.motion is not None,
+    }
+
+
+def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
+    system = equations.system
+    return {
+        "name": cut.name,
+        "kind": cut.element.kind,
+        "parent_frame": system.frames[cut.parent_frame].name,
+        "child_frame": system.frames[cut.child_frame].name,
+        "circuit": [system.joints[i].name for i, _ in cut.path],
+        "reason": cut.reason,
     }
 
 

@@ -11,6 +11,7 @@ from .counts import Counts
 from .record import Equations
 from .relative import FORMALISMS, OTHER_NAMES
 from .rewritten import check_names
+from .treatments import Treatment
 
 # operations by which eliminating a joint within its bodies exceeds writing its rows of M, measured
 # on arms, legged robots and chains: 25 to 40 in space, less in a plane
@@ -20,7 +21,11 @@ UNCLEAR = (0.85, 3.5)
 
 
 def chosen_by(
-    system: System, method: str, chosen: tuple[Named, ...], rewrites: Sequence[str] | None
+    system: System,
+    method: str,
+    chosen: tuple[Named, ...],
+    rewrites: Sequence[str] | None,
+    treatment: Treatment,
 ) -> Equations:
     """Equations of a system by the formalism asked for, or by the one that takes least.
 
@@ -29,17 +34,18 @@ def chosen_by(
     """
     check_method(method)
     names = None if rewrites is None else check_names(rewrites)
+    plain = Equations(system, method, chosen, "", names, treatment=treatment)
     if method != "auto":
-        return Equations(system, method, chosen, "", names)
+        return plain
     best, reason = predicted(system)
     if best is not None:
-        return Equations(system, best, chosen, reason, names)
-    both = {m: Equations(system, m, chosen, "", names) for m in ("composite", "articulated")}
+        return replace(plain, method=best, reason=reason)
+    both = {m: replace(plain.fresh, method=m) for m in ("composite", "articulated")}
     try:
         counts = {m: both[m].operations_of("forward_dynamics") for m in both}
     except DerivationError:
         # M is singular: everything but udot can be had
-        return Equations(system, "composite", chosen, f"{system.depth()} joints deep", names)
+        return replace(plain, method="composite", reason=f"{system.depth()} joints deep")
     best = min(counts, key=lambda m: counts[m].cycles)
     other = next(m for m in counts if m != best)
     reason = f"{_told(counts[best])}; by {other} {_told(counts[other])}"
@@ -71,6 +77,8 @@ def predicted(system: System) -> tuple[str | None, str]:
     M and its factorization grow with the cube of the depth, articulated bodies with the number of
     joints. Where the prediction is not clear the formalism is None: count.
     """
+    if system.closed:
+        return "composite", "its constraints need M"
     coupled = [j.name for j in system.joints if j.coupling is not None]
     if coupled:
         return "composite", f"joint {coupled[0]} is coupled"

@@ -231,7 +231,7 @@ class Constraints:
     def wrench(self, cut: int, multipliers: Matrix) -> Matrix:
         """Moment and force of P on C of a cut joint (6, 1), at the origin of C in C axes."""
         at = {name: n for n, name in reversed(list(enumerate(r.name for r in self.rows)))}
-        record, ends = self.k.system.cuts[cut], self._ends[cut]
+        record = self.k.system.cuts[cut]
         gradient, total = self._closed[cut][1], Matrix.zeros(self.k.graph, 6)
         for i in record.rows:
             row = gradient.block(slice(i, i + 1)).T
@@ -289,6 +289,4 @@ def _carried(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
 
 
 def _turned(rotation: Matrix, twist: Matrix) -> Matrix:
-    return Matrix.vstack(
-        rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6))
-    )
+    return Matrix.vstack(rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6)))

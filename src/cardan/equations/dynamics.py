@@ -5,12 +5,18 @@ from __future__ import annotations
 from functools import cached_property
 
 from ..errors import DerivationError
-from ..ir.graph import ZERO
+from ..ir.arithmetic import Scalar
+from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.solve import solve
+from .constraints import Constraints
 from .kinematics import Kinematics
 from .loads import Loads, applied, none
 from .relative import articulated, composite, kane, newton_euler
+from .treatments import Bound, Multipliers, Treatment
+from .treatments.treatment import symmetric
+
+DEFAULT_TREATMENT = Multipliers()
 
 
 class Dynamics:
@@ -21,11 +27,15 @@ class Dynamics:
         method: Formalism. ``kane`` projects everything; ``newton_euler`` takes M from unit
             accelerations; ``composite`` takes M from composite bodies; ``articulated`` has no M
             in its forward dynamics. All but ``kane`` take the bias from the recursion.
+        treatment: How constraints are treated.
     """
 
-    def __init__(self, k: Kinematics, method: str) -> None:
+    def __init__(
+        self, k: Kinematics, method: str, treatment: Treatment = DEFAULT_TREATMENT
+    ) -> None:
         self.k = k
         self.method = method
+        self.treatment = treatment
         # (tau, udot) of everything that was solved for
         self.solutions: list[tuple[Matrix, Matrix]] = []
 
@@ -83,19 +93,85 @@ class Dynamics:
         Raises:
             DerivationError: M is structurally singular; names the joints.
         """
-        udot = self._forward(tau)
+        if self.k.system.closed:
+            return self.bound(tau)[0]
+        udot = self._free(tau)
         self.solutions.append((tau, udot))
         return udot
 
-    def _forward(self, tau: Matrix) -> Matrix:
+    def _free(self, tau: Matrix) -> Matrix:
+        """udot of a tree."""
         if self.method == "articulated":
             return articulated.forward_dynamics(self.k, tau, self.loads, self.gravity)
         self._refuse_massless()
-        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-        drive = self._label(tau - self.inverse(rest), "drive")
+        drive = self._drive(tau)
         with self.k.graph.made_by("M", "factor"):
             udot = solve("spd", self.mass_matrix, drive) if drive.rows else drive
         return self._label(udot, "udot")
+
+    def _drive(self, tau: Matrix) -> Matrix:
+        """tau + f - h (nu, 1)."""
+        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+        return self._label(tau - self.inverse(rest), "drive")
+
+    @cached_property
+    def constraints(self) -> Constraints:
+        """What binds the speeds."""
+        return Constraints(self.k)
+
+    def bound(self, tau: Matrix) -> tuple[Matrix, Matrix]:
+        """udot (nu, 1) and the multipliers (m, 1) of a system with constraints.
+
+        Raises:
+            DerivationError: the formalism takes no constraints.
+        """
+        if self.method == "articulated":
+            names = ", ".join(f"'{name}'" for name in dict.fromkeys(self._owners()))
+            raise DerivationError(
+                f"method 'articulated' takes no constraints, but here are those of {names}: use "
+                "method='composite' (or 'auto')"
+            )
+        if not self.k.system.nu:
+            none = Matrix.zeros(self.k.graph, len(self.constraints.rows))
+            return Matrix.zeros(self.k.graph, 0), none
+        c = self.constraints
+        given = self._regular(self.mass_matrix, self._drive(tau))
+        with self.k.graph.made_by("constraints", "multipliers"):
+            problem = Bound(*given, c.jacobian, c.gamma, c.position, c.rates)
+            udot, lam = self.treatment.accelerations(problem)
+            for row, node in zip(c.rows, lam.nodes, strict=True):
+                self.k.graph.label(node, row.owner, f"multiplier_{row.name.rpartition('.')[2]}")
+        return self._label(udot, "udot"), lam
+
+    def _owners(self) -> list[str]:
+        return [row.owner for row in self.constraints.rows]
+
+    def _regular(self, mass: Matrix, drive: Matrix) -> tuple[Matrix, Matrix]:
+        """M and drive; where massless bodies leave zeros in M, with the constraints added to both.
+
+        w Gᵀ (G udot - gamma) vanishes for the accelerations that are looked for.
+        """
+        n = mass.rows
+        if all(mass[i, i].node != ZERO for i in range(n)):
+            return mass, drive
+        weight = Scalar(self.k.graph, ZERO)
+        for body in self.k.system.bodies:
+            weight = weight + Scalar(self.k.graph, self.k.resolve([body.mass])[0])
+        if weight.node == ZERO:
+            weight = Scalar(self.k.graph, ONE)
+        across = self.constraints.jacobian.T * weight
+        return (
+            symmetric(mass + across @ self.constraints.jacobian),
+            drive + across @ self.constraints.gamma,
+        )
+
+    def projected(self, mass: Matrix, jacobian: Matrix, residual: Matrix) -> Matrix:
+        """The smallest change du (nu, 1) in the metric of M with G du = -residual."""
+        rest = Matrix.zeros(self.k.graph, mass.rows)
+        given = self._regular(mass, rest)[0] if jacobian.rows else mass
+        nothing = Matrix.zeros(self.k.graph, 0)
+        problem = Bound(given, rest, jacobian, -residual, nothing, nothing)
+        return Multipliers().accelerations(problem)[0]
 
     def _label(self, x: Matrix, quantity: str) -> Matrix:
         """Name the entries of a vector like u after the joints they belong to."""

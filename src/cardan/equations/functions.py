@@ -12,6 +12,7 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..topology.system import System
 from . import outputs
+from .constraints import VELOCITY
 from .dynamics import Dynamics
 from .kinematics import Kinematics
 
@@ -156,6 +157,68 @@ def _reaction(c: Context) -> tuple[Output, ...]:
     return (Output("reaction", (6,), outputs.reaction(c.d, c.of).nodes, *WRENCH),)
 
 
+def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of the residuals at position level, or at velocity level of all."""
+    rows = c.d.constraints.rows
+    if positions:
+        rows = rows[: c.d.constraints.positions]
+        return tuple(r.name for r in rows), tuple(r.unit for r in rows)
+    units = (r.unit if r.level == VELOCITY else f"{r.unit or '1'}/s" for r in rows)
+    return tuple(r.name for r in rows), tuple(units)
+
+
+def _constraints(c: Context) -> tuple[Output, ...]:
+    g = c.d.constraints.position
+    return (Output("g", (g.rows,), g.nodes, *_rows(c, True)),)
+
+
+def _constraint_rates(c: Context) -> tuple[Output, ...]:
+    rates = c.d.constraints.rates
+    return (Output("rates", (rates.rows,), rates.nodes, *_rows(c, False)),)
+
+
+def _constraint_jacobian(c: Context) -> tuple[Output, ...]:
+    G = c.d.constraints.jacobian
+    names = tuple(f"{r.name},{u}" for r in c.d.constraints.rows for u in c.names["u"])
+    return (Output("G", (G.rows, G.columns), G.nodes, names),)
+
+
+def _closure(c: Context) -> tuple[Output, ...]:
+    cuts = c.k.system.cuts
+    names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.held)
+    units = tuple(h.unit for cut in cuts for h in cut.element.held)
+    return (Output("closure", (len(names),), c.d.constraints.closure.nodes, names, units),)
+
+
+def _multipliers(c: Context) -> tuple[Output, ...]:
+    _, lam = c.d.bound(c.d.tau)
+    rows = c.d.constraints.rows
+    names, units = tuple(r.name for r in rows), tuple(r.force_unit for r in rows)
+    return (Output("lam", (lam.rows,), lam.nodes, names, units),)
+
+
+def _close_position(c: Context) -> tuple[Output, ...]:
+    own, g = c.d.constraints, c.d.constraints.position
+    jacobian = own.jacobian.block(slice(0, own.positions))
+    step = c.d.projected(c.d.mass_matrix, jacobian, g)
+    nodes = [ZERO] * c.k.system.nq
+    for i, joint in enumerate(c.k.system.joints):
+        if joint.q >= 0:
+            du = step.block(slice(joint.u, joint.u + len(joint.element.speeds)))
+            moved = joint.element.integrate(c.k.coordinates[i], du, **c.k.data[i])
+            nodes[joint.q : joint.q + moved.rows] = moved.nodes
+    moved = Matrix(c.k.graph, len(nodes), 1, nodes)
+    return (*c.vector("q", moved, "q"), Output("g", (g.rows,), g.nodes, *_rows(c, True)))
+
+
+def _close_velocity(c: Context) -> tuple[Output, ...]:
+    own = c.d.constraints
+    speeds = c.d.block("u", c.k.system.nu)
+    moved = speeds + c.d.projected(c.d.mass_matrix, own.jacobian, own.rates)
+    rates = Output("rates", (own.rates.rows,), own.rates.nodes, *_rows(c, False))
+    return (*c.vector("u", moved, "u"), rates)
+
+
 def _motion(c: Context) -> dict[int, Scalar]:
     """Driving forces of prescribed joints at the udot of the model's own forces."""
     if not any(joint.motion is not None for joint in c.k.system.joints):
@@ -233,12 +296,17 @@ class Recipe:
         of: What ``of`` names.
         told: Whether it is the same in whatever frames and by whatever grouping of inertia the
             bodies are told.
+        bound: Whether there is one only of systems with constraints.
+        moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
+            user chose.
     """
 
     about: str
     build: Builder
     of: str = ""
     told: bool = False
+    bound: bool = False
+    moves: bool = False
 
 
 RECIPES: dict[str, Recipe] = {
@@ -251,6 +319,33 @@ RECIPES: dict[str, Recipe] = {
     "coriolis": Recipe("h without gravity", _coriolis, told=True),
     "applied": Recipe("f: generalized forces of the model's elements", _forces),
     "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
+    "constraints": Recipe("g: what vanishes at position level", _constraints, bound=True),
+    "constraint_rates": Recipe(
+        "G u + g_t: what vanishes at velocity level", _constraint_rates, bound=True
+    ),
+    "constraint_jacobian": Recipe("G: G udot = gamma", _constraint_jacobian, bound=True),
+    "closure": Recipe(
+        "closing conditions of all cut joints, dependent ones too", _closure, bound=True
+    ),
+    "multipliers": Recipe(
+        "lam: forces of constraint, M udot + h = f + tau + Gᵀ lam",
+        _multipliers,
+        told=True,
+        bound=True,
+    ),
+    "close_position": Recipe(
+        "q moved onto the constraints by one step, and g before it",
+        _close_position,
+        told=True,
+        bound=True,
+        moves=True,
+    ),
+    "close_velocity": Recipe(
+        "u moved onto the constraints, and their rates before",
+        _close_velocity,
+        told=True,
+        bound=True,
+    ),
     "energy": Recipe("kinetic, potential and total energy", _energy),
     "com": Recipe("center of mass in ground axes", _com),
     "momentum": Recipe("angular (about the ground origin) and linear momentum", _momentum),

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import DerivationError
 from ..ir.collector import collector_paused
@@ -17,26 +17,24 @@ from ..ir.stage import stage
 from ..topology.system import Named, System
 from . import blocks
 from .base import BaseParameters, base_parameters
+from .constraints import Row, rows
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .functions import Context
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
+from .readable import Readable
 from .recipes import RECIPES, about, c_name, check, is_told
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
-
-if TYPE_CHECKING:
-    import sympy
-
-    from .mechanics import Mechanics
+from .treatments import Multipliers, Treatment
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
 
 
 @dataclass(frozen=True)
-class Equations:
+class Equations(Readable):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
@@ -48,6 +46,7 @@ class Equations:
         reason: Why ``method="auto"`` took this formalism, "" where the user did.
         rewrites: Rewrites of the system graph that may be applied; None: what suits the formalism.
         free: The system with all its parameters, where some were built in.
+        treatment: How constraints are treated; without any it does nothing.
     """
 
     system: System
@@ -56,6 +55,7 @@ class Equations:
     reason: str = ""
     rewrites: tuple[str, ...] | None = None
     free: System | None = field(default=None, repr=False)
+    treatment: Treatment = field(default_factory=Multipliers)
     _systems: dict[bool, list[Told]] = field(default_factory=dict, repr=False, compare=False)
     _told: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False, compare=False)
     _counts: dict[str, Counts] = field(default_factory=dict, repr=False, compare=False)
@@ -90,7 +90,12 @@ class Equations:
     @property
     def multipliers(self) -> tuple[str, ...]:
         """Names of the Lagrange multipliers; a tree has none."""
-        return ()
+        return tuple(row.name for row in self.constraint_rows)
+
+    @cached_property
+    def constraint_rows(self) -> tuple[Row, ...]:
+        """What binds the speeds: name, unit and level of every constraint."""
+        return rows(self.system)
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -99,12 +104,15 @@ class Equations:
         text = (module.__doc__ or "").split("Source:")[-1]
         found = [" ".join(text.split())]
         found += [joint.element.source for joint in self.system.joints]
+        found += [cut.element.source for cut in self.system.cuts]
         found += [force.element.source for force in self.system.forces]
+        if self.system.closed:
+            found.append(self.treatment.source)
         return tuple(dict.fromkeys(s for s in found if s))
 
     def names(self) -> list[str]:
         """Functions that :meth:`function` can derive; those of frames and joints take ``of``."""
-        return list(RECIPES)
+        return [n for n, recipe in RECIPES.items() if self.system.closed or not recipe.bound]
 
     def c_name(self, name: str, of: str | None = None) -> str:
         """C name of a function."""
@@ -122,6 +130,11 @@ class Equations:
                 system, such as udot where M is singular.
         """
         check(name, of)
+        if RECIPES[name].bound and not self.system.closed:
+            raise DerivationError(
+                f"function '{name}' is one of systems with constraints; '{self.system.name}' is a "
+                "tree, whose speeds nothing binds"
+            )
         symbol = self.c_name(name, of)
         if symbol not in self._made:
             with collector_paused():
@@ -150,8 +163,9 @@ class Equations:
 
     def _fewest(self, name: str, symbol: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
         """A function by the rewrites that leave the fewest operations."""
+        chosen = () if RECIPES[name].moves else self.chosen
         made = [
-            (self._derive(name, symbol, of, Kinematics(system, self.chosen)), names)
+            (self._derive(name, symbol, of, Kinematics(system, chosen)), names)
             for names, system in self.ways(name, of)
         ]
         if len(made) == 1:
@@ -217,20 +231,23 @@ class Equations:
 
     def loops(self, name: str) -> bool:
         """Whether a function can be derived as a recursion."""
-        return not self.chosen and looped(self.method, name)
+        return not self.chosen and not self.system.closed and looped(self.method, name)
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
         units = {b.name: b.units for b in self.blocks.values()}
         names["qdot"] = tuple(f"{n}dot" for n in names["q"])
         units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
-        results = RECIPES[name].build(Context(Dynamics(k, self.method), names, units, of))
+        results = RECIPES[name].build(
+            Context(Dynamics(k, self.method, self.treatment), names, units, of)
+        )
         owners = [
             owner
             for joint, body in zip(self.system.joints, self.system.bodies, strict=True)
             for owner in (joint.name, body.name)
         ]
         owners += [force.name for force in self.system.forces]
+        owners += [row.owner for row in self.constraint_rows]
         return Function(
             symbol,
             k.graph,
@@ -271,23 +288,17 @@ class Equations:
         """Operations at every call, and what they were without ``specialize=``; {} without it."""
         if self.free is None:
             return {}
-        before = Equations(self.free, self.method, self.chosen, "", self.rewrites).operations
+        before = replace(self.fresh, system=self.free, free=None).operations
         return {name: (own.total, before[name].total) for name, own in self.operations.items()}
 
-    @cached_property
-    def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
-        """SymPy symbol of every entry of every block."""
-        import sympy
-
-        return {
-            (b.name, i): sympy.Symbol(entry)
-            for b in self.blocks.values()
-            for i, entry in enumerate(b.entries)
-        }
+    @property
+    def fresh(self) -> Equations:
+        """The same with nothing derived."""
+        return replace(self, _systems={}, _told={}, _counts={}, _made={}, _read={})
 
     def told(self, rewrites: tuple[str, ...]) -> Equations:
         """The same equations by these rewrites only."""
-        return Equations(self.system, self.method, self.chosen, self.reason, rewrites)
+        return replace(self.fresh, rewrites=rewrites)
 
     @cached_property
     def as_described(self) -> Equations:
@@ -297,74 +308,6 @@ class Equations:
     def base_parameters(self) -> BaseParameters:
         """What of masses and inertias the motion depends on, and what not at all."""
         return base_parameters(self)
-
-    def written(self, name: str) -> sympy.Matrix:
-        """A function as a SymPy matrix in readable form.
-
-        Raises:
-            DerivationError: an entry is too long to write out; :meth:`symbolic` is not.
-        """
-        from ..ir.readable import TooLong, readable
-
-        if name not in self._read:
-            try:
-                self._read[name] = readable(self.as_described.function(name), self.symbols)
-            except TooLong as problem:
-                raise DerivationError(
-                    f"{name} has an entry of {problem.operations:,} operations: too long to write "
-                    f"out. Use equations.symbolic('{name}'), which keeps shared intermediates"
-                ) from problem
-        return self._read[name].copy()
-
-    @property
-    def mass_matrix(self) -> sympy.Matrix:
-        """M (nu, nu) as SymPy."""
-        return self.written("mass_matrix")
-
-    @property
-    def bias(self) -> sympy.Matrix:
-        """h (nu, 1) as SymPy: M udot + h = f + tau."""
-        return self.written("bias")
-
-    @property
-    def forces(self) -> sympy.Matrix:
-        """f (nu, 1) as SymPy: applied forces of the model."""
-        return self.written("applied")
-
-    @property
-    def kinematics(self) -> sympy.Matrix:
-        """qdot (nq, 1) as SymPy."""
-        return self.written("qdot")
-
-    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
-        """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
-
-        Returns:
-            (replacements, matrix): (symbol, expression), each in terms of the ones before it. A
-            symbol is called after body or joint and quantity, such as ``lower.omega_y``.
-        """
-        from ..ir.sympy_bridge import to_sympy_shared
-        from ..passes.trig import trig
-
-        function = trig(self.as_described.function(name))
-        replacements, matrix = to_sympy_shared(function, self.symbols, named=True)
-        return replacements, matrix
-
-    def to_sympy(self) -> Mechanics:
-        """The equations with ``dynamicsymbols``, as ``sympy.physics.mechanics`` has them.
-
-        Raises:
-            DerivationError: they are too long to write out; :meth:`symbolic` is not.
-        """
-        from .mechanics import mechanics
-
-        return mechanics(self)
-
-    def _repr_latex_(self) -> str:
-        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
-        from .formula import latex
-
-        return rf"$\displaystyle {latex(self)}$"
 
     def export(
         self,

@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import ModelError, near
 from . import checks
 from .connections import Joint
-from .frame import Located, Place
+from .frame import Located
 from .parameters import Constraint, Declared, Output, Placeholder
 from .units import unit as unit_of
 

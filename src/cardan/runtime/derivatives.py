@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import ArgumentError, ModelError, near
 from ..ir.request import Request
 from .calling import Array
-from .dynamics import Dynamics
+from .constraints import Constraints
 from .evaluation import Values, into
 from .layout import NAMED, OPTIONAL, READS, SMOOTH
 from .wrenches import generalized, read_wrenches
@@ -25,7 +25,7 @@ STANDARD = ("q", "u", "r", "p")
 PUSHED = ("forward_dynamics", "inverse_dynamics")
 
 
-class Derivatives(Dynamics, ABC):
+class Derivatives(Constraints, ABC):
     """Derivatives of all functions above."""
 
     def derivative(

@@ -89,6 +89,11 @@ class Described(Derivatives):
         return len(self.inputs)
 
     @property
+    def multipliers_of(self) -> tuple[str, ...]:
+        """Names of the constraints and their multipliers."""
+        return tuple(row["name"] for row in self.manifest["multipliers"])
+
+    @property
     def nlam(self) -> int:
         """Number of Lagrange multipliers."""
         return len(self.manifest["multipliers"])

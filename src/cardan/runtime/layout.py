@@ -31,6 +31,13 @@ READS = {
     "reaction": "t q u r tau wrench",
     "outputs": "t q u r",
     "power": "t q u r",
+    "constraints": "t q r",
+    "constraint_rates": "t q u r",
+    "constraint_jacobian": "t q r",
+    "closure": "t q r",
+    "multipliers": "t q u r tau",
+    "close_position": "t q r",
+    "close_velocity": "t q u r",
     "integrate": "q du",
     "difference": "q0 q",
 }

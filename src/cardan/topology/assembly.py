@@ -212,9 +212,7 @@ class Assembly:
                 parent_frame=self._joint_frame(
                     joint.parent, f"{joint.name}.parent", parent, places[0]
                 ),
-                child_frame=self._joint_frame(
-                    joint.child, f"{joint.name}.child", child, places[1]
-                ),
+                child_frame=self._joint_frame(joint.child, f"{joint.name}.child", child, places[1]),
                 base=base,
                 path=path,
                 rows=tuple(range(len(joint.kind.held))),

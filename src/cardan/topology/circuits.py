@@ -41,9 +41,7 @@ class Pose:
     position: Array
 
     def then(self, inner: Pose) -> Pose:
-        return Pose(
-            self.rotation @ inner.rotation, self.position + self.rotation @ inner.position
-        )
+        return Pose(self.rotation @ inner.rotation, self.position + self.rotation @ inner.position)
 
     def inverse(self) -> Pose:
         return Pose(self.rotation.T, -self.rotation.T @ self.position)

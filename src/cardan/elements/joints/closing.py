@@ -33,7 +33,7 @@ def closed(
     columns = []
     for k in range(6):
         axis = Matrix(graph, 3, 1, [ONE if i == k % 3 else ZERO for i in range(3)])
-        turned = r @ axis.skew() if k < 3 else Matrix.zeros(graph, 3, 3)
+        turned = r @ axis.skew if k < 3 else Matrix.zeros(graph, 3, 3)
         moved = r @ axis if k >= 3 else Matrix.zeros(graph, 3)
         seeds = dict(zip(leaves, (*turned.nodes, *moved.nodes), strict=True))
         columns.append(forward(graph, g.nodes, seeds))

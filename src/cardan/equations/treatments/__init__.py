@@ -1,5 +1,6 @@
 """The ways to treat constraints, by name."""
 
+from ...errors import DerivationError, near
 from .augmented import Augmented
 from .baumgarte import Baumgarte
 from .elimination import Elimination
@@ -22,4 +23,28 @@ TREATMENTS: dict[str, type[Treatment]] = {
     )
 }
 
-__all__ = ["TREATMENTS", "Bound", "Treatment", *(t.__name__ for t in TREATMENTS.values())]
+
+def treatment(asked: str | Treatment) -> Treatment:
+    """A treatment by its name, or as it is.
+
+    Raises:
+        DerivationError: there is none of that name.
+    """
+    if isinstance(asked, Treatment):
+        return asked
+    if asked == "auto":
+        return Multipliers()
+    if asked not in TREATMENTS:
+        raise DerivationError(
+            f"constraints='{asked}' is no way to treat them.{near(str(asked), TREATMENTS)}"
+        )
+    return TREATMENTS[asked]()
+
+
+__all__ = [
+    "TREATMENTS",
+    "Bound",
+    "Treatment",
+    "treatment",
+    *(t.__name__ for t in TREATMENTS.values()),
+]

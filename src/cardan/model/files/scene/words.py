@@ -7,8 +7,9 @@ from functools import cache
 from typing import Any
 
 from ....errors import ModelError
-from ...model import COMPONENTS, Model
+from ...model import Model
 from ...parameters import Placeholder
+from ...vocabulary import COMPONENTS
 from ..expression import AGAINST, FUNCTIONS
 
 PLAIN = re.compile(r"[A-Za-z_]\w*(\.\w+)*", re.ASCII)
