@@ -35,7 +35,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
-    ("cardan.equations.record", "Equations.symbolic"): frozenset({"cardan.passes.trig"}),
+    ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
@@ -61,6 +61,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.forces": frozenset({"force"}),
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
+    "equations.treatments": frozenset({"treatment"}),
     "passes": frozenset(),
     "peers": frozenset(
         {

@@ -10,7 +10,7 @@ import sympy
 
 from cardan.elements.forces import JointForce
 from cardan.elements.joints import Revolute, Spherical
-from cardan.errors import ModelError, TopologyError
+from cardan.errors import ModelError
 from cardan.model import Model, inertia, shape, t
 from cardan.model.units import unit
 
@@ -91,10 +91,10 @@ def test_same_name_for_parameter_and_input():
         scene.input("a")
 
 
-def test_cut_joints_are_refused():
+def test_a_cut_joint_has_no_coordinate_to_prescribe():
     scene = scene_with_arm()
-    with pytest.raises(TopologyError, match="circuits are not supported yet"):
-        scene.joint("j", Revolute("y"), "upper", "forearm", cut=True)
+    with pytest.raises(ModelError, match="cut another joint of the circuit"):
+        scene.joint("j", Revolute("y"), "upper", "forearm", cut=True, motion=t)
 
 
 def test_frames_of_other_models():

@@ -31,7 +31,7 @@ from .program import (
     Table,
     Turning,
 )
-from .routines import Built, Result, Stage, build
+from .routines import Built, Result, Stage, build, headers
 from .values import Values
 
 # the row of a step; the array of what it stores, in words of a step
@@ -228,14 +228,13 @@ class _Lowering:
         work = max(r.size, *(b.length for b in bodies)) if bodies else r.size
         cost = Cost(work, length, self._operations(bodies), self._operations(prepared))
         read = {block for built in stages for block in built.blocks} - {STORE}
-        solves = any("solve" in built.operators for built in bodies)
         routines = [x for built in stages for x in built.routines if x.body]
         main, rows = self._main({x.name for x in routines})
         visits = ", ".join(f"{len(s)} {s.name}" for s in r.sweeps)
         return Program(
             name=r.name,
             head=head(r, model, (*notes, f"visits: {visits}"), read, cost),
-            includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
+            includes=headers(*bodies),
             tables=(*tables(*stages), *rows),
             routines=(*routines, *main),
             blocks=tuple(block.name for block in r.inputs if block.name in read),

@@ -11,7 +11,7 @@ from . import parts
 from .head import Cost, head, operations
 from .naming import RESERVED, comment
 from .program import Place, Program, Table
-from .routines import Built, Result, Stage, build
+from .routines import Built, Result, Stage, build, headers
 from .values import Values
 
 
@@ -43,11 +43,10 @@ def lower(
 
     counts = (operations(body), operations(prepare))
     read = prepare.blocks | body.blocks
-    solves = any("solve" in count for count in counts)
     return Program(
         name=function.name,
         head=head(function, model, notes, read, Cost(body.length, prepare.length, *counts)),
-        includes=("cardan.h", "solve.h") if solves else ("cardan.h",),
+        includes=headers(prepare, body),
         tables=tables(prepare, body) + prepare.tables,
         routines=prepare.routines + body.routines,
         blocks=tuple(block.name for block in function.inputs if block.name in read),

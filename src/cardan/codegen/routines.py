@@ -62,6 +62,10 @@ class Stage(NamedTuple):
     start: int
 
 
+# kinds of linear systems whose kernels stand in a header of their own
+DEPENDENT = frozenset({"semidefinite", "basic"})
+
+
 class Built(NamedTuple):
     """What a stage became.
 
@@ -72,6 +76,7 @@ class Built(NamedTuple):
         blocks: Input blocks it reads.
         tables: Constant arrays it needs.
         length: Length of its array.
+        solves: Kinds of the linear systems in it.
     """
 
     routines: tuple[Routine, ...]
@@ -80,6 +85,14 @@ class Built(NamedTuple):
     blocks: frozenset[str]
     tables: tuple[Table, ...]
     length: int
+    solves: frozenset[str]
+
+
+def headers(*stages: Built) -> tuple[str, ...]:
+    """Headers of cardan that the text of some stages needs."""
+    kinds = frozenset[str]().union(*(built.solves for built in stages))
+    needed = ["cardan.h", *(["solve.h"] if kinds else [])]
+    return (*needed, *(["dependent.h"] if kinds & DEPENDENT else []))
 
 
 def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
@@ -115,7 +128,8 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     computed = tuple([i for i in plan.order if i not in given])
     operators = Counter([nodes[i][0] for i in computed])
     blocks = frozenset(nodes[i][1] for i in plan.outside if i not in given)
-    return Built(tuple(routines), computed, dict(operators), blocks, builder.tables, length)
+    solves = frozenset(nodes[i][1] for i in computed if nodes[i][0] == "solve")
+    return Built(tuple(routines), computed, dict(operators), blocks, builder.tables, length, solves)
 
 
 def room(n: int, m: int) -> int:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..elements.joints.closing import closed
+from ..elements.closing import closed
 from ..elements.joints.joint import Component
 from ..errors import DerivationError
 from ..ir.derivative import forward

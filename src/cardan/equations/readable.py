@@ -12,8 +12,6 @@ from ..ir.function import Block, Function
 if TYPE_CHECKING:
     import sympy
 
-    from .mechanics import Mechanics
-
 
 class Readable(ABC):
     """The forms for people of equations that can be derived."""
@@ -106,19 +104,3 @@ class Readable(ABC):
         function = trig(self.as_described.function(name))
         replacements, matrix = to_sympy_shared(function, self.symbols, named=True)
         return replacements, matrix
-
-    def to_sympy(self) -> Mechanics:
-        """The equations with ``dynamicsymbols``, as ``sympy.physics.mechanics`` has them.
-
-        Raises:
-            DerivationError: they are too long to write out; :meth:`symbolic` is not.
-        """
-        from .mechanics import mechanics
-
-        return mechanics(self)
-
-    def _repr_latex_(self) -> str:
-        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
-        from .formula import latex
-
-        return rf"$\displaystyle {latex(self)}$"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import DerivationError
 from ..ir.collector import collector_paused
@@ -28,6 +28,9 @@ from .recipes import RECIPES, about, c_name, check, is_told
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
+
+if TYPE_CHECKING:
+    from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
@@ -308,6 +311,22 @@ class Equations(Readable):
     def base_parameters(self) -> BaseParameters:
         """What of masses and inertias the motion depends on, and what not at all."""
         return base_parameters(self)
+
+    def to_sympy(self) -> Mechanics:
+        """The equations with ``dynamicsymbols``, as ``sympy.physics.mechanics`` has them.
+
+        Raises:
+            DerivationError: they are too long to write out; :meth:`symbolic` is not.
+        """
+        from .mechanics import mechanics
+
+        return mechanics(self)
+
+    def _repr_latex_(self) -> str:
+        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
+        from .formula import latex
+
+        return rf"$\displaystyle {latex(self)}$"
 
     def export(
         self,

@@ -61,11 +61,11 @@ def _basic(a: Rows, b: Rows) -> Rows:
             a[i], b[i] = [x / largest for x in row], [x / largest for x in b[i]]
     columns, rank = list(range(n)), n
     for k in range(n):
-        size, row, column = _largest(a, k)
+        size, pivot, column = _largest(a, k)
         if not size * size > DEPENDENT:
             rank = k
             break
-        _exchange(k, row, column, columns, a, b)
+        _exchange(k, pivot, column, columns, a, b)
         _clear_below(a, b, k)
     return _back(a, b, columns, rank)
 

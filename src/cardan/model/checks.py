@@ -8,7 +8,7 @@ from collections.abc import Container, Sequence
 from numbers import Real
 from typing import Any
 
-from ..errors import ModelError, TopologyError
+from ..errors import ModelError
 
 LONGEST_NAME = 200
 
@@ -118,12 +118,4 @@ def unphysical(inertia: Sequence[float]) -> str:
     return (
         "its inertia violates the triangle inequality (no body has principal moments of which one "
         "exceeds the sum of the others); check the entries and their unit"
-    )
-
-
-def circuits(what: str) -> TopologyError:
-    """The error for a closed circuit."""
-    return TopologyError(
-        f"{what}; circuits are not supported yet by this version. Leave out one joint of the loop, "
-        "or hold it together by a SpringDamper"
     )

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
 from ..errors import ModelError, near
 from . import checks
 from .connections import Joint
-from .frame import Located
+from .frame import Located, Place
 from .parameters import Constraint, Declared, Output, Placeholder
 from .units import unit as unit_of
 
 COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 9: tuple(f"{i}{j}" for i in "xyz" for j in "xyz")}
 
 
-class Vocabulary:
+class Vocabulary(ABC):
     """The declarations of a model; the model holds what is declared."""
 
     name: str
@@ -25,6 +26,10 @@ class Vocabulary:
     outputs: dict[str, Output]
     constraints: dict[str, Constraint]
     atoms: dict[str, Placeholder]
+
+    @abstractmethod
+    def place(self, who: str, place: Place | str, role: str = "frame") -> Place:
+        """A frame or body of the model."""
 
     def parameter(self, name: str, value: float, unit: str | None = None) -> Any:
         """Declare a parameter.

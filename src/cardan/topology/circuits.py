@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..elements.joints.closing import closed
+from ..elements.closing import closed
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.matrix import Matrix
 from .convert import Converter

@@ -43,8 +43,14 @@ def treatment(asked: str | Treatment) -> Treatment:
 
 __all__ = [
     "TREATMENTS",
+    "Augmented",
+    "Baumgarte",
     "Bound",
+    "Elimination",
+    "Multipliers",
+    "NullSpace",
+    "Penalty",
+    "Perturbed",
     "Treatment",
     "treatment",
-    *(t.__name__ for t in TREATMENTS.values()),
 ]

@@ -38,5 +38,4 @@ class Elimination(Treatment):
         if n < size:
             square = Matrix.hstack(square, Matrix.zeros(graph, size, size - n))
         basic = solve("basic", square, both).block(slice(0, n))
-        motions = Matrix.identity(graph, n) - basic.block(slice(0, n), slice(1, 1 + n))
-        return by_motions(bound, basic.column(0), motions)
+        return by_motions(bound, basic.column(0), basic.block(slice(0, n), slice(1, 1 + n)))

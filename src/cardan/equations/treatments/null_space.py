@@ -26,6 +26,5 @@ class NullSpace(Treatment):
         G = bound.jacobian
         n = G.columns
         across = G.T @ solve("semidefinite", symmetric(G @ G.T), Matrix.hstack(bound.gamma, G))
-        along = across.block(slice(0, n), slice(1, 1 + n))
-        motions = symmetric(Matrix.identity(G.graph, n) - along)
-        return by_motions(bound, across.column(0), motions)
+        held = across.block(slice(0, n), slice(1, 1 + n))
+        return by_motions(bound, across.column(0), symmetric(held))

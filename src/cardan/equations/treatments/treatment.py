@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
 
@@ -74,17 +75,21 @@ def by_penalty(
     return udot, lam
 
 
-def by_motions(bound: Bound, one: Matrix, motions: Matrix) -> tuple[Matrix, Matrix]:
-    """udot = one + motions y from the balance along the motions, and the lam that goes with it.
+def by_motions(bound: Bound, one: Matrix, held: Matrix) -> tuple[Matrix, Matrix]:
+    """udot = one + Z y from the balance along the motions, and the lam that goes with it.
 
     Args:
         bound: The equations.
         one: An acceleration that fulfils the constraints (nu, 1).
-        motions: Columns (nu, n) that span all G Z = 0, dependent ones among them.
+        held: X (nu, nu), a projector whose complement Z = 1 - X leads onto all G Z = 0.
     """
     G, M = bound.jacobian, bound.mass
-    inertia = symmetric(motions.T @ (M @ motions))
-    y = solve("semidefinite", inertia, motions.T @ (bound.drive - M @ one))
+    n = M.rows
+    motions = Matrix.identity(G.graph, n) - held
+    # X Z = 0: what X adds makes the matrix regular and changes nothing along Z
+    masses = [M[i, i].node if i == j else ZERO for i in range(n) for j in range(n)]
+    inertia = motions.T @ (M @ motions) + held.T @ (Matrix(G.graph, n, n, masses) @ held)
+    y = solve("semidefinite", symmetric(inertia), motions.T @ (bound.drive - M @ one))
     udot = one + motions @ y
     missing = M @ udot - bound.drive
     return udot, solve("semidefinite", symmetric(G @ G.T), G @ missing)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ...ir.derivative import forward
-from ...ir.graph import ONE, ZERO
-from ...ir.matrix import Matrix
-from ...ir.rewrite import rebuild
-from .joint import Joint
+from ..ir.derivative import forward
+from ..ir.graph import ONE, ZERO
+from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
+from .joints.joint import Joint
 
 # leaves that stand for the pose while it is differentiated
 LEAVES = tuple(f"pose of a joint that closes a circuit [{k}]" for k in range(12))
