@@ -71,7 +71,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
-    "model.files": frozenset({"angles", "document", "expression", "meshes", "options"}),
+    "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
     "cli": frozenset({"terminal", "tour", "screen", "health", "reading", "sheet", "sheet_page"}),
 }
 

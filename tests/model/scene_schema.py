@@ -165,6 +165,7 @@ KINDS |= {
     "include": by_name(record(keys.INCLUDE)),
     "joints": members(JOINTS, keys.of_joint),
     "forces": members(FORCES, keys.of_force),
+    "constraints": by_name({"anyOf": [EXPRESSION, record(keys.OUTPUT)]}),
     "outputs": by_name({"anyOf": [EXPRESSION, record(keys.OUTPUT)]}),
     "simulate": record(keys.SIMULATE, method={"enum": ["auto", *INTEGRATORS]}),
 }

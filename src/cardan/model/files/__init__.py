@@ -7,10 +7,33 @@ from pathlib import Path
 
 from ...errors import ModelError
 from ..model import Model
-from . import scene, urdf
+from . import mjcf, scene, urdf
+from .document import content, parse
 from .options import Options
 
-READERS = {".urdf": urdf.read, ".yaml": scene.read, ".yml": scene.read}
+# by the root element of an XML file, whatever its name ends in
+ROOTS = {"robot": urdf.of_root, "mujoco": mjcf.of_root}
+
+
+def _xml(path: Path, options: Options) -> Model:
+    """The model of a URDF or MJCF file."""
+    root = parse(content(path), path.name)
+    reader = ROOTS.get(root.tag)
+    if reader is None:
+        raise ModelError(
+            f"file '{path.name}': the root is <{str(root.tag)[:60]}>; read are "
+            + " and ".join(f"<{tag}>" for tag in ROOTS)
+        )
+    return reader(root, options, path.name, path.parent)
+
+
+READERS = {
+    ".urdf": _xml,
+    ".xml": _xml,
+    ".mjcf": _xml,
+    ".yaml": scene.read,
+    ".yml": scene.read,
+}
 
 
 def load(
@@ -24,9 +47,10 @@ def load(
     """Read a scene from a file.
 
     Args:
-        path: A scene (``.yaml``) or a robot (``.urdf``).
-        base: For robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
-        mimic: For robots: ``"couple"``: a joint that mimics another follows it; ``"free"``: it
+        path: A scene (``.yaml``), a robot (``.urdf``) or a model of MuJoCo (``.xml``, ``.mjcf``);
+            the root element tells the two apart.
+        base: For URDF robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
+        mimic: For URDF robots: ``"couple"``: a joint that mimics another follows it; ``"free"``: it
             moves freely.
         snap: Replace rounded multiples of a quarter turn by exact ones, within half a unit of the
             last printed digit; all are listed in ``Model.snaps``. With False numbers stay as they

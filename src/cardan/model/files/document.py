@@ -39,10 +39,10 @@ def parse(text: str | bytes, name: str) -> Any:
         ModelError: no XML, entities or external references, or nested too deeply.
     """
     from defusedxml import DefusedXmlException
-    from defusedxml.ElementTree import ParseError, fromstring
+    from defusedxml.ElementTree import ParseError
 
     try:
-        root = fromstring(text)
+        root = _numbered(text)
     except DefusedXmlException as problem:
         raise ModelError(
             f"file '{name}': it declares entities or refers to other documents; remove that"
@@ -51,6 +51,31 @@ def parse(text: str | bytes, name: str) -> Any:
         raise ModelError(f"file '{name}' is no XML: {problem}") from problem
     _check_depth(root, name)
     return root
+
+
+def _numbered(text: str | bytes) -> Any:
+    """The root; every element has the attribute ``line``."""
+    from xml.etree.ElementTree import Element as Node
+    from xml.etree.ElementTree import TreeBuilder
+
+    from defusedxml.ElementTree import DefusedXMLParser
+
+    class Numbered(Node):
+        """An element that knows where it began."""
+
+        line = 0
+
+    class Builder(TreeBuilder):
+        """Writes the line of the parser into every element."""
+
+        def start(self, tag: Any, attributes: Any) -> Any:
+            made = super().start(tag, attributes)
+            made.line = parser.parser.CurrentLineNumber  # type: ignore[attr-defined]
+            return made
+
+    parser = DefusedXMLParser(target=Builder(element_factory=Numbered))
+    parser.feed(text)
+    return parser.close()
 
 
 def _check_depth(root: Any, name: str) -> None:
@@ -112,6 +137,20 @@ class Element:
             raise ModelError(
                 f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
                 f"{len(words)} numbers, but {count} are wanted"
+            )
+        return [self._finite(name, word) for word in words]
+
+    def several(self, name: str, least: int, most: int, default: str | None = None) -> list[float]:
+        """An attribute of a few numbers.
+
+        Raises:
+            ModelError: too few or too many, text, NaN or an absurd size.
+        """
+        words = self.text(name, default).split()
+        if not least <= len(words) <= most:
+            raise ModelError(
+                f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
+                f"{len(words)} numbers, but {least} to {most} are wanted"
             )
         return [self._finite(name, word) for word in words]
 

@@ -48,6 +48,7 @@ TOP = (
     Key("frames", "frames"),
     Key("include", "include"),
     Key("joints", "joints"),
+    Key("constraints", "constraints"),
     Key("forces", "forces"),
     Key("outputs", "outputs"),
     Key("values", "reals"),

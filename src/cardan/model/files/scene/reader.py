@@ -256,6 +256,14 @@ class _Reader:
             raise word.error(f"there is no {what} '{word.text()[:80]}'.{listed}")
         return word.text()
 
+    def _constraints(self, section: Item) -> None:
+        self._each(section, "constraint", self._constraint)
+
+    def _constraint(self, name: str, item: Item) -> None:
+        given = self._short(item, "expression", keys.OUTPUT, "a constraint")
+        with item.placed():
+            self.model.constraint(name, given["expression"], given.get("unit", ""))
+
     def _outputs(self, section: Item) -> None:
         self._each(section, "output", self._output)
 
@@ -301,6 +309,7 @@ _ORDER = {
     "frames": FIXED,
     "include": FIXED,
     "joints": FIXED,
+    "constraints": MOVING,
     "forces": MOVING,
     "outputs": MOVING,
     "values": FIXED,

@@ -17,7 +17,7 @@ from ...checks import is_number
 from ...connections import Couple, Joint
 from ...frame import Frame, Place, rows_of
 from ...model import Model
-from ...parameters import Declared
+from ...parameters import Constraint, Declared, Output
 from ...shape import Shape
 from ..angles import snapped
 from . import keys
@@ -87,8 +87,9 @@ class _Writer:
             "bodies": {n: self._body(body) for n, body in model.bodies.items()},
             "frames": {frame.name: self._frame(frame) for frame in self.apart},
             "joints": {n: self._joint(joint) for n, joint in model.joints.items()},
+            "constraints": {n: self._said(c, "constraint") for n, c in model.constraints.items()},
             "forces": {n: self._force(n, f.element) for n, f in model.forces.items()},
-            "outputs": {n: self._output(n) for n in model.outputs},
+            "outputs": {n: self._said(o, "output") for n, o in model.outputs.items()},
             "values": {n: number(value) for n, value in model.values.items()},
             "simulate": self._settings(),
             "notes": list(model.notes),
@@ -241,6 +242,8 @@ class _Writer:
         made |= {"parent": self._place(joint.parent), "child": self._place(joint.child)}
         if joint.motion is not None:
             made["motion"] = self.value(joint.motion, where)
+        if joint.cut:
+            made["cut"] = True
         for name in ("q0", "u0"):
             given = getattr(joint, name)
             if given is not None:
@@ -266,9 +269,9 @@ class _Writer:
     def _force(self, name: str, element: Any) -> dict[str, Any]:
         return {"type": element.kind, **self._element(element, f"force '{name}'")}
 
-    def _output(self, name: str) -> Any:
-        entry = self.model.outputs[name]
-        text = self.value(entry.expression, f"output '{name}'")
+    def _said(self, entry: Output | Constraint, what: str) -> Any:
+        """An expression, with its unit where it has one."""
+        text = self.value(entry.expression, f"{what} '{entry.name}'")
         return {"expression": text, "unit": entry.unit} if entry.unit else text
 
     def _settings(self) -> dict[str, Any]:

@@ -1,0 +1,59 @@
+"""What a file says and the model does not act on, by name."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+# attributes that are read, by element; "class" and "name" are everywhere
+READ = {
+    "mujoco": {"model"},
+    "option": {"gravity"},
+    "compiler": {
+        *("angle", "eulerseq", "coordinate", "autolimits", "inertiafromgeom"),
+        "inertiagrouprange",
+    },
+    "body": {"childclass"},
+    "frame": {"childclass"},
+    "inertial": {"mass", "diaginertia", "fullinertia"},
+    "geom": {"type", "size", "fromto", "mass", "density", "group", "mesh", "rgba"},
+    "site": set(),
+    "joint": {
+        *("type", "axis", "ref", "range", "limited", "damping", "stiffness", "springref"),
+        *("armature", "frictionloss"),
+    },
+    "freejoint": set(),
+    "connect": {"body1", "body2", "anchor", "site1", "site2", "active"},
+    "weld": {"body1", "body2", "relpose", "site1", "site2", "active"},
+    "equality joint": {"joint1", "joint2", "polycoef", "active"},
+    "motor": {"joint", "gear"},
+}
+PLACED = {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"}
+PLACES = ("body", "frame", "inertial", "geom", "site")
+EVERYWHERE = {"name", "class", "pos"}
+
+
+class Unread:
+    """Counts elements and attributes that are passed over."""
+
+    def __init__(self) -> None:
+        self.found: Counter[str] = Counter()
+
+    def element(self, raw: Any, inside: str = "") -> None:
+        """A whole element is passed over."""
+        self.found[f"{inside} {raw.tag}".strip()] += 1
+
+    def attributes(self, raw: Any, kind: str | None = None) -> None:
+        """An element is read: what of it is not?"""
+        kind = kind or raw.tag
+        known = READ[kind] | EVERYWHERE | (PLACED if kind in PLACES else set())
+        for name in raw.attrib:
+            if name not in known:
+                self.found[f"{kind} {name}="] += 1
+
+    def notes(self) -> list[str]:
+        """All of it in one note, the most frequent first."""
+        if not self.found:
+            return []
+        words = (f"{what} ({n})" if n > 1 else what for what, n in self.found.most_common())
+        return [f"not read: {', '.join(words)}"]

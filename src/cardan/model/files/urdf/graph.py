@@ -1,0 +1,132 @@
+"""The tree of links and joints of a URDF."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from ....errors import ModelError, TopologyError, near
+from ..document import Element
+
+MOST_LINKS = 100_000
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A joint element of the file with the links it joins."""
+
+    name: str
+    element: Element
+    parent: str
+    child: str
+
+
+def links_of(root: Any, file: str) -> dict[str, Element]:
+    """The links by name.
+
+    Raises:
+        ModelError: none, too many, or a name twice.
+    """
+    links: dict[str, Element] = {}
+    for raw in root.findall("link"):
+        name = Element(raw, f"file '{file}'").text("name")
+        if name in links:
+            raise ModelError(f"link '{name}' is defined twice; rename one of them")
+        links[name] = Element(raw, f"link '{name}'")
+    if not links:
+        xacro = any(isinstance(child.tag, str) and "xacro" in child.tag for child in root)
+        hint = "; run xacro on it first" if xacro else ""
+        raise ModelError(f"file '{file}': the robot has no links{hint}")
+    if len(links) > MOST_LINKS:
+        raise ModelError(f"file '{file}' has {len(links)} links, at most {MOST_LINKS}")
+    return links
+
+
+def edges_of(root: Any, file: str) -> list[Edge]:
+    """The joints of the tree.
+
+    Raises:
+        ModelError: a name twice, or an end that is missing.
+    """
+    edges: dict[str, Edge] = {}
+    for raw in root.findall("joint"):
+        name = Element(raw, f"file '{file}'").text("name")
+        if name in edges:
+            raise ModelError(f"joint '{name}' is defined twice; rename one of them")
+        element = Element(raw, f"joint '{name}'")
+        ends = []
+        for role in ("parent", "child"):
+            end = element.child(role)
+            if end is None:
+                raise ModelError(f"joint '{name}': <{role} link=.../> is missing")
+            ends.append(end.text("link"))
+        edges[name] = Edge(name, element, ends[0], ends[1])
+    return list(edges.values())
+
+
+def known_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
+    """A joint joins links that exist.
+
+    Raises:
+        ModelError: this one does not.
+    """
+    if link not in links:
+        listed = near(link, links).replace(" Known:", " Links:")
+        raise ModelError(f"{who}: {role} '{link}' is no link.{listed}")
+
+
+def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
+    """The one link that is nobody's child.
+
+    Raises:
+        ModelError: a joint of a link that does not exist.
+        TopologyError: a link with two parents, no root or several.
+    """
+    inboard: dict[str, Edge] = {}
+    for edge in edges:
+        for role, link in (("parent", edge.parent), ("child", edge.child)):
+            known_link(f"joint '{edge.name}'", role, link, links)
+        if edge.child in inboard:
+            raise TopologyError(
+                f"link '{edge.child}' is the child of two joints, '{inboard[edge.child].name}' and "
+                f"'{edge.name}'; write the one that closes a circuit as <loop_joint> with "
+                "<link1 link=.../> and <link2 link=.../>"
+            )
+        inboard[edge.child] = edge
+    roots = [name for name in links if name not in inboard]
+    if not roots:
+        raise TopologyError(
+            f"file '{file}': every link is the child of a joint, so they form a loop; one link "
+            "must be the root"
+        )
+    if len(roots) > 1:
+        listed = ", ".join(f"'{r}'" for r in roots[:8])
+        raise TopologyError(
+            f"file '{file}' has {len(roots)} links that are nobody's child: {listed}. Join all "
+            "but one of them to the rest"
+        )
+    _check_reached(roots[0], edges, file)
+    return roots[0]
+
+
+def _check_reached(base: str, edges: list[Edge], file: str) -> None:
+    """All links hang on the root.
+
+    Raises:
+        TopologyError: some links form a loop of their own.
+    """
+    outboard: dict[str, list[str]] = {}
+    for edge in edges:
+        outboard.setdefault(edge.parent, []).append(edge.child)
+    reached, stack = {base}, [base]
+    while stack:
+        for child in outboard.get(stack.pop(), ()):
+            reached.add(child)
+            stack.append(child)
+    loop = [f"'{edge.child}'" for edge in edges if edge.child not in reached]
+    if loop:
+        raise TopologyError(
+            f"file '{file}': links {', '.join(loop[:8])} form a loop that does not hang on the "
+            f"root '{base}'"
+        )
