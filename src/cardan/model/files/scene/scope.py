@@ -7,7 +7,8 @@ from enum import Enum
 from typing import Any
 
 from ....errors import ModelError
-from ...model import COMPONENTS, Model
+from ...model import Model
+from ...vocabulary import COMPONENTS
 
 
 class Scope(Enum):

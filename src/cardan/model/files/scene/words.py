@@ -7,7 +7,8 @@ from functools import cache
 from typing import Any
 
 from ....errors import ModelError
-from ...model import COMPONENTS, Model
+from ...model import Model
+from ...vocabulary import COMPONENTS
 from ...parameters import Placeholder
 from ..expression import AGAINST, FUNCTIONS
 
