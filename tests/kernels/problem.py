@@ -50,6 +50,8 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        position, velocity: Bodies of the functions that close; both "" or both not.
+        multipliers: Rows of the manifest.
     """
 
     folder: Path
@@ -60,6 +62,10 @@ class Problem:
     inputs: tuple[str, ...] = ()
     quaternions: tuple[int, ...] = ()
     name: str = "problem"
+    position: str = ""
+    velocity: str = ""
+    multipliers: tuple[dict[str, str], ...] = ()
+    saved: tuple[str, ...] = ()
     _made: dict[str, Any] = field(default_factory=dict)
 
     @property
@@ -89,6 +95,7 @@ class Problem:
             "joints": [],
             "bodies": [],
             "quaternions": list(self.quaternions),
+            "multipliers": list(self.multipliers),
             "available": ["rhs", "power"] if self.power else ["rhs"],
         }
 
@@ -100,7 +107,12 @@ class Problem:
 
     def _function(self, name: str) -> Any:
         if name not in self._made:
-            body = {"rhs": self.rhs, "power": self.power}[name]
+            body = {
+                "rhs": self.rhs,
+                "power": self.power,
+                "close_position": self.position,
+                "close_velocity": self.velocity,
+            }[name]
             entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
             self._made[name] = function(self.folder, name, body, entries)
         return self._made[name]
@@ -122,3 +134,34 @@ def swing(t: Any) -> Any:
     """Solution of SWING, (..., 2)."""
     t = np.asarray(t, dtype=float)
     return np.stack([np.exp(np.sin(t**2)), np.exp(np.cos(t**2))], axis=-1)
+
+
+# a pendulum of length 1 in Cartesian coordinates: x^2 + y^2 = 1, gravity 9.81 along -y
+PENDULUM = """
+    real rr = q[0] * q[0] + q[1] * q[1];
+    real lam = (9.81 * q[1] - u[0] * u[0] - u[1] * u[1]) / rr;
+    out[0] = u[0]; out[1] = u[1];
+    out[2] = lam * q[0]; out[3] = lam * q[1] - 9.81;
+"""
+PENDULUM_POSITION = """
+    real rr = q[0] * q[0] + q[1] * q[1], g = 0.5 * (rr - 1);
+    out[0] = q[0] - q[0] * g / rr; out[1] = q[1] - q[1] * g / rr; out[2] = g;
+"""
+PENDULUM_VELOCITY = """
+    real rr = q[0] * q[0] + q[1] * q[1], rate = q[0] * u[0] + q[1] * u[1];
+    out[0] = u[0] - q[0] * rate / rr; out[1] = u[1] - q[1] * rate / rr; out[2] = rate;
+"""
+ROD = ({"name": "rod.length", "unit": "N", "joint": "rod", "level": "position"},)
+
+
+def pendulum(folder: Path, **changed: Any) -> Problem:
+    """The pendulum in Cartesian coordinates, closed by its rod."""
+    given: dict[str, Any] = {
+        "rhs": PENDULUM,
+        "position": PENDULUM_POSITION,
+        "velocity": PENDULUM_VELOCITY,
+        "multipliers": ROD,
+        "nq": 2,
+        "nu": 2,
+    }
+    return Problem(folder, **(given | changed))

@@ -61,6 +61,8 @@ ABSURD = [
     ("stop_count", 0),
     ("signal_count", -1),
     ("quaternion_count", 2**61),
+    ("positions", -1),
+    ("rates", 2**61),
 ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..runtime.trajectory import FINISHED
+from ..runtime.conduct import FINISHED
 from . import record as abi
 from .plain import PlainRunner
 from .run import Runner
@@ -28,6 +28,8 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
             "The motion is singular there, or rtol and atol are tighter than it can be computed"
         )
+    if answer == abi.OPEN:
+        return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
         return "not_finite", (
             f"stopped {at}: the derivative{who} is not finite. A force or a rotation leaves its "
@@ -42,6 +44,24 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
         "singular there: look at the state motion.x[-1]"
     )
+
+
+def _open(runner: Runner | PlainRunner) -> str:
+    """Which circuit does not stay closed, and what to do about it."""
+    run, closing = runner.record, runner.closing
+    level, name = closing.row(run.open_row)
+    joint = next(row["joint"] for row in closing.rows if row["name"] == name)
+    who = f"motion is not defined here: joint '{joint}' ({level} of '{name}')"
+    if run.steps == 0 and run.correction <= 1:
+        return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
+    if not runner.settings.method.adaptive:
+        return f"{who} does not close after a step of {abs(run.h):g} s. Take step= shorter"
+    if run.correction > 1:
+        return (
+            f"{who} would jump to another branch however short the step is. The position is "
+            "singular: model.singular_positions(...) finds such positions"
+        )
+    return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
 
 
 def _culprit(runner: Runner | PlainRunner) -> str:

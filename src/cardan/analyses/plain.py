@@ -12,11 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.dense import Dense
+from ..runtime.ledger import Ledger
 from ..runtime.loaded import LoadedFunction
 from ..runtime.slots import ORDER, SLOT
 from . import record as abi
+from .plain_closing import PlainCloser
 from .plain_methods import METHODS, Broken, Step
 from .run import SLICE, Saved
 from .settings import Settings
@@ -39,6 +42,9 @@ class Progress:
     nr: int = 0
     culprit: int = -1
     model_status: int = 0
+    open_row: int = -1
+    correction: float = 0.0
+    projections: int = 0
 
 
 class PlainRunner:
@@ -68,6 +74,7 @@ class PlainRunner:
         self.views = {"y": np.zeros(self.n), "r": given.constants.copy()}
         self._rest = np.zeros(max(model.nu, 6 * len(model.bodies)))
         self.quaternions = tuple(model.manifest["quaternions"])
+        self.closer = PlainCloser(self)
         self._kept: list[tuple[Array, Array]] = []
         self._times: Array | None = None
         self._where: dict[int, int] = {}
@@ -80,15 +87,20 @@ class PlainRunner:
         Raises:
             Broken: a function has no result.
         """
-        self._inputs(t, y, not self._sampled)
+        self.at(t, y)
         self.record.evaluations += 1
         result = np.empty(self.n)
-        self._call(self.functions[0], t, y, result[: self.nx])
+        self.call(self.functions[0], t, y, result[: self.nx])
         if self.sources:
-            self._call(self.functions[1], t, y, result[self.nx :])
+            self.call(self.functions[1], t, y, result[self.nx :])
         return result
 
-    def _call(self, function: LoadedFunction, t: float, y: Array, out: Array) -> None:
+    def call(self, function: LoadedFunction, t: float, y: Array, out: Array) -> None:
+        """Results of a function at t, y.
+
+        Raises:
+            Broken: it has none.
+        """
         nq, caller = self.model.nq, function.caller
         given = {"t": np.array([t]), "q": y[:nq], "u": y[nq : self.nx], "r": self.views["r"]}
         given |= {"tau": self._rest, "wrench": self._rest}
@@ -102,6 +114,10 @@ class PlainRunner:
     @property
     def _sampled(self) -> bool:
         return self.signals.sample is not None
+
+    def at(self, t: float, y: Array) -> None:
+        """Fill the inputs at t, y."""
+        self._inputs(t, y, not self._sampled)
 
     def _inputs(self, t: float, y: Array, asked: bool) -> None:
         """Fill r at t: values at times, then functions of the user; constants stay."""
@@ -126,6 +142,7 @@ class PlainRunner:
             return abi.NOT_FINITE
         try:
             self._segment()
+            self.closer.close(t, y, noted=True)
             if self._blamed(self.derivative(t, y)):
                 return abi.NOT_FINITE
         except Broken as broken:
@@ -143,6 +160,16 @@ class PlainRunner:
         """Say which rows to write, as :meth:`.run.Runner.want`; dense output is always kept."""
         self._times, self._all = times, dense
         self._kept, self._next_time = [], 1
+
+    @property
+    def closing(self) -> Closing:
+        """The constraints."""
+        return self.closer.closing
+
+    @property
+    def ledger(self) -> Ledger | None:
+        """How well circuits stayed closed; None without constraints."""
+        return self.closing.ledger(self.closer.numbers)
 
     @property
     def rows(self) -> Array:
@@ -231,10 +258,11 @@ class PlainRunner:
             for t, y in zip(
                 inside, Dense(ends, values, spread[None], self.quaternions).at(inside), strict=True
             ):
+                self.closer.between(float(t), y)
                 self._keep(float(t), y, spread)
 
     def _keep(self, t: float, y: Array, spread: Array) -> None:
-        self._inputs(t, y, not self._sampled)
+        self.at(t, y)
         self._kept.append((np.concatenate([[t], y, self.views["r"]]), spread))
         self.record.count = len(self._kept)
 
@@ -261,7 +289,7 @@ class PlainRunner:
 
     def save(self) -> Saved:
         """State, inputs and counters."""
-        memory = np.concatenate([self.views["y"], self.views["r"]])
+        memory = np.concatenate([self.views["y"], self.views["r"], self.closer.numbers])
         return Saved(replace(self.record), memory.tobytes(), id(self))
 
     def restore(self, saved: Saved) -> None:
@@ -274,4 +302,6 @@ class PlainRunner:
             raise ModelError("this checkpoint was made by another stepper")
         self.record = replace(saved.record)
         memory = np.frombuffer(saved.memory)
-        self.views["y"][:], self.views["r"][:] = memory[: self.n], memory[self.n :]
+        width = self.n + self.record.nr
+        self.views["y"][:], self.views["r"][:] = memory[: self.n], memory[self.n : width]
+        self.closer.numbers[:] = memory[width:]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,7 +65,9 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
         third = f(t + d / 2, y + d / 2 * second)
         fourth = f(end, y + d * third)
         new = y + d / 6 * (first + 2 * (second + third) + fourth)
-        runner.normalize(new)
+        runner.closer.close(end, new, noted=True)
+        if run.correction > 1:
+            raise Broken(abi.OPEN)
         last = f(end, new)
 
         def spread(
@@ -102,19 +104,38 @@ def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
         atol=atol,
         first_step=min(wanted, length) if wanted else None,
     )
+    closed = runner.quaternions or runner.closing.rows
     while solver.status == "running":
-        spent = solver.nfev
+        spent, before = solver.nfev, (solver.t, solver.y, solver.f)
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
         run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
+        if closed and not _closed(runner, solver):
+            # again from before, shorter
+            solver.h_abs = 0.25 * abs(solver.t - before[0])
+            (solver.t, solver.y, solver.f), solver.status = before, "running"
+            run.rejections += 1
+            if solver.h_abs < 16 * np.spacing(max(abs(solver.t), abs(stop))):
+                raise Broken(abi.OPEN)
+            continue
         # a step cut at the stop does not shrink the next one
         wanted = max(wanted, solver.h_abs) if solver.t == stop else solver.h_abs
         run.h = math.copysign(wanted, solver.direction)
-        if runner.quaternions:
-            runner.normalize(solver.y)
+        if closed:
             solver.f = runner.derivative(solver.t, solver.y)
         yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+
+
+def _closed(runner: PlainRunner, solver: Any) -> bool:
+    """Whether the end of a step can be projected by less than the tolerance; it is then."""
+    try:
+        runner.closer.close(solver.t, solver.y, noted=True)
+    except Broken as broken:
+        if broken.answer != abi.OPEN:
+            raise
+        return False
+    return runner.record.correction <= 1
 
 
 METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {"DOP853": dop853, "RK4": rk4}

@@ -10,7 +10,7 @@ from ..errors import BuildError
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
-NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE = -1, -2, -3, -4, -5
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN = -1, -2, -3, -4, -5, -6
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(
@@ -21,17 +21,21 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense"),
     (POINTER, "rhs power rhs_w power_w inputs signals quaternions"),
     (COUNT, "nq nx n nr signal_count quaternion_count sampled"),
-    (POINTER, "y y_old trial k f r spread at_rest work"),
+    (POINTER, "close_position close_velocity close_position_w close_velocity_w"),
+    (COUNT, "positions rates"),
+    (REAL, "size"),
+    (POINTER, "y y_old trial k f r spread at_rest work closing ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment"),
     (COUNT, "in_segment"),
-    (REAL, "rtol atol max_step h"),
+    (REAL, "rtol atol max_step h correction"),
     (COUNT, "fresh is_dense rejected"),
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),
-    (COUNT, "steps rejections evaluations budget culprit model_status stop"),
+    (COUNT, "steps rejections evaluations budget culprit model_status"),
+    (COUNT, "open_row projections stop"),
 )
 
 
@@ -70,6 +74,8 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    library.cardan_closing_length.argtypes = [record]
+    library.cardan_closing_length.restype = COUNT
     return library
 
 

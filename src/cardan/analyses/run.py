@@ -16,7 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
+from ..runtime.ledger import Ledger
 from . import record as abi
 from .record import INPUTS, Run, Signal
 from .settings import Settings
@@ -60,6 +62,8 @@ class Runner:
         if power:
             self.functions.append(model._function("power"))
         self.powered = power
+        self.closing = Closing.of(model)
+        self.closers = [model._function(name) for name in self.closing.functions]
         outputs = self.functions[-1].outputs if power else []
         self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
@@ -67,8 +71,16 @@ class Runner:
         self._keep: list[Any] = []
         self.spreads = np.empty((0, settings.method.dense_rows, self.n))
         self.record = Run()
+        self._size()
         self._allocate()
         self._connect()
+
+    def _size(self) -> None:
+        """Fill in how long everything is."""
+        model, run = self.model, self.record
+        run.nq, run.nx, run.n, run.nr = model.nq, model.nx, self.n, model.nr
+        run.positions, run.rates = self.closing.positions, self.closing.rates
+        run.size = self.closing.size
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
@@ -83,7 +95,9 @@ class Runner:
             "spread": method.dense_rows * n,
             "r": model.nr,
             "at_rest": max(model.nu, 6 * parts),
-            "work": max(f.work_size for f in self.functions),
+            "work": max(f.work_size for f in [*self.functions, *self.closers]),
+            "closing": self.library.cardan_closing_length(self.record),
+            "ledger": 4 * (self.closing.positions + self.closing.rates),
         }
         self.memory = np.zeros(sum(sizes.values()))
         self.views: dict[str, Array] = {}
@@ -94,7 +108,7 @@ class Runner:
             start += size
 
     def _connect(self) -> None:
-        """Fill in sizes, functions and tolerances."""
+        """Fill in functions and tolerances."""
         model, settings, run = self.model, self.settings, self.record
         kernel = f"cardan_{settings.method.kernel}"
         run.init = abi.address(self.library, f"{kernel}_init")
@@ -106,7 +120,9 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
-        run.nq, run.nx, run.n, run.nr = model.nq, model.nx, self.n, model.nr
+        for name, closer in zip(self.closing.functions, self.closers, strict=True):
+            setattr(run, name, closer.address)
+            setattr(run, f"{name}_w", self._pointer(closer.w))
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1
@@ -146,6 +162,11 @@ class Runner:
         return 0
 
     # running
+
+    @property
+    def ledger(self) -> Ledger | None:
+        """How well circuits stayed closed; None without constraints."""
+        return self.closing.ledger(self.views["ledger"])
 
     def start(self, t: float, x: Array, stops: Sequence[float]) -> int:
         """Set the state and evaluate there. Returns the answer of the kernels."""

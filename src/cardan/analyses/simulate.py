@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import CompilerMissing, SolveError, SolveWarning
+from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
+from ..runtime.conduct import Conduct
 from ..runtime.dense import Dense
 from ..runtime.interpreted import CURE
-from ..runtime.trajectory import Conduct, Trajectory
+from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .outcome import explain
 from .plain import PlainRunner
@@ -91,7 +93,7 @@ def simulate(
 def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
     power = "power" in model.manifest["available"]
-    called = ["rhs", *(["power"] if power else [])]
+    called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
     # side by side, as both must be compiled
     model.prepare(*called)
     if all(model._function(name).address for name in called) and _integrators(model):
@@ -139,6 +141,7 @@ def _run(
         "steps": run.steps,
         "rejections": run.rejections,
         "evaluations": run.evaluations,
+        "projections": run.projections,
         "milliseconds": milliseconds,
     }
     defaulted = (*begin.defaulted, *given.defaulted)
@@ -176,4 +179,5 @@ def _trajectory(
         model=model,
         dense=dense,
         inputs_at=runner.signals.recorded(t, r).at,
+        ledger=runner.ledger,
     )

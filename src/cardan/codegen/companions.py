@@ -9,8 +9,10 @@ from . import header
 from .naming import comment
 
 # files every integrator needs, and those of each
-RUN = ("run.h", "run.c", "control.c", "derivative.c", "memory.c")
+RUN = ("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c")
 INTEGRATORS = {"rk4": ("rk4.c",), "dop853": ("dop853.c", "dop853_tables.h")}
+# what a run of a closed system calls beside rhs
+CLOSING = ("close_position", "close_velocity")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:
@@ -55,7 +57,7 @@ def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: 
         "/* so that *.c of this folder links with a main of yours */",
         "#ifdef CARDAN_EXAMPLE",
         "",
-        *(_simulation(integrators[0]) if integrators else []),
+        *(_simulation(integrators[0], manifest) if integrators else []),
         "int main(void)",
         "{",
         f"    static real zero[{_zeros(manifest)}], out[{name}_out_size + 1];",
@@ -88,14 +90,24 @@ def _fields(inputs: Sequence[str]) -> str:
     return ", ".join([*(f".{b} = {known.get(b, 'zero')}" for b in read), ".w = w"])
 
 
-def _simulation(method: str) -> list[str]:
+def _simulation(method: str, manifest: dict[str, Any]) -> list[str]:
     """A run of one second from the start, printed at its end."""
+    closed = [name for name in CLOSING if name in manifest["functions"]]
+    work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in closed)
+    rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in closed)
+    lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in closed]
+    lines += [f"    run.{name} = {name}, run.{name}_w = w_{name};" for name in closed]
+    if closed:
+        rows = [row["level"] for row in manifest["multipliers"]]
+        lines.append(f"    run.positions = {rows.count('position')}, run.rates = {len(rows)};")
+        lines.append("    run.size = 1.0;")
+    closing = "".join(f"{line}\n" for line in lines)
     return f"""\
 /* One second of motion from the start, printed at its end. */
 static int simulate(void)
 {{
-    static real memory[100000], w[rhs_w_size + 1];
-    const size_t rest = cardan_nu + 6 * cardan_nparts;
+    static real memory[100000], w[rhs_w_size + 1]{rooms};
+    const size_t rest = cardan_nu + 6 * cardan_nparts, work = {work};
     const real end = 1.0;
     cardan_run run = {{0}};
 
@@ -105,11 +117,12 @@ static int simulate(void)
     run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu;
     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
     run.stops = &end, run.stop_count = 1;
-    if (cardan_run_length(&run, rest, rhs_work_size) > sizeof memory / sizeof *memory) {{
+{closing}\
+    if (cardan_run_length(&run, rest, work) > sizeof memory / sizeof *memory) {{
         fprintf(stderr, "simulate: make the array memory larger\\n");
         return 1;
     }}
-    cardan_run_lay(&run, memory, rest, rhs_work_size);
+    cardan_run_lay(&run, memory, rest, work);
     for (int k = 0; k < cardan_nq; k++)
         run.y[k] = cardan_default_q[k];
     for (int k = 0; k < cardan_nr; k++)

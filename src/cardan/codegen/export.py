@@ -52,9 +52,10 @@ def export(
     _check_words(language, wanted)
     _check(target)
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
-    if wanted and ("rhs", None) not in asked:
-        asked.append(("rhs", None))
     known = equations.names()
+    if wanted:
+        called = ("rhs", *(name for name in companions.CLOSING if name in known))
+        asked += [(name, None) for name in called if (name, None) not in asked]
     for name, _ in asked:
         if name not in known:
             raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")

@@ -107,7 +107,9 @@ ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n)
 
 /* The step to t, y succeeded: make it the present state and evaluate its derivative.
  *
- * y may be `trial`; it is normalized here. Nothing has changed when the status is not 0.
+ * y may be `trial`; it is normalized and projected onto the constraints here, which must change it
+ * by less than the tolerance: more is a jump to another branch of the motion. The present state has
+ * not changed when the status is not 0.
  */
 int cardan_commit(cardan_run *run, real t, const real *y)
 {
@@ -121,6 +123,11 @@ int cardan_commit(cardan_run *run, real t, const real *y)
     run->culprit = cardan_not_finite(next, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    status = cardan_close(run, t, next, 1);
+    if (status == 0 && run->correction > 1)
+        status = CARDAN_OPEN;
+    if (status != 0)
+        return status;
     /* y_old serves as room for the new derivative until nothing can fail any more */
     status = cardan_derivative(run, t, next, run->y_old);
     if (status == 0) {

@@ -110,7 +110,7 @@ int cardan_dop853_step(cardan_run *run)
             failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
         }
         if (failed == 0 && error <= 1) {
-            cardan_accept_step(run, h, error, ORDER);
+            cardan_accept_step(run, h, fmax(error, run->correction), ORDER);
             return 0;
         }
         status = cardan_reject_step(run, h, error, ORDER, failed);

@@ -16,6 +16,11 @@
  *
  * with cardan_run_length(&run, rest, rhs_work_size) numbers of memory. `rest` is how many zeros
  * stand for outer forces: at least the number of speeds, and 6 per body where wrenches are read.
+ * With constraints the work is that of the largest function, and before anything is laid out
+ *
+ *     run.close_position = close_position, run.close_position_w = w_of_it, run.positions = ...;
+ *     run.close_velocity = close_velocity, run.close_velocity_w = w_of_it, run.rates = ...;
+ *     run.size = 1.0;
  */
 #include "run.h"
 
@@ -24,7 +29,10 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
 {
     size_t n = (size_t)run->n, rows = (size_t)(run->stages + run->dense_rows);
 
-    return (4 + rows) * n + (size_t)run->nr + rest + work;
+    size_t closing = (size_t)cardan_closing_length(run);
+    size_t ledger = 4 * (size_t)(run->positions + run->rates);
+
+    return (4 + rows) * n + (size_t)run->nr + rest + work + closing + ledger;
 }
 
 /* The next piece of a block. */
@@ -53,6 +61,8 @@ void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
     run->r = take(&next, run->nr);
     run->at_rest = take(&next, (ptrdiff_t)rest);
     run->work = take(&next, (ptrdiff_t)work);
+    run->closing = take(&next, cardan_closing_length(run));
+    run->ledger = take(&next, 4 * (run->positions + run->rates));
     run->times = run->stops;
     run->time_count = 0;
 }

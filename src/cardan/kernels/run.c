@@ -45,7 +45,9 @@ int cardan_run_at(cardan_run *run, real t, real *y)
         return status;
     cardan_interpolate(run->dense_rows, run->n, (t - run->t_old) / h, run->y_old, run->spread, y);
     cardan_normalize(run, y);
-    return 0;
+    /* where that does not close, the polynomial is as good as anything */
+    status = cardan_close(run, t, y, 0);
+    return status == CARDAN_OPEN ? 0 : status;
 }
 
 /* Write a row for time t. */
@@ -115,7 +117,8 @@ static int sizes_fit(const cardan_run *run)
            && fits(run->stages, run->n) && fits(run->dense_rows, run->n)
            && fits(run->capacity, 1 + run->n + run->nr)
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
-           && fits(run->signal_count, 1) && fits(run->quaternion_count, 4);
+           && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
+           && fits(run->positions, 16) && fits(run->rates, 16);
 }
 
 /* Begin at t, y: the first segment, the derivative, the first step size, the first row. */
@@ -126,11 +129,14 @@ int cardan_run_start(cardan_run *run)
     if (!sizes_fit(run))
         return CARDAN_SIZE;
     run->t_start = run->t_old = run->t;
+    run->open_row = -1;
     cardan_normalize(run, run->y);
     run->culprit = cardan_not_finite(run->y, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
     status = cardan_segment(run);
+    if (status == 0)
+        status = cardan_close(run, run->t, run->y, 1);
     if (status == 0)
         status = cardan_refresh(run);
     if (status == 0) {

@@ -7,6 +7,9 @@
  * The integrated vector is y = [x, e], n = nx + sources long: the state x = [q, u] and the energy e
  * [J] that every source has given since the start. e is a quadrature: it takes no part in the error
  * control.
+ *
+ * Where circuits are closed by constraints, every state that is kept is projected onto them first:
+ * positions, then velocities. The projection takes part in the error control.
  */
 #ifndef CARDAN_RUN_H
 #define CARDAN_RUN_H
@@ -27,7 +30,8 @@ enum {
     CARDAN_TOO_SMALL = -2, /* the step size fell below what t can resolve */
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
-    CARDAN_SIZE = -5       /* a size is negative, or no array can have it */
+    CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_OPEN = -6       /* no state near the step fulfills the constraints: see `open_row` */
 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
@@ -57,6 +61,14 @@ struct cardan_run {
     ptrdiff_t signal_count, quaternion_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
 
+    /* constraints: each function writes the closed block, then the residuals of the given one */
+    cardan_function close_position; /* q (nq), residuals (positions); NULL without constraints */
+    cardan_function close_velocity; /* u (nx - nq), residuals (rates); NULL without constraints */
+    const wreal *close_position_w;
+    const wreal *close_velocity_w;
+    ptrdiff_t positions, rates;
+    real size; /* of the mechanism [m], against which residuals count */
+
     /* memory */
     real *y;        /* (n) at t */
     real *y_old;    /* (n) at t_old, the start of the last step */
@@ -66,7 +78,10 @@ struct cardan_run {
     real *r;        /* (nr) inputs as last asked for */
     real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense` */
     const real *at_rest; /* zeros for the blocks tau and wrench */
-    real *work;     /* work of rhs and power */
+    real *work;     /* work of the functions of the model */
+    real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
+    real *ledger;   /* (positions + rates, 4): the largest residual before projection and when,
+                       the largest after it and when; NULL without constraints */
     ptrdiff_t stages, dense_rows;
 
     /* time: a segment ends where an input has a corner; the last one ends the run */
@@ -79,6 +94,7 @@ struct cardan_run {
     /* step size control */
     real rtol, atol, max_step;
     real h; /* next step, signed */
+    real correction; /* what the projection of the last trial changed, in units of tolerance */
     ptrdiff_t fresh, is_dense, rejected;
 
     /* rows that come out: t, y, r */
@@ -93,6 +109,8 @@ struct cardan_run {
     ptrdiff_t budget;      /* steps per call of cardan_run_drive */
     ptrdiff_t culprit;     /* entry of y that broke the run, -1 if none is to blame */
     ptrdiff_t model_status;
+    ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
+    ptrdiff_t projections; /* calls of the functions that close */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
 
@@ -109,13 +127,15 @@ void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_o
 size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work);
 void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work);
 
-/* what the methods build on: derivative.c and control.c */
+/* what the methods build on: derivative.c, close.c and control.c */
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
 int cardan_commit(cardan_run *run, real t, const real *y);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
+ptrdiff_t cardan_closing_length(const cardan_run *run);
+int cardan_close(cardan_run *run, real t, real *y, int noted);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);

@@ -94,6 +94,17 @@ def _places(letter: str, rows: Rows, joints: Rows) -> dict[str, slice]:
     return places
 
 
+def entries(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
+    """Name -> entries of q or u: every entry by its own name, every joint for all of its own."""
+    rows = manifest["coordinates" if letter == "q" else "speeds"]
+    return _places(letter, rows, manifest["joints"])
+
+
+def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
+    """Why there is no such entry of q or u, in words."""
+    return _unknown(letter, name, manifest["joints"])
+
+
 def _unknown(letter: str, name: str, joints: Rows) -> str:
     what = {"q": "coordinate", "u": "speed"}[letter]
     joint = next((j for j in joints if j["name"] == name), None)

@@ -12,8 +12,10 @@ import numpy as np
 
 from ..errors import ModelError
 from . import schema
+from .conduct import Conduct
 from .dense import Dense
-from .trajectory import Conduct, Trajectory
+from .ledger import Ledger
+from .trajectory import Trajectory
 
 ARRAYS = ("t", "x", "r", "given")
 
@@ -33,7 +35,7 @@ def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
 def digest(values: Mapping[str, Any]) -> str:
     """Hash of the numbers and names of a motion."""
     found = hashlib.sha256(json.dumps(values["manifest"], sort_keys=True).encode())
-    found.update(repr((values["sources"], values["conduct"])).encode())
+    found.update(repr((values["sources"], values["conduct"], values["ledger"])).encode())
     arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"])]
     if values["dense"] is not None:
         arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
@@ -74,7 +76,8 @@ def _check(values: Mapping[str, Any]) -> None:
         if np.shape(values[name]) != (count, size):
             raise _damaged(f"{name} has shape {np.shape(values[name])}, not ({count}, {size})")
     dense = values["dense"]
-    if not isinstance(values["conduct"], Conduct) or not isinstance(dense, Dense | None):
+    said = isinstance(values["conduct"], Conduct) and isinstance(values["ledger"], Ledger | None)
+    if not said or not isinstance(dense, Dense | None):
         raise _damaged("it does not say how it went")
     if dense is not None and (
         np.shape(dense.y) != (len(dense.t), width + given)

@@ -1,6 +1,7 @@
 """Runs as netCDF files, through SciPy alone.
 
-Dimensions ``time``, ``coordinate``, ``speed``, ``input``, ``source``, ``step``, ``body``; names of
+Dimensions ``time``, ``coordinate``, ``speed``, ``input``, ``source``, ``step``, ``body``,
+``constraint``; names of
 the entries stand in the attribute ``names`` of every variable, units in ``units``. The manifest
 (names, units, joints, shapes; no functions) is the attribute ``manifest``, as JSON.
 """
@@ -19,8 +20,10 @@ import numpy as np
 from .. import __version__
 from ..errors import CardanError, ModelError
 from .calling import Array
+from .conduct import Conduct
 from .dense import Dense
-from .trajectory import Conduct, Trajectory
+from .ledger import Ledger
+from .trajectory import Trajectory
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -28,6 +31,7 @@ if TYPE_CHECKING:
 FORMAT = 1
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 LEFT_OUT = ("functions", "sha256", "available")
+COLUMNS = "largest before projection, when, largest after it, when"
 
 
 def save(motion: Trajectory, path: Path) -> Path:
@@ -95,6 +99,11 @@ def _variables(motion: Trajectory) -> Variables:
     if "kinetic" in motion.stored or "energy" in available:
         found["kinetic"] = (("time",), motion.energy.kinetic, {"units": "J"})
         found["potential"] = (("time",), motion.energy.potential, {"units": "J"})
+    if motion.ledger is not None:
+        found["ledger"] = (("constraint", "column"), motion.ledger.table, {"columns": COLUMNS})
+    if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
+        residuals = np.stack([*motion.constraints.values()], axis=-1)
+        found["constraints"] = (("time", "position_constraint"), residuals, {})
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
         found[f"pose_{k}"] = (("time", "axis", "column"), pose, {"frame": body})
@@ -170,7 +179,8 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
         dense = Dense(t, rows, values["spreads"], tuple(manifest["quaternions"]))
     conduct = json.loads(notes["conduct"])
     conduct["defaulted"] = tuple(conduct["defaulted"])
-    stored = {k: values[k] for k in ("kinetic", "potential") if k in values}
+    stored = {k: values[k] for k in ("kinetic", "potential", "constraints") if k in values}
+    ledger = Ledger.of(manifest["multipliers"], values["ledger"]) if "ledger" in values else None
     return Trajectory(
         t=t,
         x=np.concatenate([q, u], axis=1),
@@ -183,6 +193,7 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
         dense=dense,
         stored=stored | poses,
         numbers={k: np.array(v) for k, v in json.loads(notes["scene"]).items()},
+        ledger=ledger,
     )
 
 

@@ -32,6 +32,7 @@ def summary(motion: Trajectory) -> str:
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
     lines += _values("start", "by default", rest)
     lines += _energy(motion)
+    lines += _constraints(motion)
     return "\n".join(lines)
 
 
@@ -68,4 +69,15 @@ def _energy(motion: Trajectory) -> list[str]:
     if motion.sources:
         work = {name: float(given[-1]) for name, given in motion.work.items()}
         lines += _values("work", "in J", work)
+    return lines
+
+
+def _constraints(motion: Trajectory) -> list[str]:
+    """The worst residuals of a system with circuits, and where they were."""
+    lines: list[str] = []
+    for level in ("position", "velocity"):
+        found = motion.ledger.worst(level) if motion.ledger is not None else None
+        if found is not None:
+            name, worst = found
+            lines.append(f"  {'closed' if not lines else '':<9} {level} of '{name}' to {worst}")
     return lines

@@ -14,37 +14,14 @@ from numpy.typing import ArrayLike
 from ..errors import ModelError, near
 from . import followers
 from .calling import Array
+from .closing import project
+from .conduct import FINISHED, Conduct
 from .dense import Dense
 from .kinematics import Energy
+from .ledger import Drift, Ledger
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
-
-FINISHED = "finished"
-
-
-@dataclass(frozen=True)
-class Conduct:
-    """How a run went.
-
-    Attributes:
-        method: Integrator.
-        settings: Its tolerances or step, as words to print.
-        initial: Named initial value of every coordinate and speed.
-        defaulted: Those that the caller did not give.
-        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite``,
-            ``model_failed`` or ``too_large``.
-        message: The same as a sentence, with time and coordinate.
-        statistics: steps, rejections, evaluations, milliseconds.
-    """
-
-    method: str
-    settings: str
-    initial: dict[str, float]
-    defaulted: tuple[str, ...]
-    status: str
-    message: str
-    statistics: dict[str, float]
 
 
 @final
@@ -68,6 +45,7 @@ class Trajectory:
         inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
         stored: Histories read from a file or computed before, by name.
         numbers: The flat scene of a run read from a file, see :attr:`scene`.
+        ledger: Residuals of the constraints over the run, None without circuits.
     """
 
     t: Array
@@ -82,6 +60,7 @@ class Trajectory:
     inputs_at: Callable[[Array], Array] | None = None
     stored: dict[str, Array] = field(default_factory=dict)
     numbers: Mapping[str, Array] = field(default_factory=dict)
+    ledger: Ledger | None = None
 
     # what happened
 
@@ -210,7 +189,20 @@ class Trajectory:
         outside = times[~((times >= low) & (times <= high))]
         if len(outside):
             raise ModelError(f"t={outside[0]:g} s: the run covers {low:g} ... {high:g} s")
-        return self.dense.at(times)
+        values = self.dense.at(times)
+        if self.ledger is not None and self.model is not None:
+            # a polynomial leaves the constraints between its ends
+            nx = self.x.shape[1]
+            values[:, :nx] = project(self.model, times, values[:, :nx], self._r_at(times))
+        return values
+
+    def _r_at(self, times: Array) -> Array:
+        """Inputs (m, nr) at times (m,)."""
+        if self.inputs_at is not None:
+            return self.inputs_at(times)
+        order = np.argsort(self.t)
+        columns = [np.interp(times, self.t[order], column[order]) for column in self.r.T]
+        return np.stack(columns, axis=1) if columns else np.zeros((len(times), 0))
 
     def resample(self, times: ArrayLike) -> Trajectory:
         """The same motion at other times, from the dense output.
@@ -219,13 +211,7 @@ class Trajectory:
             ModelError: as :meth:`at`.
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        y, nx = self._dense_at(at), self.x.shape[1]
-        if self.inputs_at is not None:
-            r = self.inputs_at(at)
-        else:
-            order = np.argsort(self.t)
-            columns = [np.interp(at, self.t[order], column[order]) for column in self.r.T]
-            r = np.stack(columns, axis=1) if columns else np.zeros((len(at), 0))
+        y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
         return replace(self, t=at, x=y[:, :nx], r=r, given=y[:, nx:], dense=None, stored={})
 
     # energy
@@ -248,14 +234,26 @@ class Trajectory:
         return {name: self.given[:, k] for k, name in enumerate(self.sources)}
 
     @cached_property
-    def drift(self) -> Array:
+    def drift(self) -> Drift:
         """What the energy ledger misses (nt,) [J]: zero but for integration errors.
 
-        Total energy minus that at the start minus the work of all sources.
+        Total energy minus that at the start minus the work of all sources. Of a system with
+        circuits ``drift.position`` and ``drift.velocity`` hold the worst residuals by multiplier.
         """
         total = self.energy.total
         missing: Array = total - total[0] - sum(self.work.values(), np.zeros(len(total)))
-        return missing
+        return Drift.of(missing, self.ledger)
+
+    @property
+    def constraints(self) -> dict[str, Array]:
+        """Residual (nt,) of every constraint of positions by multiplier; a tree has none."""
+        rows = [row for row in self.manifest["multipliers"] if row["level"] == "position"]
+        if rows and "constraints" not in self.stored:
+            model = self._model("the constraints")
+            self.stored["constraints"] = model._evaluate(
+                ("constraints", None), (self.t, self.q, self._r), None, None
+            )
+        return {row["name"]: self.stored["constraints"][:, k] for k, row in enumerate(rows)}
 
     # what a model shows along the motion
 

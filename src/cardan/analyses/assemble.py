@@ -1,0 +1,204 @@
+"""Assembly: positions at which all circuits close and targets are met, and consistent speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError
+from ..runtime.compiled import CompiledModel
+from ..runtime.initial import entries, initial_state
+from ..runtime.states import random_state
+from .assembly import Assembly
+from .branches import Branch, branches, refuse
+from .consistent import accelerations, speeds
+from .mechanism import Mechanism
+from .meeting import Conditions, Found, meet
+from .targets import Target, read
+from .unassembled import explain
+
+Array = NDArray[np.float64]
+SAME = 1e-6  # positions nearer than this, without units, are one
+STARTS = 16
+REACHED = 1e-9
+
+
+def assemble(
+    model: CompiledModel,
+    targets: Mapping[str, Any] | None = None,
+    *,
+    u: Mapping[str, Any] | None = None,
+    udot: Mapping[str, Any] | None = None,
+    weights: Mapping[str, float] | None = None,
+    hold: Iterable[str] | None = None,
+    branch: Mapping[str, Any] | None = None,
+    start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    starts: int = STARTS,
+    seed: int = 0,
+    t: float = 0.0,
+    r: Any = None,
+) -> Assembly:
+    """A position at which all circuits close, next to a start, with some of it given.
+
+    Args:
+        model: The compiled model; without circuits this is inverse kinematics.
+        targets: Coordinate or joint -> value, frame -> its position (3,) or pose (4, 4) in the
+            ground. All are held exactly but for those in ``weights``.
+        u, udot: Given speeds and accelerations by name; the other speeds are those of least kinetic
+            energy, the other accelerations those under the forces of the scene.
+        weights: Target -> weight; such targets are met as well as the rest allows: the weighted sum
+            of squares is least, lengths in sizes of the mechanism, angles in radians.
+        hold: Names of the targets that are held, instead of all without a weight.
+        branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``: which of several positions.
+        start: Coordinates to start from, by name or (nq,); the position next to them is chosen.
+        starts: Searches: the first from ``start``, the others from random coordinates.
+        seed: Of the random ones.
+        t, r: Time [s] and inputs, where something is prescribed.
+
+    Raises:
+        ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
+            on the branch, unknown names.
+        ArgumentError, SolveError: values of a wrong shape, or not finite.
+    """
+    m = Mechanism(model, t, r)
+    goals, wanted = read(m, targets or {}, weights, hold), branches(model, branch or {})
+    if starts < 1:
+        raise ModelError(f"starts={starts}: at least one search is needed")
+    begin = _begin(model, start)
+    found = search(m, goals, begin, starts, seed)
+    met = [one for one in found if one.met]
+    if not met:
+        explain(m, goals, found, lambda some: search(m, some, begin, min(starts, 6), seed))
+    different = _different(m, met)
+    chosen = choose(m, different, wanted, begin)
+    many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
+    solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
+    return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
+
+
+def search(
+    m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
+) -> list[Found]:
+    """Where searches from a start and from random coordinates end."""
+    conditions, found = Conditions(m, targets), list[Found]()
+    given = initial_state(m.model.manifest, {}, {})[0][: m.model.nq]
+    rng = np.random.default_rng(seed)
+    for k in range(starts):
+        q = begin.copy() if k == 0 else _drawn(m, given, rng)
+        for target in targets:
+            if target.kind == "coordinate" and target.weight is None:
+                q[target.place] = target.value
+        end = meet(conditions, _unit(m, q))
+        found.append(replace(end, q=m.nearest(_exact(m, end, targets), begin)))
+    return found
+
+
+def _drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
+    """Random coordinates; lengths without limits as far from their start as the mechanism is."""
+    manifest = m.model.manifest
+    q = random_state(manifest, rng)[: m.model.nq]
+    bound = {joint["name"] for joint in manifest["joints"] if joint["limits"]}
+    for k, row in enumerate(manifest["coordinates"]):
+        if row["unit"] == "m" and row.get("joint") not in bound:
+            q[k] = given[k] + m.size * (q[k] - (row["default"] or 0.0))
+    return q
+
+
+def _unit(m: Mechanism, q: Array) -> Array:
+    return m.advance(q, np.zeros(m.model.nu))
+
+
+def _exact(m: Mechanism, end: Found, targets: Sequence[Target]) -> Array:
+    """Coordinates with held ones to the bit, where that is what was found."""
+    q = end.q.copy()
+    for target in targets if end.met else ():
+        turns = target.kind == "coordinate" and len(target.value) == 1
+        if turns and target.weight is None:
+            q[target.place] = target.value
+    return q
+
+
+def _begin(model: CompiledModel, start: Any) -> Array:
+    """Coordinates to start from."""
+    named = start if isinstance(start, Mapping) else {}
+    if start is not None and not isinstance(start, Mapping):
+        named = dict(zip(model.coordinates, np.asarray(start, dtype=float).tolist(), strict=True))
+    return initial_state(model.manifest, named, {})[0][: model.nq]
+
+
+def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
+    """Positions that are not the same up to whole turns; of equal ones the first."""
+    kept: list[Found] = []
+    for one in found:
+        away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in kept)
+        if not any(distance < SAME for distance in away):
+            kept.append(one)
+    return kept
+
+
+def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin: Array) -> Found:
+    """The position on a branch, inside limits if there is one, that is next to the start.
+
+    Raises:
+        ModelError: none is on the branch.
+    """
+    allowed = [one for one in found if all(branch.holds(one.q) for branch in wanted)]
+    if not allowed:
+        refuse(wanted, [one.q for one in found])
+    best = min(one.cost for one in allowed)
+
+    def order(one: Found) -> tuple[bool, int, float]:
+        worse = one.cost > best + REACHED
+        return worse, _outside(m, one.q), float(np.linalg.norm(m.between(begin, one.q)))
+
+    return min(allowed, key=order)
+
+
+def _outside(m: Mechanism, q: Array) -> int:
+    """How many coordinates are outside their limits."""
+    places, count = entries(m.model.manifest, "q"), 0
+    for name, limits in m.model.limits.items():
+        lower, upper = limits.get("lower"), limits.get("upper")
+        for value in q[places[name]] if name in places else ():
+            low = lower is not None and value < lower - REACHED
+            count += low or (upper is not None and value > upper + REACHED)
+    return count
+
+
+def finish(
+    m: Mechanism,
+    targets: Sequence[Target],
+    chosen: Found,
+    u: Mapping[str, Any],
+    udot: Mapping[str, Any],
+    solutions: int | None,
+    starts: int,
+) -> Assembly:
+    """The record, with consistent speeds and accelerations."""
+    model, q = m.model, chosen.q
+    rest = initial_state(model.manifest, {}, {})[0][model.nq :]
+    velocities, rates = speeds(m, q, u, rest), None
+    if "forward_dynamics" in model.manifest["available"]:
+        rates = accelerations(m, q, velocities, udot)
+    elif udot:
+        raise ModelError(
+            "udot= needs the function 'forward_dynamics': compile(..., functions=[...])"
+        )
+    away = {t.name: t for t in targets if np.abs(t.residual(m, q)).max() > REACHED}
+    return Assembly(
+        name=model.name,
+        coordinates=model.coordinates,
+        speeds=model.speeds,
+        q=q,
+        u=velocities,
+        udot=rates,
+        gaps=m.gaps(q),
+        unreached={name: f"asked {t.asked}, {t.reached(m, q)}" for name, t in away.items()},
+        freedoms=chosen.freedoms,
+        solutions=solutions,
+        starts=starts,
+    )

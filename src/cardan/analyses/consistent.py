@@ -1,0 +1,121 @@
+"""Speeds and accelerations that constraints allow, with some of them given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.initial import entries, missing
+from .mechanism import Mechanism
+
+Array = NDArray[np.float64]
+RANK = 1e-10
+CONSISTENT = 1e-9  # of the largest of the given values
+
+
+def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Array:
+    """Speeds (nu,) with G u + g_t = 0, the given ones held, the others next to wanted ones.
+
+    Args:
+        m, q: Mechanism and an assembled position (nq,).
+        given: Joint or speed -> value.
+        rest: What the others are near to (nu,), in the metric of the mass matrix if there is one.
+
+    Raises:
+        ModelError: an unknown name, or values that cannot hold together.
+        ArgumentError, SolveError: values of a wrong shape, or not finite.
+    """
+    chosen, values = read("u", m, given)
+    u = rest.copy()
+    u[chosen] = values
+    start = m.rates(q, np.zeros_like(u))
+    return _meet(m, q, u, chosen, -start, list(given), "u")
+
+
+def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) -> Array:
+    """Accelerations (nu,) with G udot = gamma, the given ones held, the others as forces have it.
+
+    Args:
+        m, q, u: Mechanism and a consistent state.
+        given: Joint or speed -> value of its derivative.
+
+    Raises:
+        As :func:`speeds`.
+    """
+    free: Array = m.model.forward_dynamics(q, u, t=m.t, r=m.r)
+    chosen, values = read("udot", m, given)
+    if not len(chosen):
+        return free
+    # accelerations under forces fulfill the constraints: they know gamma
+    gamma = m.jacobian(q) @ (free / m.columns)
+    udot = free.copy()
+    udot[chosen] = values
+    return _meet(m, q, udot, chosen, gamma, list(given), "udot")
+
+
+def read(what: str, m: Mechanism, given: Mapping[str, Any]) -> tuple[Array, Array]:
+    """Which speeds are given, and their values.
+
+    Args:
+        what: ``"u"`` or ``"udot"``, for messages.
+        m: The mechanism.
+        given: Joint or speed -> value.
+    """
+    places = entries(m.model.manifest, "u")
+    chosen, values = list[int](), list[float]()
+    for name, value in given.items():
+        where, place = f"{what}={{'{name}': ...}}", places.get(name)
+        if place is None:
+            words = missing(m.model.manifest, "u", name)
+            raise ModelError(f"{where}: {words}{near(name, places)}")
+        array = np.asarray(value, dtype=np.float64).reshape(-1)
+        if array.size != place.stop - place.start:
+            names = ", ".join(m.model.speeds[place])
+            raise ArgumentError(f"{where}: {array.size} values, expected {names}")
+        if not np.isfinite(array).all():
+            raise SolveError(f"{where} is {value!r}; it must be finite")
+        if set(chosen) & set(range(place.start, place.stop)):
+            raise ModelError(f"{where}: given twice, once by joint, once by entry")
+        chosen += range(place.start, place.stop)
+        values += array.tolist()
+    return np.array(chosen, dtype=np.intp), np.array(values)
+
+
+def _meet(
+    m: Mechanism, q: Array, wanted: Array, held: Array, right: Array, names: list[str], what: str
+) -> Array:
+    """The vector next to a wanted one with G v = right and the held entries kept."""
+    G, free = m.jacobian(q), np.setdiff1d(np.arange(len(wanted)), held)
+    missing_part = right - G @ (wanted / m.columns)
+    L = _metric(m, q, free)
+    # the least change of the free entries that closes the gap
+    step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=RANK)
+    v = wanted.copy()
+    v[free] += m.columns[free] * (L @ step)
+    left = right - G @ (v / m.columns)
+    scale = max(1.0, float(np.abs(wanted / m.columns).max(initial=0.0)))
+    worst = int(np.abs(left).argmax()) if len(left) else 0
+    if len(left) and not abs(left[worst]) <= CONSISTENT * scale:
+        row = m.closing.rows[worst]
+        said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
+        kind = "speeds" if what == "u" else "accelerations"
+        raise ModelError(
+            f"{kind} of {said} cannot hold together: joint '{row['joint']}' would come apart at "
+            f"{abs(left[worst]) * m.rows[worst]:.3g} in '{row['name']}'. Leave one of them out"
+        )
+    return v
+
+
+def _metric(m: Mechanism, q: Array, free: Array) -> Array:
+    """L with L L^T the inverse mass matrix of the free speeds, without units; else the identity."""
+    if "mass_matrix" not in m.model.manifest["available"]:
+        return np.eye(len(free))
+    M = m.model.mass_matrix(q, t=m.t, r=m.r) * np.outer(m.columns, m.columns)
+    part = M[np.ix_(free, free)]
+    values, vectors = np.linalg.eigh(part)
+    least = 1e-9 * max(float(values.max(initial=0.0)), 1e-300)
+    return np.asarray(vectors / np.sqrt(np.maximum(values, least)))

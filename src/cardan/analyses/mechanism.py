@@ -1,0 +1,132 @@
+"""Circuits of a model at one instant, in numbers without units, for analyses in NumPy.
+
+Lengths count in sizes of the mechanism and angles in radians, so that rows and columns of Jacobians
+can be compared, and a rank says something.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..runtime.closing import Closing, size_of, unit
+from ..runtime.compiled import CompiledModel
+
+Array = NDArray[np.float64]
+
+
+class Mechanism:
+    """A model at a time and with inputs.
+
+    Attributes:
+        model, t, r: The model, the time [s], the inputs (nr,).
+        size: Against which lengths count [m].
+        columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
+    """
+
+    def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
+        """Args:
+        model: Compiled.
+        t: Time, where something is prescribed [s].
+        r: Inputs (nr,) or by name; their defaults if left out.
+        """
+        self.model, self.t = model, float(t)
+        if isinstance(r, Mapping):
+            r = model._vector("r", r)
+        self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
+        self.size = size_of(model)
+        units = [row.get("unit", "") for row in model.manifest["speeds"]]
+        self.columns = np.array([self.size if name == "m/s" else 1.0 for name in units])
+
+    # constraints
+
+    @cached_property
+    def closing(self) -> Closing:
+        """The constraints."""
+        return Closing.of(self.model)
+
+    @cached_property
+    def rows(self) -> Array:
+        """Size of the unit of every constraint (m,)."""
+        return np.array([self.size if r["unit"] == "N" else 1.0 for r in self.closing.rows])
+
+    @property
+    def cuts(self) -> list[dict[str, Any]]:
+        """The joints that close circuits, from the manifest."""
+        return list(self.model.manifest.get("cuts", ()))
+
+    def evaluate(self, name: str, *values: ArrayLike) -> Array:
+        """Result of a function of t, the values, and r."""
+        return self.model._evaluate((name, None), (self.t, *values, self.r), None, None)
+
+    def residuals(self, q: Array) -> Array:
+        """Residuals (mp,) of the constraints of positions, without units."""
+        count = self.closing.positions
+        if count == 0:
+            return np.zeros(0)
+        return self.evaluate("constraints", q) / self.rows[:count]
+
+    def jacobian(self, q: Array) -> Array:
+        """G (m, nu), without units."""
+        if not self.closing.rows:
+            return np.zeros((0, self.model.nu))
+        return self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
+
+    def rates(self, q: Array, u: Array) -> Array:
+        """Residuals (m,) of the constraints of velocities, lengths without units."""
+        if not self.closing.rows:
+            return np.zeros(0)
+        return self.evaluate("constraint_rates", q, u) / self.rows
+
+    # coordinates
+
+    def advance(self, q: Array, step: Array) -> Array:
+        """Coordinates a step (nu,) without units away."""
+        moved = self.model.integrate(q, step * self.columns)
+        return unit(moved, self.model.manifest["quaternions"])
+
+    def between(self, q0: Array, q1: Array) -> Array:
+        """The step (nu,) without units from q0 to q1."""
+        found: Array = self.model.difference(q0, q1) / self.columns
+        return found
+
+    def kinematics(self, q: Array) -> Array:
+        """N (nq, nu): coordinates per step without units."""
+        model = self.model
+        basis = np.concatenate([np.zeros((1, model.nu)), np.diag(self.columns)])
+        rates = model.qdot(q, basis, t=self.t, r=self.r)
+        return np.asarray(rates[1:] - rates[0]).T
+
+    @cached_property
+    def turning(self) -> Array:
+        """Which coordinates are angles that come back after a turn (nq,): of free joints alone."""
+        manifest = self.model.manifest
+        kinds = ("revolute", "cylindrical", "universal", "planar")
+        leaders = {j["coupled"]["leader"] for j in manifest["joints"] if j.get("coupled")}
+        whole = {j["name"] for j in manifest["joints"] if j["kind"] in kinds} - leaders
+        rows = manifest["coordinates"]
+        return np.array([row["unit"] == "rad" and row.get("joint") in whole for row in rows], bool)
+
+    def nearest(self, q: Array, to: Array) -> Array:
+        """The same position with every angle within half a turn of that of another one."""
+        turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
+        found: Array = q - 2 * np.pi * turns
+        return found
+
+    def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
+        """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
+        count = self.closing.positions
+        values = self.evaluate("constraints", q) if count else np.zeros(0)
+        found: dict[str, tuple[float, float]] = {}
+        for row, value in zip(self.closing.rows[:count], values.tolist(), strict=True):
+            length, other = found.get(row["joint"], (0.0, 0.0))
+            if row["unit"] == "N":
+                length = float(np.hypot(length, value))
+            else:
+                other = float(np.hypot(other, value))
+            found[row["joint"]] = length, other
+        return found

@@ -1,0 +1,173 @@
+"""What an assembled mechanism is to reach: values of coordinates, places and poses of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.initial import entries, missing
+from .mechanism import Mechanism
+
+Array = NDArray[np.float64]
+FRAMES = {(3,): "position", (4, 4): "pose"}
+
+
+@dataclass(frozen=True)
+class Target:
+    """One wanted value.
+
+    Attributes:
+        name: Of the coordinate, joint or frame.
+        kind: ``"coordinate"``, ``"position"`` or ``"pose"``.
+        value: (n,), (3,) or (4, 4).
+        place: Of the coordinates in q.
+        weight: How much it counts where it cannot be held; None: it must be held.
+    """
+
+    name: str
+    kind: str
+    value: Array
+    place: slice = field(default_factory=lambda: slice(0, 0))
+    weight: float | None = None
+
+    def residual(self, m: Mechanism, q: Array) -> Array:
+        """What is missing, without units."""
+        if self.kind == "coordinate":
+            scale = self._scale(m)
+            return np.asarray((q[self.place] - self.value) / scale)
+        pose = m.model.pose(self.name, q, t=m.t, r=m.r)
+        goal = self.value[:3, 3] if self.kind == "pose" else self.value
+        away: Array = (pose[:3, 3] - goal) / m.size
+        if self.kind == "position":
+            return away
+        return np.concatenate([turn(pose[:3, :3] @ self.value[:3, :3].T), away])
+
+    def jacobian(self, m: Mechanism, q: Array) -> Array:
+        """Derivative of the residual along steps (n, nu)."""
+        if self.kind == "coordinate":
+            return m.kinematics(q)[self.place] / self._scale(m)[:, None]
+        found = m.model.frame_jacobian(self.name, q, t=m.t, r=m.r) * m.columns
+        found[3:] /= m.size
+        return found[3:] if self.kind == "position" else np.asarray(found)
+
+    def _scale(self, m: Mechanism) -> Array:
+        rows = m.model.manifest["coordinates"][self.place]
+        return np.array([m.size if row["unit"] == "m" else 1.0 for row in rows])
+
+    def reached(self, m: Mechanism, q: Array) -> str:
+        """What a position gives instead, in words."""
+        if self.kind == "coordinate":
+            words = [f"{x:.6g}" for x in q[self.place]]
+            return words[0] if len(words) == 1 else f"({', '.join(words)})"
+        away = self.residual(m, q)
+        words = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
+        if self.kind == "pose":
+            words.append(f"{np.linalg.norm(away[:3]):.3g} rad")
+        return f"{' and '.join(words)} away"
+
+    @property
+    def asked(self) -> str:
+        """The wanted value in words."""
+        if self.kind == "coordinate":
+            return ", ".join(f"{x:.6g}" for x in self.value)
+        goal = self.value[:3, 3] if self.kind == "pose" else self.value
+        return f"{self.kind} at ({', '.join(f'{x:.6g}' for x in goal)}) m"
+
+
+def turn(rotation: Array) -> Array:
+    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
+    vector = 0.5 * np.array(
+        [
+            rotation[2, 1] - rotation[1, 2],
+            rotation[0, 2] - rotation[2, 0],
+            rotation[1, 0] - rotation[0, 1],
+        ]
+    )
+    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
+    angle = float(np.arctan2(sine, cosine))
+    if sine > 1e-6:
+        return np.asarray(vector * (angle / sine))
+    if cosine > 0:
+        return vector
+    # half a turn: the axis is the column of R + 1 that is longest
+    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
+    return np.asarray(column / np.linalg.norm(column) * angle)
+
+
+def read(
+    m: Mechanism,
+    named: Mapping[str, Any],
+    weights: Mapping[str, float] | None = None,
+    hold: Iterable[str] | None = None,
+) -> list[Target]:
+    """Targets out of what the user wrote.
+
+    Args:
+        m: The mechanism.
+        named: Coordinate, joint or frame -> value.
+        weights: Of those that need not be held.
+        hold: Those that must be held; by default all without a weight.
+
+    Raises:
+        ModelError: an unknown name, a weight that is not positive.
+        ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
+    """
+    found = [_target(m, name, value) for name, value in named.items()]
+    known = [target.name for target in found]
+    weights, held = weights or {}, None if hold is None else list(hold)
+    for word, names in (("weights", [*weights]), ("hold", held or [])):
+        for name in names:
+            if name not in known:
+                raise ModelError(f"{word}: '{name}' is no target.{near(name, known)}")
+    for name, weight in weights.items():
+        if not (np.isfinite(weight) and weight > 0):
+            raise ModelError(f"weights: '{name}' has {weight:g}; weights are positive numbers")
+    soft = [n for n in known if (n in weights if held is None else n not in held)]
+    return [
+        replace(
+            target, weight=float(weights.get(target.name, 1.0)) if target.name in soft else None
+        )
+        for target in found
+    ]
+
+
+def _target(m: Mechanism, name: str, value: Any) -> Target:
+    where, manifest = f"targets: '{name}'", m.model.manifest
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise ArgumentError(f"{where}: {value!r} is not a number or an array of numbers")
+    array = array.astype(np.float64)
+    if not np.isfinite(array).all():
+        raise SolveError(f"{where} is {value!r}; it must be finite")
+    places, frames = entries(manifest, "q"), m.model.frames
+    place = places.get(name)
+    if place is not None and not (name in frames and array.shape == (4, 4)):
+        if array.size != place.stop - place.start:
+            names = ", ".join(m.model.coordinates[place])
+            raise ArgumentError(f"{where}: {array.size} values, expected {names}")
+        return Target(name, "coordinate", array.reshape(-1), place)
+    if name in frames:
+        kind = FRAMES.get(array.shape)
+        if kind is None:
+            raise ArgumentError(
+                f"{where}: shape {array.shape}; a frame takes its position (3,) or pose (4, 4)"
+            )
+        if kind == "pose":
+            _check_pose(where, array)
+        return Target(name, kind, array)
+    words = missing(manifest, "q", name)
+    raise ModelError(f"{where}: {words}{near(name, [*places, *frames])}")
+
+
+def _check_pose(where: str, pose: Array) -> None:
+    rotation = pose[:3, :3]
+    wrong = np.abs(rotation @ rotation.T - np.eye(3)).max()
+    if wrong > 1e-6 or np.linalg.det(rotation) < 0 or np.any(pose[3] != (0, 0, 0, 1)):
+        raise ArgumentError(
+            f"{where}: this is no pose: a rotation matrix and a position above (0, 0, 0, 1)"
+        )

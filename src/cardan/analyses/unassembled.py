@@ -1,0 +1,85 @@
+"""Why a mechanism cannot be assembled: the circuit that stays open, or targets in conflict."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import NoReturn
+
+from ..errors import ModelError
+from .mechanism import Mechanism
+from .meeting import Found
+from .targets import Target
+
+Search = Callable[[Sequence[Target]], list[Found]]
+
+
+def explain(
+    m: Mechanism, targets: Sequence[Target], found: Sequence[Found], again: Search
+) -> NoReturn:
+    """Raise the error for searches of which none met what must hold.
+
+    Args:
+        m: The mechanism.
+        targets: All of them.
+        found: Where the searches ended.
+        again: Searches with other targets.
+
+    Raises:
+        ModelError: always.
+    """
+    held = [target for target in targets if target.weight is None]
+    if not held:
+        raise ModelError(_open(m, found))
+    bare = again([])
+    if not any(one.met for one in bare):
+        raise ModelError(_open(m, bare))
+    conflict = _smallest(held, again)
+    raise ModelError(_conflict(m, conflict, again))
+
+
+def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
+    """Targets that cannot hold together, any of which could if the others were left out."""
+    kept = list(held)
+    for target in held:
+        rest = [one for one in kept if one is not target]
+        if not any(one.met for one in again(rest)):
+            kept = rest
+    return kept
+
+
+def _conflict(m: Mechanism, targets: Sequence[Target], again: Search) -> str:
+    """What is reached where all of them are only wished for."""
+    wished = [replace(target, weight=1.0) for target in targets]
+    q = min((one for one in again(wished) if one.met), key=lambda one: one.cost).q
+    said = [f"'{t.name}' (asked {t.asked}; reached {t.reached(m, q)})" for t in targets]
+    if len(said) == 1:
+        return (
+            f"target {said[0]} is out of reach. Give it a weight to come as near as possible: "
+            f"weights={{'{targets[0].name}': 1}}"
+        )
+    return (
+        f"targets {', '.join(said[:-1])} and {said[-1]} cannot hold together. Leave one out, or "
+        "give weights= to those that need not be met exactly"
+    )
+
+
+def _open(m: Mechanism, found: Sequence[Found]) -> str:
+    """The circuit with the largest gap where the search came nearest."""
+    q = min(found, key=lambda one: one.open).q
+    gaps = m.gaps(q)
+    name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
+    length, other = gaps[name]
+    gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
+    cut = next((cut for cut in m.cuts if cut["name"] == name), None)
+    if cut is None:
+        where, who = "", f"constraint '{name}' cannot be met"
+    else:
+        where = f" between frames '{cut['parent_frame']}' and '{cut['child_frame']}'"
+        path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
+        who = f"the circuit that joint '{name}' closes ({path}) cannot be assembled"
+    many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
+    return (
+        f"{who}: the smallest gap is {gap}{where}, from {many}. Check lengths and places of its "
+        "joints, or give start= near the position that is meant"
+    )

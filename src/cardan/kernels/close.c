@@ -1,0 +1,165 @@
+/* Projection of a state onto the constraints that close its circuits.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Positions by Gauss-Newton steps until their residuals vanish, quaternions normalized, then speeds
+ * by one linear step. The steps themselves, in the metric of the mass matrix, are functions of the
+ * model; what is decided here is when it is enough and what is too much.
+ * Source: E. Eich-Soellner, C. Fuehrer, Numerical Methods in Multibody Dynamics, section 5.3
+ * (coordinate projection).
+ */
+#include "run.h"
+#include <math.h>
+
+/* residuals relative to the size of the mechanism: what is sought, and what still counts as closed */
+static const real SOUGHT = 1e-14, CLOSED = 1e-11;
+enum { MOST_STEPS = 8 };
+
+/* q or u with the function that closes it */
+typedef struct level {
+    cardan_function function;
+    const wreal *w;
+    real *block;     /* (size), changed in place */
+    ptrdiff_t size;
+    ptrdiff_t rows;  /* residuals */
+    ptrdiff_t first; /* row of the ledger of the first one */
+    real scale;      /* against which they count */
+} level;
+
+static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Numbers that cardan_close needs: a closed block with residuals, the state before. */
+ptrdiff_t cardan_closing_length(const cardan_run *run)
+{
+    ptrdiff_t nu = run->nx - run->nq;
+
+    if (run->positions + run->rates == 0)
+        return 0;
+    return larger(run->nq + run->positions, nu + run->rates) + run->nx;
+}
+
+/* Index of the largest residual, of the first that is no number if there is one. */
+static ptrdiff_t worst_of(const real *residuals, ptrdiff_t rows)
+{
+    ptrdiff_t worst = 0;
+
+    for (ptrdiff_t i = 0; i < rows; i++) {
+        if (!(residuals[i] - residuals[i] == 0))
+            return i;
+        if (fabs(residuals[i]) > fabs(residuals[worst]))
+            worst = i;
+    }
+    return worst;
+}
+
+/* Enter residuals into the ledger where they are the largest yet; column 0: before, 2: after. */
+static void note(cardan_run *run, const level *at, real t, const real *residuals, int column)
+{
+    for (ptrdiff_t i = 0; i < at->rows; i++) {
+        real *entry = run->ledger + 4 * (at->first + i) + column;
+        if (fabs(residuals[i]) > entry[0]) {
+            entry[0] = fabs(residuals[i]);
+            entry[1] = t;
+        }
+    }
+}
+
+static void copy(real *to, const real *from, ptrdiff_t size)
+{
+    for (ptrdiff_t i = 0; i < size; i++)
+        to[i] = from[i];
+}
+
+/* Newton steps of one level until its residuals vanish or no longer fall.
+ *
+ * Returns 0, CARDAN_OPEN where they are not small by then, or CARDAN_MODEL.
+ */
+static int close_level(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted)
+{
+    real *closed = run->closing, *residuals = closed + at->size;
+    real last = INFINITY;
+
+    for (int k = 0; k <= MOST_STEPS; k++) {
+        ptrdiff_t row;
+        real worst;
+
+        run->projections++;
+        run->model_status = at->function(in, closed, run->work);
+        if (run->model_status != 0)
+            return CARDAN_MODEL;
+        row = worst_of(residuals, at->rows);
+        worst = fabs(residuals[row]) / at->scale;
+        if (k == 0 && noted)
+            note(run, at, *in->t, residuals, 0);
+        if (run->open_row < 0)
+            run->open_row = at->first + row;
+        /* solved, rounding only, or not converging */
+        if (!(worst > SOUGHT && worst <= 0.5 * last) || k == MOST_STEPS) {
+            if (worst <= CLOSED) {
+                if (noted)
+                    note(run, at, *in->t, residuals, 2);
+                return 0;
+            }
+            /* a first step from far away may go up before it goes down */
+            if (!(worst < INFINITY) || k > 1) {
+                run->open_row = at->first + row;
+                return CARDAN_OPEN;
+            }
+        }
+        last = worst;
+        copy(at->block, closed, at->size);
+        cardan_normalize(run, y);
+    }
+    return CARDAN_OPEN;
+}
+
+/* Project y (n) at t onto the constraints.
+ *
+ * `correction` becomes what that changes: the root mean square over the state, in units of the
+ * tolerance. With `noted` the residuals go into the ledger. Returns 0, CARDAN_OPEN, CARDAN_MODEL.
+ */
+int cardan_close(cardan_run *run, real t, real *y, int noted)
+{
+    const ptrdiff_t nq = run->nq, nu = run->nx - nq;
+    real *given = run->closing + cardan_closing_length(run) - run->nx;
+    real fastest = 1, sum = 0;
+    cardan_in in = {0};
+    int status = 0;
+
+    run->correction = 0;
+    run->open_row = -1;
+    if (run->positions + run->rates == 0)
+        return 0;
+    cardan_inputs_at(run, t, y);
+    in.t = &t;
+    in.q = y;
+    in.u = y + nq;
+    in.r = run->r;
+    in.tau = in.wrench = run->at_rest;
+    copy(given, y, run->nx);
+    if (run->positions > 0) {
+        const level at = {run->close_position, run->close_position_w, y, nq, run->positions, 0,
+                          run->size};
+        in.w = run->close_position_w;
+        status = close_level(run, &in, &at, y, noted);
+    }
+    for (ptrdiff_t i = 0; i < nu; i++)
+        fastest = fmax(fastest, fabs(y[nq + i]));
+    if (status == 0) {
+        const level at = {run->close_velocity, run->close_velocity_w, y + nq, nu, run->rates,
+                          run->positions, run->size * fastest};
+        in.w = run->close_velocity_w;
+        status = close_level(run, &in, &at, y, noted);
+    }
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < run->nx; i++) {
+        real change = (y[i] - given[i]) / cardan_scale(run, y, i);
+        sum += change * change;
+    }
+    run->correction = sqrt(sum / (real)run->nx);
+    return 0;
+}

@@ -1,0 +1,163 @@
+"""Constraints of a model as the runs see them, and the projection onto them in NumPy.
+
+Source: as of ``kernels/close.c``, whose bounds these are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .calling import Array
+from .ledger import Ledger
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+SOUGHT, CLOSED = 1e-14, 1e-11  # residuals relative to the size: what is sought, what is enough
+MOST_STEPS = 8
+
+
+@dataclass(frozen=True)
+class Closing:
+    """What closes the circuits of a model.
+
+    Attributes:
+        rows: Multipliers of the manifest, those of positions first.
+        size: Of the mechanism, against which residuals count [m].
+    """
+
+    rows: tuple[dict[str, Any], ...]
+    size: float
+
+    @classmethod
+    def of(cls, model: CompiledModel) -> Closing:
+        """Constraints of a model; none for a tree."""
+        rows = tuple(model.manifest.get("multipliers", ()))
+        return cls(rows, size_of(model) if rows else 1.0)
+
+    @property
+    def positions(self) -> int:
+        """Number of constraints of positions."""
+        return sum(row["level"] == "position" for row in self.rows)
+
+    @property
+    def rates(self) -> int:
+        """Number of constraints of velocities: all of them."""
+        return len(self.rows)
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of the model that project."""
+        if not self.rows:
+            return ()
+        return ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+
+    def ledger(self, numbers: Array) -> Ledger | None:
+        """The ledger of a run from its numbers (4 (positions + rates),)."""
+        return Ledger.of(list(self.rows), numbers.reshape(-1, 4)) if self.rows else None
+
+    def row(self, k: int) -> tuple[str, str]:
+        """Level (``position`` or ``velocity``) and multiplier name of a row of the ledger."""
+        level = "position" if k < self.positions else "velocity"
+        return level, str(self.rows[k if k < self.positions else k - self.positions]["name"])
+
+
+def size_of(model: CompiledModel) -> float:
+    """Size of a mechanism [m]: the longest way between two joints of a body; 1 without any."""
+    if "scene" not in model.saved:
+        return 1.0
+    scene = model._evaluate_saved("scene", p=model.parameters.vector)
+    places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
+    lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
+    return float(lengths.max(initial=0.0)) or 1.0
+
+
+@dataclass(frozen=True)
+class Level:
+    """Coordinates or speeds with the function that closes them.
+
+    Attributes:
+        function: Block (..., size) -> (..., size + rows): the closed block, then residuals of the
+            given one.
+        size: Length of the block.
+        scale: Against which residuals count.
+        finish: What every new block goes through.
+    """
+
+    function: Callable[[Array], Array]
+    size: int
+    scale: float
+    finish: Callable[[Array], Array]
+
+    def close(self, block: Array) -> tuple[Array, Array, Array]:
+        """Newton steps until residuals vanish or no longer fall.
+
+        Args:
+            block: (..., size).
+
+        Returns:
+            The closed block, its residuals (..., rows), and those before.
+        """
+        last: Array = np.full(block.shape[:-1], np.inf)
+        first: Array | None = None
+        for k in range(MOST_STEPS + 1):
+            found = self.function(block)
+            residuals = found[..., self.size :]
+            first = residuals if first is None else first
+            worst = np.abs(residuals).max(axis=-1, initial=0.0) / self.scale
+            # a first step from far away may go up before it goes down
+            going = (worst > SOUGHT) & (worst < np.inf) & ((worst <= 0.5 * last) | (k == 1))
+            if not going.any():
+                break
+            block = np.where(going[..., None], self.finish(found[..., : self.size]), block)
+            last = np.where(going, worst, last)
+        assert first is not None
+        return block, residuals, first
+
+
+def unit(q: Array, quaternions: Sequence[int]) -> Array:
+    """Coordinates (..., nq) with quaternions of length 1."""
+    q = q.copy()
+    for start in quaternions:
+        q[..., start : start + 4] /= np.linalg.norm(q[..., start : start + 4], axis=-1)[..., None]
+    return q
+
+
+def project(model: CompiledModel, t: Array, x: Array, r: Array) -> Array:
+    """States on the constraints next to given ones.
+
+    Args:
+        model: A model with circuits.
+        t, x, r: Times (n,), states (n, nx), inputs (n, nr).
+
+    Returns:
+        (n, nx); where a state does not close it stays what it was.
+    """
+    closing = Closing.of(model)
+    quaternions = model.manifest["quaternions"]
+    q, u = model.split(x)
+    if closing.positions:
+        level = Level(
+            lambda q: _closed(model, "close_position", t, q, r),
+            model.nq,
+            closing.size,
+            lambda q: unit(q, quaternions),
+        )
+        closed, residuals, _ = level.close(q)
+        q = np.where(np.abs(residuals).max(axis=-1)[:, None] <= CLOSED * closing.size, closed, q)
+    scale = closing.size * max(1.0, float(np.abs(u).max(initial=0.0)))
+    level = Level(
+        lambda u: model._evaluate(("close_velocity", None), (t, q, u, r), None, None),
+        model.nu,
+        scale,
+        np.asarray,
+    )
+    return np.concatenate([q, level.close(u)[0]], axis=-1)
+
+
+def _closed(model: CompiledModel, name: str, *values: Array) -> Array:
+    return model._evaluate((name, None), values, None, None)

@@ -1,0 +1,31 @@
+"""How a run went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+FINISHED = "finished"
+
+
+@dataclass(frozen=True)
+class Conduct:
+    """How a run went.
+
+    Attributes:
+        method: Integrator.
+        settings: Its tolerances or step, as words to print.
+        initial: Named initial value of every coordinate and speed.
+        defaulted: Those that the caller did not give.
+        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite``,
+            ``not_closed``, ``model_failed`` or ``too_large``.
+        message: The same as a sentence, with time and coordinate.
+        statistics: steps, rejections, evaluations, milliseconds.
+    """
+
+    method: str
+    settings: str
+    initial: dict[str, float]
+    defaulted: tuple[str, ...]
+    status: str
+    message: str
+    statistics: dict[str, float]
