@@ -57,7 +57,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
 
 # family -> files in its folder that are not members: what every member builds on
 FAMILIES: dict[str, frozenset[str]] = {
-    "elements.joints": frozenset({"joint"}),
+    "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force"}),
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),

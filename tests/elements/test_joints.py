@@ -18,11 +18,12 @@ from cardan.ir.matrix import Matrix
 from cardan.model.units import unit
 from cardan.spatial.rotations import ROTATIONS
 from elements.written_of import converted
-from spatial.numbers_of import block, close, difference, moving, numbers, unskew
+from spatial.numbers_of import DIGITS, block, close, difference, moving, numbers, unskew
 
 a, b, c = sympy.symbols("a b c")
 TURN_AND_TILT = sympy.rot_axis3(-a) * sympy.rot_axis1(-b)
 OBLIQUE, OTHER = (1.0, 2.0, -2.0), (0.3, -0.7, 0.1)
+CURVE = [(0.1, 0, 0), (1, 0.5, -0.2), (1.5, 1.5, 0.4), (1, 2.5, 0.3), (0, 3, 0)]
 INSTANCES: dict[str, Joint] = {
     "fixed": cd.Fixed(),
     "revolute z": cd.Revolute("z"),
@@ -44,6 +45,20 @@ INSTANCES: dict[str, Joint] = {
     "custom one": cd.Custom([a], position=(sympy.sin(a), 0, a**2), rotation=sympy.rot_axis2(a)),
     "custom two": cd.Custom([a, b], (b * sympy.cos(a) - b, a * b, 3 * b), TURN_AND_TILT),
     "custom three": cd.Custom([a, b, c], (0, c, a * c), TURN_AND_TILT),
+    "constant velocity": cd.ConstantVelocity(),
+    "constant velocity oblique": cd.ConstantVelocity(OBLIQUE),
+    "point on plane": cd.PointOnPlane("y"),
+    "point on plane oblique": cd.PointOnPlane(OTHER, "XYZ"),
+    "point on curve": cd.PointOnCurve(CURVE),
+    "point on curve xyz": cd.PointOnCurve(CURVE[:2], "xyz"),
+    "distance": cd.Distance(0.8, "-z"),
+    "distance oblique": cd.Distance(1.5, OTHER, "ZXZ"),
+    "gear": cd.Gear("leader", -2.0, "x"),
+    "gear oblique": cd.Gear("leader", 0.5, OBLIQUE, offset=0.3),
+    "wheel": cd.Wheel(0.4, 0.1),
+    "wheel oblique": cd.Wheel(0.4, 0.4, OBLIQUE, lateral_slip=True),
+    "rolling disk": cd.RollingDisk(0.3, "-y"),
+    "rolling disk oblique": cd.RollingDisk(0.3, OTHER, knife_edge=True),
     "free": cd.Free(),
     **{f"spherical {name}": cd.Spherical(name) for name in ROTATIONS},
     **{f"free {name}": cd.Free(name) for name in ("ZXZ", "xyz", "mrp", "dcm")},
@@ -97,7 +112,7 @@ def test_frames_coincide_at_the_default_coordinates(bench: Bench) -> None:
     defaults = [x.default for x in bench.joint.coordinates]
     rotation, position = bench.joint.pose(bench.q, **bench.data)
     assert close(bench.value(rotation, q=defaults), np.eye(3), 70)
-    assert close(bench.value(position, q=defaults), np.zeros(3), 70)
+    assert close(bench.value(position, q=defaults), np.zeros(3), 70) == bench.joint.coincident
 
 
 def test_modes_of_motion_are_the_velocity_of_the_pose(bench: Bench) -> None:
@@ -278,6 +293,48 @@ def test_reversed_joints_tell_the_same_pose_backwards(bench: Bench) -> None:
         assert close(bench.value(closure, **parameters), 0, 60)
     if not joint.line:
         assert back.reversed() is joint
+
+
+ROLLING = [name for name, joint in INSTANCES.items() if joint.slips]
+
+
+@pytest.mark.parametrize("name", ROLLING)
+@mpmath.workdps(DIGITS)
+def test_slip_is_the_velocity_of_the_point_of_contact(name: str) -> None:
+    """The lowest material point of the turning wheel, seen from the plane, along its heading."""
+    cut = Cut(name)
+    joint, S = cut.joint, cut.joint.motion(cut.q, **cut.data)
+    given = joint.slip(*joint.pose(cut.q, **cut.data), S @ cut.u, **cut.data)
+    short = joint.sliding(cut.q, cut.u, **cut.data)
+    assert given is not None
+    assert short is not None
+    assert given.rows == short.rows == len(joint.slips)
+    assert close(cut.value(given), cut.value(short), 60)
+    # of a torus about the axle at the center: the contact in axes that turn with the wheel
+    n = np.array(cut.value(joint.constrained(cut.q, **cut.data)))[3:]
+    R, x = cut.at_R, cut.at_x
+    plane = R @ n
+    crown = cut.value(cut.data["crown"])[0] if "crown" in cut.data else 0
+    large = cut.value(cut.data["radius"])[0] - crown
+    height = plane @ x
+    lean = cut.at[3]
+    assert abs(height - crown - large * mpmath.cos(lean)) < 1e-60
+    velocity = cut.value(S @ cut.u)
+    heading, axle = heading_and_axle(joint, cut)
+    up = plane * 1 / mpmath.cos(lean) - axle * mpmath.tan(lean)
+    arm = R.T @ -(large * up + crown * plane)
+    point = R @ (velocity[3:] + np.cross(velocity[:3], arm))
+    wanted = {"longitudinal": heading @ point, "lateral": np.cross(plane, heading) @ point}
+    assert close(cut.value(given), [wanted[c.name] for c in joint.slips], 60)
+
+
+def heading_and_axle(joint: Joint, cut: Cut) -> tuple[Any, Any]:
+    """Of a wheel: where x goes by yaw, and where y goes with the wheel, of its own axes."""
+    yawed = [0, 0, cut.at[2], 0, 0]
+    spun = joint.pose(cut.q, **cut.data)[0]
+    x, y = (joint.pose(cut.q, **cut.data)[1], [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0] * 5])
+    at = [cut.value(x, q=q) for q in y]
+    return cut.value(spun, q=yawed) @ (at[0] - at[2]), cut.at_R @ (at[1] - at[2])
 
 
 def test_rates_and_speeds_are_inverse(bench: Bench) -> None:

@@ -95,16 +95,29 @@ def test_inertias(text: str, wanted: tuple[float, ...]) -> None:
     assert scene(f"bodies: {{a: {{mass: 2, inertia: {text}}}}}").bodies["a"].inertia == wanted
 
 
+NEEDED: dict[str, dict[str, Any]] = {
+    "custom": {"symbols": ["x"], "position": ["x", 0, 0]},
+    "point_on_curve": {"points": [[i, i**2, 0.5] for i in range(9)]},
+    "distance": {"length": 2},
+    "gear": {"leader": "lead"},
+    "wheel": {"radius": 0.5},
+    "rolling_disk": {"radius": 0.5},
+}
+
+
 @pytest.mark.parametrize("kind", JOINTS)
 def test_every_joint_takes_its_own_keys(kind: str) -> None:
     """Each field, at its default where it has one, is a key with the same meaning."""
-    given = {"symbols": ["x"], "position": ["x", 0, 0]} if kind == "custom" else {}
+    given = NEEDED.get(kind, {})
     text = json.dumps({"type": kind, "parent": "ground", "child": "a", **given})
-    found = scene(f"bodies: {{a: {{mass: 1, inertia: [1, 1, 1]}}}}\njoints: {{j: {text}}}")
+    lead = "lead: {type: revolute, parent: ground, child: b}"
+    bodies = "{a: {mass: 1, inertia: [1, 1, 1]}, b: {mass: 1}}"
+    found = scene(f"bodies: {bodies}\njoints: {{{lead}, j: {text}}}")
     made = cd.Model("scene")
-    body = made.body("a", mass=1, inertia=(1, 1, 1))
+    body, other = made.body("a", mass=1, inertia=(1, 1, 1)), made.body("b", mass=1)
+    made.joint("lead", cd.Revolute(), made.ground, other)
     x = sympy.Symbol("x")
-    element = cd.Custom([x], position=(x, 0, 0)) if kind == "custom" else JOINTS[kind]()
+    element = cd.Custom([x], position=(x, 0, 0)) if kind == "custom" else JOINTS[kind](**given)
     made.joint("j", element, made.ground, body)
     assert_same(found, made)
     assert {key.name for key in keys.of_element(JOINTS[kind])} == {

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from cardan.elements.joints import JOINTS
-from cardan.runtime.newton_euler import KINDS, Scene, inverse_dynamics, joint_motion, mass_matrix
+from cardan.runtime.joint_motion import KINDS, REVERSED, Curve, joint_motion
+from cardan.runtime.newton_euler import Scene, inverse_dynamics, mass_matrix
 from cardan.runtime.rotations import PARAMETERS, about
 from cardan.spatial.rotations import ROTATIONS
 
@@ -19,7 +20,19 @@ SIZES = {
     "spherical": (4, 3),
     "planar": (3, 3),
     "free": (7, 6),
+    "gear": (1, 1),
+    "constant_velocity": (2, 2),
+    "point_on_plane": (6, 5),
+    "point_on_curve": (5, 4),
+    "distance": (6, 5),
+    "wheel": (5, 5),
+    "rolling_disk": (5, 5),
 }
+SIZES |= {REVERSED + kind: size for kind, size in SIZES.items()}
+TURNING = {k for k in SIZES if k.split()[-1] in ("spherical", "free", "distance")} | {
+    k for k in SIZES if "point_on" in k
+}
+ALL = [*KINDS, *(REVERSED + kind for kind in KINDS)]
 
 
 def scene(kinds, parents=None, leaders=None, prescribed=None, gravity=(0.0, 0.0, 0.0)):
@@ -52,17 +65,20 @@ def scene(kinds, parents=None, leaders=None, prescribed=None, gravity=(0.0, 0.0,
         "pitch": rng.uniform(0.1, 0.3, n),
         "ratio": rng.uniform(0.5, 1.5, n),
         "offset": rng.uniform(-0.5, 0.5, n),
+        "sizes": np.array([[0.9, 0.2]] * n),
     }
+    curve = Curve(np.array([-2.0, 0.3, 2.0]), rng.uniform(-0.1, 0.1, (3, 2, 4)))
     return Scene(
         parents=tuple(parents or range(-1, n - 1)),
         kinds=tuple(kinds),
-        rotations=tuple("quaternion" if k in ("spherical", "free") else None for k in kinds),
+        rotations=tuple("quaternion" if k in TURNING else None for k in kinds),
         q=tuple(q),
         u=tuple(u),
         leaders=tuple(leaders),
         prescribed=tuple(prescribed),
         numbers=numbers,
         nu=nu,
+        curves=(curve,) * n,
     )
 
 
@@ -75,7 +91,7 @@ def random_state(s, seed=0):
     nq, nu = sizes(s)
     q = rng.uniform(-1, 1, nq)
     for kind, (start, size) in zip(s.kinds, s.q, strict=True):
-        if kind in ("spherical", "free") and size:
+        if kind in TURNING and size:
             q[start : start + 4] /= np.linalg.norm(q[start : start + 4])
     return q, rng.uniform(-1, 1, nu), rng.uniform(-1, 1, nu)
 
@@ -85,7 +101,7 @@ def moved(s, q, u, h):
     q = q.copy()
     for kind, (start, size), (begin, length) in zip(s.kinds, s.q, s.u, strict=True):
         own = u[begin : begin + length]
-        if kind in ("spherical", "free") and size:
+        if kind in TURNING and size:
             w, v = q[start], q[start + 1 : start + 4]
             half = own[:3] * h / 2
             angle = np.linalg.norm(half)
@@ -97,7 +113,7 @@ def moved(s, q, u, h):
     return q
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", ALL)
 @pytest.mark.parametrize("place", ["first", "last", "between"])
 def test_power_balance(kind, place):
     # without gravity uᵀ tau is the rate of the kinetic energy 1/2 uᵀ M u
@@ -117,7 +133,7 @@ def test_power_balance(kind, place):
     assert abs(u @ tau - rate) < 100 * h**2 + 100 * np.finfo(float).eps / h
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", ALL)
 def test_mass_matrix_is_symmetric_and_positive(kind):
     s = scene(["revolute", kind, kind])
     M = mass_matrix(s, random_state(s)[0])
@@ -185,13 +201,13 @@ def test_prescribed_joint_moves_as_told():
         inverse_dynamics(told, q[1:], u[1:], udot[1:])
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", ALL)
 def test_speeds_are_the_derivative_of_the_pose(kind):
     s = scene([kind])
     q, u, _ = random_state(s)
     h = 1e-5
-    now = joint_motion(s, 0, q, u)
-    ahead, back = (joint_motion(s, 0, moved(s, q, u, t), u) for t in (h, -h))
+    now = joint_motion(s.told(0), q, u)
+    ahead, back = (joint_motion(s.told(0), moved(s, q, u, t), u) for t in (h, -h))
     turning = now.rotation.T @ (ahead.rotation - back.rotation) / (2 * h)
     spin = now.turn @ u
     assert np.abs([turning[2, 1], turning[0, 2], turning[1, 0]] - spin).max() < 10 * h**2

@@ -6,7 +6,8 @@ shapes with it. Nothing here knows how equations are made.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from ..equations.blocks import blocks
 from ..ir.function import Function, Output, live
@@ -14,6 +15,8 @@ from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import complement, unit
 from ..topology.system import Joint, System
+
+SIZES = ("length", "radius", "crown")
 
 
 def scene(system: System) -> Function:
@@ -24,7 +27,7 @@ def scene(system: System) -> Function:
     the parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the
     joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; rotor (nb): inertia
     that drives add to the joint's coordinate; frame_rotation (nf, 3, 3) and frame_position (nf, 3)
-    in axes of the frame's body.
+    in axes of the frame's body; sizes (nb, 2) where joints have lengths of their own.
     """
     graph = system.graph.fork()
     bodies, joints, frames = system.bodies, system.joints, system.frames
@@ -47,8 +50,28 @@ def scene(system: System) -> Function:
         _output("rotor", (nb,), [(node,) for node in _rotors(system, graph)]),
         _output("frame_rotation", (nf, 3, 3), [f.rotation for f in frames]),
         _output("frame_position", (nf, 3), [f.position for f in frames]),
+        *_sizes(joints),
     )
     return _function("scene", system, graph, outputs, "the scene as numbers")
+
+
+def _sizes(joints: Sequence[Joint]) -> list[Output]:
+    """Lengths of rods, radii of wheels and of their crowns, where there are any."""
+    rows = []
+    for joint in joints:
+        own = [joint.data[name][2][0] for name in SIZES if name in joint.data]
+        rows.append((*own, ZERO, ZERO)[:2])
+    used = any(any(row) for row in rows)
+    return [_output("sizes", (len(rows), 2), rows)] if used else []
+
+
+def curve(graph: Graph, joint: Joint) -> list[Any] | None:
+    """Breaks, and coefficients by component and piece, of a joint's curve; None without one."""
+    if "curve" not in joint.data:
+        return None
+    numbers = [graph.value(graph.nodes[node][1]) for node in joint.data["curve"][2]]
+    tables = [graph.tables[int(number or 0)] for number in numbers]
+    return [list(tables[0].breaks), [[list(c) for c in t.coefficients] for t in tables]]
 
 
 def scene_motion(system: System) -> Function | None:
@@ -84,9 +107,11 @@ def _axes(graph: Graph, joint: Joint) -> tuple[tuple[int, ...], tuple[int, ...]]
         for name in ("axis", "axis1", "axis2", "normal")
         if name in joint.data
     }
-    if "normal" in found:
-        first, _ = complement(unit(Matrix(graph, 3, 1, found["normal"])))
-        return found["normal"], first.nodes
+    # joints that move across a direction have the first of the two directions across it
+    across = found.get("normal", found.get("axis"))
+    if across is not None and not joint.element.line:
+        first, _ = complement(unit(Matrix(graph, 3, 1, across)))
+        return across, first.nodes
     return found.get("axis", found.get("axis1", none)), found.get("axis2", none)
 
 

@@ -108,12 +108,14 @@ def _scene(equations: Equations) -> dict[str, Any]:
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
     unknown += ["its circuits are not judged"] if system.closed else []
+    curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
         "kinds": [j.element.kind for j in system.joints],
         "rotations": [_rotation(j) for j in system.joints],
         "forces": [force.name for force in system.forces],
         "unknown": unknown,
+        **({"curves": curves} if any(curves) else {}),
     }
 
 

@@ -58,6 +58,18 @@ def number(owner: str, name: str, value: Any) -> Any:
     )
 
 
+def positive(owner: str, name: str, value: Any) -> Any:
+    """A positive number as float, or an expression.
+
+    Raises:
+        ModelError: anything else.
+    """
+    found = number(owner, name, value)
+    if not is_expression(found) and found <= 0:
+        raise ModelError(f"{owner}: {name} is {found}; give a number above 0")
+    return found
+
+
 def vector(owner: str, name: str, value: Any, length: int | None = None) -> tuple[Any, ...]:
     """Numbers or expressions in order, from any sequence, array or column matrix.
 

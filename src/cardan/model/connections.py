@@ -6,7 +6,7 @@ import dataclasses
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
@@ -75,15 +75,42 @@ class Force:
 def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) -> JointElement:
     """The joint element, its axis replaced where one is given."""
     if isinstance(kind, type) and issubclass(kind, JointElement):
-        kind = kind()
+        kind = _plain(name, kind)
     if not isinstance(kind, JointElement):
         raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
+    kind = by_names(kind)
     if axis is None:
         return kind
     if "axis" not in kind.quantities():
         raise ModelError(f"joint '{name}' ({kind.kind}): this kind takes no axis=")
     made: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
     return made
+
+
+def _plain(name: str, kind: type[JointElement]) -> JointElement:
+    """A kind without arguments.
+
+    Raises:
+        ModelError: it needs some.
+    """
+    fields = dataclasses.fields(kind)  # type: ignore[arg-type]
+    needed = [f.name for f in fields if f.default is dataclasses.MISSING]
+    if needed:
+        raise ModelError(
+            f"joint '{name}' ({kind.kind}): this kind needs {', '.join(needed)}; give "
+            f"{kind.__name__}({', '.join(f'{n}=' for n in needed)}...)"
+        )
+    return kind()
+
+
+Element = TypeVar("Element", JointElement, ForceElement)
+
+
+def by_names(element: Element) -> Element:
+    """An element that keeps the names of the joints it was given."""
+    given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
+    joints = {key: value.name for key, value in given.items() if isinstance(value, Joint)}
+    return dataclasses.replace(element, **joints) if joints else element  # type: ignore[type-var]
 
 
 def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:
@@ -112,12 +139,15 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
     return lower, upper, speed, effort
 
 
-def couple_of(who: str, couple: tuple[Any, ...] | None) -> Couple | None:
-    """What a joint follows, checked.
+def couple_of(who: str, kind: JointElement, couple: tuple[Any, ...] | None) -> Couple | None:
+    """What a joint follows by its kind or by ``couple``, checked.
 
     Raises:
-        ModelError: not a leader (a joint or its name) with a ratio.
+        ModelError: not a leader (a joint or its name) with a ratio, or two of them.
     """
+    if couple is not None and kind.follows is not None:
+        raise ModelError(f"{who}: it follows '{kind.follows[0]}' already; leave out couple=")
+    couple = couple or kind.follows
     if couple is None:
         return None
     leader = couple[0] if isinstance(couple, tuple) and len(couple) in (2, 3) else None

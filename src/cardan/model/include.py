@@ -160,14 +160,15 @@ class _Copy:
         name = self.name(old.name)
         checks.new("joint", name, self.model.joints)
         base = self.bodies["ground"] if old.base is None else self.bodies[old.base.name]
-        couple = old.couple
+        couple, follows = old.couple, old.kind.follows
+        leader = frozenset() if follows is None else frozenset([follows[0]])
         if couple is not None:
             ratio, offset = self.value(couple.ratio), self.value(couple.offset)
             couple = Couple(self.name(couple.leader), ratio, offset)
         made = dataclasses.replace(
             old,
             name=name,
-            kind=self.record(old.kind),
+            kind=self.record(old.kind, leader),
             parent=self.place(old.parent),
             child=self.place(old.child),
             at=self.value(old.at),

@@ -13,7 +13,7 @@ from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
 from . import checks
 from .body import Body, placed, tensor
-from .connections import Force, Joint, couple_of, element_of, limits_of
+from .connections import Force, Joint, by_names, couple_of, element_of, limits_of
 from .frame import Frame, Located, Place, triple
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
@@ -208,7 +208,8 @@ class Model(Vocabulary):
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
             raise ModelError(f"{who}: parent and child are the same body '{inboard.body.name}'")
-        if motion is not None and couple is not None:
+        follows = couple_of(who, element, couple)
+        if motion is not None and follows is not None:
             raise ModelError(
                 f"{who}: it cannot both follow motion= and another joint; leave out one"
             )
@@ -229,7 +230,7 @@ class Model(Vocabulary):
             checks.initial(who, "u0", u0, len(element.speeds)),
             limits_of(who, limits),
             None if at is None else triple(at, f"{who}: at"),
-            couple_of(who, couple),
+            follows,
             cut=cut,
         )
         self.joints[name] = made
@@ -244,12 +245,7 @@ class Model(Vocabulary):
         checks.new("force", name, self.forces)
         if not isinstance(element, ForceElement):
             raise ModelError(f"force '{name}': {element!r} is no force element")
-        # a joint may be given itself or by its name; elements keep the name
-        given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
-        joints = {key: value.name for key, value in given.items() if isinstance(value, Joint)}
-        if joints:
-            element = dataclasses.replace(element, **joints)  # type: ignore[type-var]
-        made = Force(name, element)
+        made = Force(name, by_names(element))
         self.forces[name] = made
         return made
 

@@ -1,7 +1,7 @@
 """Newton and Euler in NumPy over the flat scene of a manifest: the judge of every build.
 
-Classical relative kinematics in ground axes, batched over states. It knows the joints by name and
-writes their motion down once more; nothing of spatial, elements or equations is used.
+Classical relative kinematics in ground axes, batched over states; nothing of spatial, elements or
+equations is used.
 
 Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 6.
 """
@@ -10,16 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .rotations import PARAMETERS, about
-
-Array = NDArray[Any]
-JOINTS = "revolute prismatic cylindrical screw universal spherical planar free"
-KINDS = tuple(JOINTS.split())
+from .joint_motion import Array, Curve, Told, cross, joint_motion
+from .joint_motion import times as _times
 
 
 @dataclass(frozen=True)
@@ -34,7 +29,8 @@ class Scene:
         prescribed: Whether the joint's coordinate is given.
         numbers: gravity (3,), mass (nb,), first_moment (nb, 3), inertia (nb, 3, 3), rotation
             (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,); rotor
-            (nb,) where there are any.
+            (nb,) and sizes (nb, 2) where there are any.
+        curves: Of points on curves, by body; () without any.
     """
 
     parents: tuple[int, ...]
@@ -46,86 +42,20 @@ class Scene:
     prescribed: tuple[bool, ...]
     numbers: Mapping[str, Array]
     nu: int
+    curves: tuple[Curve | None, ...] = ()
 
-
-@dataclass(frozen=True)
-class JointMotion:
-    """Motion of a joint frame C against its parent-side frame J, for states (...).
-
-    Attributes:
-        rotation: (..., 3, 3), axes C to axes J.
-        position: (..., 3), in J.
-        turn: Angular velocity per speed, columns in axes C, (..., 3, n).
-        shift: Velocity per speed, columns in axes J, (..., 3, n).
-        turn_rate: What the derivative of ``turn`` adds to the angular acceleration, (..., 3).
-    """
-
-    rotation: Array
-    position: Array
-    turn: Array
-    shift: Array
-    turn_rate: Array
-
-
-def cross(a: Array, b: Array) -> Array:
-    """a x b over leading axes."""
-    return np.asarray(a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]])
-
-
-def normalized(v: Array) -> Array:
-    """v / |v|."""
-    return np.asarray(v / np.linalg.norm(v))
-
-
-def joint_motion(scene: Scene, i: int, q: Array, u: Array) -> JointMotion:
-    """How joint i moves; the coordinates may be complex.
-
-    Args:
-        q, u: Its own coordinates and speeds, (..., n).
-    """
-    kind, lead = scene.kinds[i], q.shape[:-1]
-    zero, fixed = np.zeros((3, 1)), np.zeros((*lead, 3))
-    if kind in ("spherical", "free"):
-        parameters = PARAMETERS[scene.rotations[i] or ""]
-        rotation = parameters.matrix(q[..., : parameters.size])
-        if kind == "spherical":
-            return JointMotion(rotation, fixed, np.eye(3), np.zeros((3, 3)), fixed)
-        turn = np.hstack([np.eye(3), np.zeros((3, 3))])
-        shift = np.hstack([np.zeros((3, 3)), np.eye(3)])
-        return JointMotion(rotation, q[..., parameters.size :], turn, shift, fixed)
-    a = normalized(scene.numbers["axis"][i])
-    column = a[:, None]
-    if kind == "revolute":
-        return JointMotion(about(a, q[..., 0]), fixed, column, zero, fixed)
-    if kind == "prismatic":
-        still = np.broadcast_to(np.eye(3), (*lead, 3, 3))
-        return JointMotion(still, q[..., :1] * a, zero, column, fixed)
-    if kind == "cylindrical":
-        both = np.hstack([column, zero]), np.hstack([zero, column])
-        return JointMotion(about(a, q[..., 0]), q[..., 1:2] * a, *both, fixed)
-    if kind == "screw":
-        lift = float(scene.numbers["pitch"][i]) * a
-        return JointMotion(about(a, q[..., 0]), q[..., :1] * lift, column, lift[:, None], fixed)
-    b = normalized(scene.numbers["axis2"][i])
-    if kind == "universal":
-        return _universal(a, b, q, u)
-    # planar: two displacements in the plane, then a turn about its normal
-    plane = np.stack([b, cross(a, b)], axis=-1)
-    turn = np.hstack([np.zeros((3, 2)), column])
-    shift = np.hstack([plane, zero])
-    place = (plane @ q[..., :2, None])[..., 0]
-    return JointMotion(about(a, q[..., 2]), place, turn, shift, fixed)
-
-
-def _universal(a: Array, b: Array, q: Array, u: Array) -> JointMotion:
-    """First about a, fixed in the parent, then about b, fixed in the child."""
-    second = about(b, q[..., 1])
-    first = np.swapaxes(second, -1, -2) @ a
-    turn = np.stack([first, np.broadcast_to(b, first.shape)], axis=-1)
-    # the first axis is seen to turn backwards from the child
-    rate = -cross(b * u[..., 1:2], first) * u[..., :1]
-    fixed = np.zeros(first.shape)
-    return JointMotion(about(a, q[..., 0]) @ second, fixed, turn, np.zeros((3, 2)), rate)
+    def told(self, i: int) -> Told:
+        """What is known about joint i."""
+        n = self.numbers
+        return Told(
+            self.kinds[i],
+            self.rotations[i],
+            n["axis"][i],
+            n["axis2"][i],
+            float(n["pitch"][i]),
+            n["sizes"][i] if "sizes" in n else np.zeros(2),
+            self.curves[i] if self.curves else None,
+        )
 
 
 def own(
@@ -166,7 +96,7 @@ def inverse_dynamics(
     for i in range(n):
         k = scene.parents[i] + 1
         qi, ui, udoti = own(scene, i, q, (u, udot), motion)
-        joint = joint_motion(scene, i, qi, ui)
+        joint = joint_motion(scene.told(i), qi, ui)
         side = turned[k] @ numbers["rotation"][i]
         body = side @ joint.rotation
         arm = turned[k] @ numbers["position"][i] + _times(side, joint.position)
@@ -178,7 +108,8 @@ def inverse_dynamics(
         omega.append(w + spin)
         alpha.append(alpha[k] + spin_up + cross(w, spin))
         carried = cross(alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
-        accel.append(accel[k] + carried + _times(side, _times(joint.shift, udoti)))
+        push = _times(joint.shift, udoti) + joint.shift_rate
+        accel.append(accel[k] + carried + _times(side, push))
         turned.append(body)
         arms.append(arm)
         axes.append((body @ joint.turn, side @ joint.shift))
@@ -236,8 +167,3 @@ def mass_matrix(scene: Scene, q: Array, motion: Array | None = None) -> Array:
         scene, q[..., None, :], np.zeros(scene.nu), np.eye(scene.nu), still, pull=0.0
     )
     return np.swapaxes(columns, -1, -2)
-
-
-def _times(matrix: Array, vector: Array) -> Array:
-    """Matrix times vector over leading axes."""
-    return np.asarray((matrix @ vector[..., None])[..., 0])

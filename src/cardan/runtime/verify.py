@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from ..errors import BuildError, SolveWarning
 from .calling import Array
-from .newton_euler import KINDS, Scene, inverse_dynamics, joint_motion, mass_matrix, own
+from .joint_motion import KINDS, REVERSED, Curve, joint_motion
+from .newton_euler import Scene, inverse_dynamics, mass_matrix, own
 from .objects import Key
 from .rotations import PARAMETERS
 
@@ -180,9 +181,9 @@ def unknown(model: CompiledModel) -> str:
     for joint, kind, rotation in zip(
         manifest["joints"], scene["kinds"], scene["rotations"], strict=True
     ):
-        if kind not in KINDS:
+        if kind.removeprefix(REVERSED) not in KINDS:
             reasons.append(f"joint '{joint['name']}' is {kind}")
-        elif kind in ("spherical", "free") and rotation not in PARAMETERS:
+        elif rotation is not None and rotation not in PARAMETERS:
             reasons.append(f"joint '{joint['name']}' is described by {rotation}")
     moved = any(joint["prescribed"] for joint in manifest["joints"])
     if moved and "scene_motion" not in model.saved:
@@ -207,6 +208,7 @@ def scene_of(model: CompiledModel) -> Scene:
         prescribed=tuple(bool(j["prescribed"]) for j in joints),
         numbers=numbers,
         nu=model.nu,
+        curves=tuple(c and Curve(*map(np.array, c)) for c in scene.get("curves", ())),
     )
 
 
@@ -347,7 +349,7 @@ def _rates_error(scene: Scene, truth: _Truth, qdot: Array) -> float:
             continue
         qi, ui = own(scene, i, truth.q, (truth.u,), truth.motion)
         ri = own(scene, i, qdot, (), truth.motion)[0]
-        now, moved = (joint_motion(scene, i, x, ui) for x in (qi, qi + 1j * STEP * ri))
+        now, moved = (joint_motion(scene.told(i), x, ui) for x in (qi, qi + 1j * STEP * ri))
         turning: Any = np.swapaxes(now.rotation, -1, -2) @ (moved.rotation.imag / STEP)
         spin = (now.turn @ ui[..., None])[..., 0]
         found = np.stack([turning[..., 2, 1], turning[..., 0, 2], turning[..., 1, 0]], axis=-1)

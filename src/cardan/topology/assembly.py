@@ -8,6 +8,7 @@ from typing import Any
 
 from ..errors import TopologyError
 from ..ir.graph import ZERO
+from ..ir.matrix import Matrix
 from ..model.body import Body as UserBody
 from ..model.checks import is_number
 from ..model.connections import Joint as UserJoint
@@ -70,6 +71,7 @@ class Assembly:
         self.home: dict[UserBody, tuple[int, Placement]] = {}
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
+        self.data: dict[str, dict[str, tuple[int, int, Nodes]]] = {}
         self.reference = Reference(convert, model)
         self._place_ground()
 
@@ -102,9 +104,29 @@ class Assembly:
                 joint,
                 self._local(joint.parent, joint.name),
                 self._local(joint.child, f"{joint.name}.child"),
+                lambda: self._rest(joint),
             )
         self.parent_side[joint.name] = sides[0]
         return sides
+
+    def _data(self, joint: UserJoint) -> dict[str, tuple[int, int, Nodes]]:
+        """What the user wrote about a joint, converted once."""
+        if joint.name not in self.data:
+            with self.graph.made_by(joint.name, "data"):
+                self.data[joint.name] = {
+                    name: self.convert.quantity(entry, f"{joint.name}.{name}")
+                    for name, entry in joint.kind.quantities().items()
+                }
+        return self.data[joint.name]
+
+    def _rest(self, joint: UserJoint) -> Placement:
+        """Pose of the child frame in the parent frame at the default coordinates."""
+        if joint.kind.coincident:
+            return HERE
+        q = Matrix.vector(self.graph, [c.default for c in joint.kind.coordinates])
+        data = {name: Matrix(self.graph, *entry) for name, entry in self._data(joint).items()}
+        rotation, position = joint.kind.pose(q, **data)
+        return Placement(rotation.nodes, position.nodes)
 
     def _local(self, place: Place, name: str) -> Placement:
         """A frame in its user body; the parameters take the name of the first who uses it."""
@@ -145,12 +167,8 @@ class Assembly:
         self._label_place(joint.name, outer_side)
         self._part(branch, "", HERE)
         element = joint.kind
-        with g.made_by(joint.name, "data"):
-            data = {
-                name: self.convert.quantity(entry, f"{joint.name}.{name}")
-                for name, entry in element.quantities().items()
-            }
-            check_coincidence(self.convert, joint.name, element, data)
+        data = self._data(joint)
+        check_coincidence(self.convert, joint.name, element, data)
         slots = joint.motion is None and joint.couple is None
         frame = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, outer_side)
         child = self._joint_frame(joint.child, f"{joint.name}.child", number, HERE)

@@ -21,7 +21,7 @@ def check_coincidence(
     Raises:
         ModelError: the pose there is not the identity.
     """
-    if not any(quantity.local for quantity in element.quantities().values()):
+    if not element.coincident or not any(q.local for q in element.quantities().values()):
         return
     graph = convert.graph
     q = Matrix.vector(graph, [c.default for c in element.coordinates])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ..errors import ModelError
 from ..model.body import Body
 from ..model.connections import Joint
@@ -25,17 +27,22 @@ class Reference:
         self.poses: dict[Body, Placement] = {model.ground: HERE}
 
     def sides(
-        self, joint: Joint, parent: Placement, child: Placement
+        self,
+        joint: Joint,
+        parent: Placement,
+        child: Placement,
+        rest: Callable[[], Placement] = lambda: HERE,
     ) -> tuple[Placement, Placement]:
         """The joint frame on the parent and on the child, each in its user body.
 
         Args:
             joint: The joint.
             parent, child: Its frames as written, in their user bodies.
+            rest: Makes the pose of the child frame in the parent frame at the default coordinates.
         """
         if not self.active:
             return parent, child
-        g = self.convert.graph
+        g, apart = self.convert.graph, rest()
         if joint.parent.body not in self.poses:
             return self._backwards(joint, parent, child)
         base = self.poses[joint.parent.body]
@@ -44,13 +51,15 @@ class Reference:
         if joint.at is not None:
             place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
             place = self._base(joint.base).then(g, place)
-            self.poses[body] = given or place
-            return base.inverse(g).then(g, place), self.poses[body].inverse(g).then(g, place)
+            there = place.then(g, apart)
+            self.poses[body] = given or there
+            return base.inverse(g).then(g, place), self.poses[body].inverse(g).then(g, there)
         if given is not None and isinstance(joint.parent, Body):
             # the frame on the parent follows from where the child is
             self.poses[body] = given
-            return base.inverse(g).then(g, given.then(g, child)), child
-        found = base.then(g, parent).then(g, child.inverse(g))
+            side = given.then(g, child).then(g, apart.inverse(g))
+            return base.inverse(g).then(g, side), child
+        found = base.then(g, parent).then(g, apart).then(g, child.inverse(g))
         if given is not None:
             self._agree(joint, found, given)
         self.poses[body] = given or found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ..quantity import Direction, Quantity
@@ -55,7 +55,9 @@ def _letter(axis: Direction) -> tuple[int | None, int]:
 
 
 class Joint(ABC):
-    """A joint between a parent frame P and a child frame C that coincide at the default q.
+    """A joint between a parent frame P and a child frame C.
+
+    The frames coincide at the default q of every kind that is :attr:`coincident`.
 
     All methods work on expressions; ``data`` are the quantities of :meth:`quantities`, converted.
     6-vectors have the angular part first. In the spanning tree a joint adds its motion
@@ -156,6 +158,16 @@ class Joint(ABC):
         """Whether the joint can close a circuit."""
         return True
 
+    @property
+    def coincident(self) -> bool:
+        """Whether parent and child frame coincide at the default coordinates."""
+        return True
+
+    @property
+    def follows(self) -> tuple[str, Any, Any] | None:
+        """Leader, ratio and offset of a joint whose coordinate follows that of another."""
+        return None
+
     def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
         """Velocities (k, 1) [m/s] that vanish beyond the derivative of the closure, or None.
 
@@ -165,6 +177,13 @@ class Joint(ABC):
                 linear in it. In the spanning tree it is S u.
         """
         return None
+
+    def sliding(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix | None:
+        """The velocities of :meth:`slip` by coordinates and speeds, or None.
+
+        A joint that knows a shorter form of them gives that.
+        """
+        return self.slip(*self.pose(q, **data), self.motion(q, **data) @ u, **data)
 
     @property
     def slips(self) -> tuple[Component, ...]:
@@ -247,11 +266,22 @@ class Reversed(Joint):
     def cuttable(self) -> bool:
         return self.element.cuttable
 
+    @property
+    def coincident(self) -> bool:
+        return self.element.coincident
+
+    @property
+    def follows(self) -> tuple[str, Any, Any] | None:
+        return self.element.follows
+
     def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
         turning, sliding = _halves(twist)
         turned = R @ turning
         back = Matrix.vstack(-turned, -(R @ sliding + p.cross(turned)))
         return self.element.slip(*_inverse(R, p), back, **data)
+
+    def sliding(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix | None:
+        return self.element.sliding(q, u, **data)
 
     @property
     def slips(self) -> tuple[Component, ...]:

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.rotations import Rotation, parametrization
-from .joint import POSITIONS, Component, Joint
+from ...spatial.rotations import parametrization
+from .guided import Guided
+from .joint import POSITIONS, Component
 
 
 @dataclass(frozen=True)
-class Spherical(Joint):
+class Spherical(Guided):
     """Three rotations about a common point.
 
     The speeds are the angular velocity of the child against the parent in child axes [rad/s],
@@ -36,27 +37,20 @@ class Spherical(Joint):
         parametrization(self.rotation, "spherical joint")
 
     @property
-    def parameters(self) -> Rotation:
-        """The parametrization itself."""
-        return parametrization(self.rotation)
+    def guides(self) -> tuple[Component, ...]:
+        return ()
 
-    @property
-    def coordinates(self) -> tuple[Component, ...]:
-        r = self.parameters
-        return tuple(map(Component, r.components, r.units, r.defaults))
+    def place(self, c: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(c.graph, 3)
 
-    @property
-    def speeds(self) -> tuple[Component, ...]:
-        return tuple(Component(name, "rad/s") for name in "xyz")
+    def slope(self, c: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(c.graph, 3, 0)
 
-    def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
-        return self.parameters.matrix(q), Matrix.zeros(q.graph, 3)
+    def blocked(self, c: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.identity(c.graph, 3)
 
-    def motion(self, q: Matrix, **data: Matrix) -> Matrix:
-        return Matrix.vstack(Matrix.identity(q.graph, 3), Matrix.zeros(q.graph, 3, 3))
-
-    def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
-        return Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
+    def bend(self, c: Matrix, rate: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.zeros(c.graph, 3)
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return p
@@ -64,26 +58,3 @@ class Spherical(Joint):
     @property
     def held(self) -> tuple[Component, ...]:
         return POSITIONS
-
-    def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
-        return self.parameters.rates(q, u)
-
-    def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
-        return self.parameters.omega(q, qdot)
-
-    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
-        return Matrix.zeros(q.graph, 6)
-
-    def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
-        return self.parameters.integrate(q, du)
-
-    def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
-        return self.parameters.difference(q0, q1)
-
-    @property
-    def quaternion(self) -> int | None:
-        return 0 if self.parameters.unit_quaternion else None
-
-    @property
-    def domain(self) -> str:
-        return self.parameters.domain

@@ -205,7 +205,8 @@ class _Reader:
             couple = self.model.joints[name].couple
             if couple is not None and couple.leader not in self.model.joints:
                 listed = near(couple.leader, self.model.joints).replace(" Known:", " Joints:")
-                raise item.items()["couple"].error(f"'{couple.leader}' is no joint.{listed}")
+                said = "couple" if "couple" in item.items() else "leader"
+                raise item.items()[said].error(f"'{couple.leader}' is no joint.{listed}")
 
     def _joint(self, name: str, item: Item) -> None:
         kind = self._type(item, JOINTS, "joint")

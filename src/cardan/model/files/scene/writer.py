@@ -254,7 +254,7 @@ class _Writer:
             made["at"] = self.value(joint.at, where)
         if joint.base is not None:
             made["base"] = joint.base.name
-        if joint.couple is not None:
+        if joint.couple is not None and joint.kind.follows is None:
             made["couple"] = self._couple(joint.couple, where)
         if joint.friction:
             made["friction"] = number(joint.friction)
@@ -306,4 +306,4 @@ def _zero(value: Any) -> bool:
 
 
 def _nine(value: Any) -> bool:
-    return isinstance(value, tuple) and len(value) == 9
+    return isinstance(value, tuple) and len(value) == 9 and not isinstance(value[0], tuple)

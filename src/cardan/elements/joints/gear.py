@@ -1,0 +1,47 @@
+"""Gear: a rotation that follows that of another joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ..quantity import Direction, JointName
+from ..written import axis, number
+from .hinge import Hinge
+
+
+@dataclass(frozen=True)
+class Gear(Hinge):
+    """A wheel whose angle is ratio times the coordinate of another joint plus an offset.
+
+    It has no coordinate of its own: the equations are those of the leader, which carries the
+    torque of the teeth.
+
+    Args:
+        leader: The joint it follows, or its name; one coordinate.
+        ratio: Angle per coordinate of the leader; negative for wheels that mesh outside.
+        axis: Direction in the parent frame: "x", "y", "z", "-x", ... or three numbers or
+            expressions (of any length but 0).
+        offset: Angle where the leader is at 0 [rad].
+
+    Raises:
+        ModelError: the axis is zero, NaN or not a direction; ratio or offset are no numbers.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms, section 9.6.
+    """
+
+    kind: ClassVar[str] = "gear"
+    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6"
+    leader: JointName
+    ratio: Any = 1.0
+    axis: Direction = "z"
+    offset: Any = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", axis("gear", "axis", self.axis))
+        for name in ("ratio", "offset"):
+            object.__setattr__(self, name, number("gear", name, getattr(self, name)))
+
+    @property
+    def follows(self) -> tuple[JointName, Any, Any] | None:
+        return self.leader, self.ratio, self.offset

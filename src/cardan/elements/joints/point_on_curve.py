@@ -1,0 +1,130 @@
+"""A point of the child that stays on a curve of the parent."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import accumulate, pairwise
+from typing import Any, ClassVar
+
+from ...errors import ModelError, TopologyError
+from ...ir.derivative import forward
+from ...ir.graph import ONE
+from ...ir.matrix import Matrix
+from ...ir.rewrite import rebuild
+from ...spatial.axis import complement, unit
+from ...spatial.rotations import parametrization
+from ..quantity import Quantity
+from ..tables import Interpolation, table
+from ..written import is_expression, vector
+from .guided import Guided
+from .joint import Component
+
+PARAMETER = "s"
+
+
+@dataclass(frozen=True)
+class PointOnCurve(Guided):
+    """The child's origin slides along a curve of the parent, and the child turns freely about it.
+
+    q = [rotation, s], u = [angular velocity in child axes [rad/s], rate of s]. The curve is the
+    cubic spline through the points, with two continuous derivatives; s [m] is 0 at the first
+    point and grows by the distance from point to point. Beyond its ends the curve continues.
+
+    Args:
+        points: Places in parent axes [m], (n, 3) numbers, n >= 2, no two in a row alike.
+        rotation: How the rotation is described, as of :class:`Spherical`.
+
+    Raises:
+        ModelError: too few points, points that are no three numbers, or two in a row alike; the
+            parametrization does not exist.
+
+    Source: Géradin and Cardona, Flexible Multibody Dynamics, chapter 7 (curvilinear slider).
+    """
+
+    kind: ClassVar[str] = "point_on_curve"
+    source: ClassVar[str] = "M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001, chapter 7"
+    points: Any
+    rotation: str = "quaternion"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points", _points(self.points))
+        parametrization(self.rotation, "point on a curve")
+
+    @property
+    def splines(self) -> tuple[Interpolation, Interpolation, Interpolation]:
+        """x, y and z as functions of s."""
+        chords = [math.dist(a, b) for a, b in pairwise(self.points)]
+        s = list(accumulate(chords, initial=0.0))
+        x, y, z = (table(s, column, "cubic") for column in zip(*self.points, strict=True))
+        return x, y, z
+
+    @property
+    def guides(self) -> tuple[Component, ...]:
+        return (Component(PARAMETER, "m"),)
+
+    def quantities(self) -> dict[str, Quantity]:
+        from sympy import Symbol
+
+        at = tuple(spline(Symbol(PARAMETER)) for spline in self.splines)
+        return {"curve": Quantity(at, "m", local=(PARAMETER,))}
+
+    @property
+    def coincident(self) -> bool:
+        return False
+
+    def _derivative(self, order: int, c: Matrix, data: dict[str, Matrix]) -> Matrix:
+        """Derivative of the curve by s, (3, 1)."""
+        graph, nodes = c.graph, data["curve"].nodes
+        seed = {graph.atom(PARAMETER): ONE}
+        for _ in range(order):
+            nodes = tuple(forward(graph, nodes, seed))
+        local = {graph.atom(PARAMETER): c.nodes[0]}
+        return Matrix(graph, 3, 1, rebuild(graph, nodes, local, into=graph)[1])
+
+    def place(self, c: Matrix, **data: Matrix) -> Matrix:
+        return self._derivative(0, c, data)
+
+    def slope(self, c: Matrix, **data: Matrix) -> Matrix:
+        return self._derivative(1, c, data)
+
+    def blocked(self, c: Matrix, **data: Matrix) -> Matrix:
+        return Matrix.hstack(*complement(unit(self.slope(c, **data))))
+
+    def bend(self, c: Matrix, rate: Matrix, **data: Matrix) -> Matrix:
+        return self._derivative(2, c, data) * (rate[0] * rate[0])
+
+    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        raise TopologyError(
+            "a PointOnCurve joint cannot close a circuit, because a place alone does not say "
+            "where on the curve it belongs; choose another joint of the loop to cut"
+        )
+
+    @property
+    def held(self) -> tuple[Component, ...]:
+        return ()
+
+    @property
+    def cuttable(self) -> bool:
+        return False
+
+
+def _points(given: Any) -> tuple[tuple[float, ...], ...]:
+    """Rows of three numbers.
+
+    Raises:
+        ModelError: they are not, or they make no curve.
+    """
+    rows = given.tolist() if hasattr(given, "tolist") else given
+    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence) or len(rows) < 2:
+        raise ModelError("point on a curve: points must be at least 2 rows of 3 numbers")
+    made = tuple(vector("point on a curve", f"points[{i}]", row, 3) for i, row in enumerate(rows))
+    for i, row in enumerate(made):
+        if any(is_expression(x) for x in row):
+            raise ModelError(f"point on a curve: points[{i}] must be numbers; it has expressions")
+        if i and row == made[i - 1]:
+            raise ModelError(
+                f"point on a curve: points[{i}] is the point before it again; leave it out"
+            )
+    return made

@@ -1,0 +1,61 @@
+"""A thin disk that rolls on a plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Scalar
+from ...ir.matrix import Matrix
+from ..quantity import Direction, Quantity
+from ..written import axis, positive
+from .joint import Component
+from .rolling import Rolling
+
+
+@dataclass(frozen=True)
+class RollingDisk(Rolling):
+    """A disk with a sharp edge on a plane of the parent: a rolling coin, or a knife edge.
+
+    q = [x, y, yaw, lean, spin]: the point of contact in the plane [m], the heading, the
+    inclination about the heading (0: upright) and the angle about the axle [rad]; u are their
+    rates. The child's origin is the center of the disk. With the normal z the disk heads along x
+    and its axle is y where all are 0; for another normal they are the two directions that make a
+    right-handed triad with it (y, z for "x"; z, x for "y").
+
+    Args:
+        radius: Radius of the disk [m], positive.
+        normal: Direction in the parent frame out of the plane, on the side of the disk: "x", "y",
+            "z", "-x", ... or three numbers or expressions (of any length but 0).
+        knife_edge: Only sliding sideways is excluded, as of a skate; else the disk rolls.
+
+    Raises:
+        ModelError: the normal is zero, NaN or not a direction; the radius is not positive.
+
+    Source: J. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, 1972, chapter 2.
+    """
+
+    kind: ClassVar[str] = "rolling_disk"
+    source: ClassVar[str] = "J. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, 1972"
+    radius: Any
+    normal: Direction = "z"
+    knife_edge: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "radius", positive("rolling disk", "radius", self.radius))
+        object.__setattr__(self, "normal", axis("rolling disk", "normal", self.normal))
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "radius": Quantity(self.radius, "m"),
+            "normal": Quantity(self.normal, ratio=True),
+        }
+
+    def radii(self, data: dict[str, Matrix]) -> tuple[Scalar, Scalar]:
+        radius = data["radius"][0]
+        return radius, radius * 0.0
+
+    @property
+    def slips(self) -> tuple[Component, ...]:
+        lateral = (Component("lateral", "m/s"),)
+        return lateral if self.knife_edge else (Component("longitudinal", "m/s"), *lateral)
