@@ -20,6 +20,7 @@ from ..ir.derivative import forward
 from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..topology.system import Cut, System
 from .kinematics import Kinematics
 
@@ -227,6 +228,18 @@ class Constraints:
                 "and velocity in it has a factor without speeds"
             )
         return row
+
+    def pose(self, cut: int) -> tuple[Matrix, Matrix]:
+        """R_PC (3, 3) and p_PC (3, 1) of the frames of a cut joint, in P axes."""
+        return self._ends[cut].rotation, self._ends[cut].position
+
+    @cached_property
+    def prescribed(self) -> Matrix:
+        """g_t of the relations that the user wrote (their number, 1): their rates at rest."""
+        g, at = self.k.graph, {row.owner: i for i, row in enumerate(self.rows)}
+        rest = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
+        nodes = [self.rates.nodes[at[name]] for name, _, _ in self._written]
+        return self._column(rebuild(g, nodes, rest, into=g)[1])
 
     def wrench(self, cut: int, multipliers: Matrix) -> Matrix:
         """Moment and force of P on C of a cut joint (6, 1), at the origin of C in C axes."""

@@ -38,6 +38,7 @@ class Dynamics:
         self.treatment = treatment
         # (tau, udot) of everything that was solved for
         self.solutions: list[tuple[Matrix, Matrix]] = []
+        self._bound: dict[tuple[object, ...], tuple[Matrix, Matrix]] = {}
 
     @cached_property
     def loads(self) -> Loads:
@@ -125,6 +126,12 @@ class Dynamics:
         Raises:
             DerivationError: the formalism takes no constraints.
         """
+        key = (tau.nodes, id(self.loads))
+        if key not in self._bound:
+            self._bound[key] = self._accelerations(tau)
+        return self._bound[key]
+
+    def _accelerations(self, tau: Matrix) -> tuple[Matrix, Matrix]:
         if self.method == "articulated":
             names = ", ".join(f"'{name}'" for name in dict.fromkeys(self._owners()))
             raise DerivationError(

@@ -151,7 +151,8 @@ def _momentum(c: Context) -> tuple[Output, ...]:
 
 
 def _reaction(c: Context) -> tuple[Output, ...]:
-    joints = [j.name for j in c.k.system.joints] + list(c.k.system.fixed)
+    system = c.k.system
+    joints = [*system.moving_joints, *system.fixed]
     if c.of not in joints:
         raise DerivationError(f"joint '{c.of}' does not exist.{near(c.of or '', joints)}")
     return (Output("reaction", (6,), outputs.reaction(c.d, c.of).nodes, *WRENCH),)
@@ -250,7 +251,23 @@ def _power(c: Context) -> tuple[Output, ...]:
     for i, force in _motion(c).items():
         name = f"{c.k.system.joints[i].name}.motion"
         values.append((name, (force * c.k.u(i)[0]).node, "W"))
+    values += _relations_power(c)
     return _list("power", values)
+
+
+def _relations_power(c: Context) -> list[tuple[str, int, str]]:
+    """Power of relations that contain the time: lam G u = -lam g_t."""
+    relations = c.k.system.constraints
+    if not relations or c.d.constraints.prescribed.is_zero:
+        return []
+    own = c.d.constraints
+    _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
+    at = {row.owner: i for i, row in enumerate(own.rows)}
+    return [
+        (f"{entry.name}.motion", (-lam[at[entry.name]] * rate).node, "W")
+        for entry, rate in zip(relations, own.prescribed, strict=True)
+        if rate.node != ZERO
+    ]
 
 
 def _list(name: str, values: list[tuple[str, int, str]]) -> tuple[Output, ...]:

@@ -12,10 +12,11 @@ from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, second_moment
 from ..topology.system import Part
 from .accelerations import Accelerations, accelerations, second_moment_force
+from .closing_loads import closing_loads, together
 from .dynamics import Dynamics
 from .inertia import of_body
 from .kinematics import Kinematics
-from .loads import applied
+from .loads import Loads, applied
 from .relative.newton_euler import along_joint, driving_force, joint_forces
 
 
@@ -148,15 +149,17 @@ def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matri
 
 def accelerated(d: Dynamics) -> tuple[Matrix, Accelerations]:
     """udot under tau, the model's forces and the block ``wrench``; and all accelerations."""
-    wrenches = dict(d.loads.wrenches)
-    for i, (moment, force) in external(d).items():
-        before = wrenches.get(i)
-        if before is not None:
-            moment, force = before[0] + moment, before[1] + force
-        wrenches[i] = (moment, force)
-    d.loads = replace(d.loads, wrenches=wrenches)
+    d.loads = replace(d.loads, wrenches=together(d.loads.wrenches, external(d)))
     udot = d.forward(d.tau)
     return udot, system_accelerations(d, udot)
+
+
+def all_loads(d: Dynamics, tau: Matrix) -> Loads:
+    """Applied forces, and those of the joints that close circuits under tau."""
+    if not d.k.system.cuts:
+        return d.loads
+    closing = closing_loads(d.constraints, d.bound(tau)[1])
+    return replace(d.loads, wrenches=together(d.loads.wrenches, closing))
 
 
 def reaction(d: Dynamics, name: str) -> Matrix:
@@ -165,7 +168,10 @@ def reaction(d: Dynamics, name: str) -> Matrix:
     Moment first. Joints with motion and fixed joints alike.
     """
     _, acc = accelerated(d)
-    forces = joint_forces(d.k, acc, d.loads)
+    for n, cut in enumerate(d.k.system.cuts):
+        if cut.name == name:
+            return d.constraints.wrench(n, d.bound(d.tau)[1])
+    forces = joint_forces(d.k, acc, all_loads(d, d.tau))
     for i, joint in enumerate(d.k.system.joints):
         if joint.name == name:
             return Matrix.vstack(forces.moment[i], forces.force[i])
@@ -241,8 +247,10 @@ def _applied(
     zero = Matrix.zeros(d.k.graph, 3)
     moment, force = applied(d.k, mine).wrenches.get(body, (zero, zero))
     outside = external(d, {parts[j].name for j in chosen}) if body >= 0 else {}
-    more = outside.get(body, (zero, zero))
-    return moment + more[0], force + more[1]
+    total = together({body: (moment, force)}, outside)
+    if d.k.system.cuts:
+        total = together(total, closing_loads(d.constraints, d.bound(d.tau)[1], mine))
+    return total[body]
 
 
 def motion_forces(d: Dynamics, acc: Accelerations) -> dict[int, Scalar]:
@@ -250,6 +258,6 @@ def motion_forces(d: Dynamics, acc: Accelerations) -> dict[int, Scalar]:
     moved = [i for i, joint in enumerate(d.k.system.joints) if joint.motion is not None]
     if not moved:
         return {}
-    forces = joint_forces(d.k, acc, d.loads)
+    forces = joint_forces(d.k, acc, all_loads(d, Matrix.zeros(d.k.graph, d.k.system.nu)))
     still = Matrix.zeros(d.k.graph, 1)
     return {i: driving_force(d.k, i, forces, d.loads, still)[0] for i in moved}

@@ -30,7 +30,7 @@ def c_name(system: System, name: str, of: str | None) -> str:
     if RECIPES[name].of == "function":
         return _derivative_name(of)
     if RECIPES[name].of == "joint":
-        known = [j.name for j in system.joints] + list(system.fixed)
+        known = [*system.moving_joints, *system.fixed]
     else:
         known = [f.name for f in system.frames]
     return blocks.c_name(name, of, known)

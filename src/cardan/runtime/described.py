@@ -65,8 +65,10 @@ class Described(Derivatives):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Names of the joints, the fixed ones last."""
-        return (*(row["name"] for row in self.manifest["joints"]), *self.manifest["fixed"])
+        """Names of the joints: those of the tree, those that are cut, those that are fixed."""
+        cut = self.manifest.get("cuts", [])
+        moving = [row["name"] for row in (*self.manifest["joints"], *cut)]
+        return (*moving, *self.manifest["fixed"])
 
     @property
     def nq(self) -> int:

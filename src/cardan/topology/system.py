@@ -275,6 +275,11 @@ class System:
         return [i for i, b in enumerate(self.bodies) if b.parent == body]
 
     @property
+    def moving_joints(self) -> tuple[str, ...]:
+        """Names of the joints of the tree, then of those that are cut."""
+        return (*(joint.name for joint in self.joints), *(cut.name for cut in self.cuts))
+
+    @property
     def closed(self) -> bool:
         """Whether its speeds are bound by anything beyond the tree."""
         rolling = any(joint.element.slips for joint in self.joints)
