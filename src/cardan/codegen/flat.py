@@ -65,6 +65,16 @@ def _sizes(joints: Sequence[Joint]) -> list[Output]:
     return [_output("sizes", (len(rows), 2), rows)] if used else []
 
 
+def kind(joint: Joint) -> str:
+    """Kind of a joint; where the declared child carries the parent and that is not said by an
+    opposite direction, after the word ``reversed``."""
+    return f"reversed {joint.element.kind}" if _told_backwards(joint) else joint.element.kind
+
+
+def _told_backwards(joint: Joint) -> bool:
+    return joint.reversed and not joint.element.line
+
+
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:
     """Breaks, and coefficients by component and piece, of a joint's curve; None without one."""
     if "curve" not in joint.data:

@@ -111,7 +111,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
-        "kinds": [j.element.kind for j in system.joints],
+        "kinds": [flat.kind(j) for j in system.joints],
         "rotations": [_rotation(j) for j in system.joints],
         "forces": [force.name for force in system.forces],
         "unknown": unknown,
@@ -162,13 +162,18 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
     if joint.coupling is not None:
         coupled = {"leader": system.joints[joint.coupling.leader].name}
     limits = zip(LIMITS, joint.limits, strict=True)
+    # as declared, not as the tree goes
+    bodies = _body(system, system.bodies[number].parent), system.bodies[number].name
+    frames = system.frames[joint.parent_frame].name, system.frames[joint.child_frame].name
+    parent, child = reversed(bodies) if joint.reversed else bodies
+    parent_frame, child_frame = reversed(frames) if joint.reversed else frames
     return {
         "name": joint.name,
         "kind": element.kind,
-        "parent": _body(system, system.bodies[number].parent),
-        "child": system.bodies[number].name,
-        "parent_frame": system.frames[joint.parent_frame].name,
-        "child_frame": system.frames[joint.child_frame].name,
+        "parent": parent,
+        "child": child,
+        "parent_frame": parent_frame,
+        "child_frame": child_frame,
         "q": [joint.q, len(element.coordinates)] if joint.q >= 0 else None,
         "u": [joint.u, len(element.speeds)] if own_speeds else None,
         "q0": list(joint.q0) if joint.q0 is not None else None,

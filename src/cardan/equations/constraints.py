@@ -160,7 +160,7 @@ class Constraints:
                 slipping += self._slip(n, ends.twist)
         for i, joint in enumerate(self.k.system.joints):
             with g.made_by(joint.name, "slip"):
-                slipping += self._tree_slip(i, self.k.joints[i].velocity)
+                slipping += self._tree_slip(i, self.k.speeds[i])
         for name, node, level in self._written:
             with g.made_by(name, "rate"):
                 if level == POSITION:
@@ -189,7 +189,8 @@ class Constraints:
                     slipping.append([slips[s][i] if s in slips else ZERO for s in range(nu)])
         for i, joint in enumerate(self.k.system.joints):
             with g.made_by(joint.name, "G"):
-                own = {s: self._tree_slip(i, c) for s, c in self.k.joints[i].columns}
+                unit = Matrix.identity(g, len(joint.element.speeds))
+                own = {joint.u + j: self._tree_slip(i, unit.column(j)) for j in range(len(unit))}
                 for n in range(len(joint.element.slips)):
                     slipping.append([own[s][n] if s in own else ZERO for s in range(nu)])
         for name, node, level in self._written:
@@ -208,12 +209,11 @@ class Constraints:
         found = cut.element.slip(ends.rotation, ends.position, twist, **self._data[n])
         return [] if found is None else list(found.nodes)
 
-    def _tree_slip(self, i: int, twist: Matrix) -> list[int]:
+    def _tree_slip(self, i: int, speeds: Matrix) -> list[int]:
         joint, k = self.k.system.joints[i], self.k
         if not joint.element.slips:
             return []
-        pose = joint.element.pose(k.coordinates[i], **k.data[i])
-        found = joint.element.slip(*pose, twist, **k.data[i])
+        found = joint.element.sliding(k.coordinates[i], speeds, **k.data[i])
         return [] if found is None else list(found.nodes)
 
     def _gradient(self, name: str, node: int, level: str) -> list[int]:

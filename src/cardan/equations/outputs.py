@@ -174,8 +174,16 @@ def reaction(d: Dynamics, name: str) -> Matrix:
     forces = joint_forces(d.k, acc, all_loads(d, d.tau))
     for i, joint in enumerate(d.k.system.joints):
         if joint.name == name:
-            return Matrix.vstack(forces.moment[i], forces.force[i])
+            wrench = Matrix.vstack(forces.moment[i], forces.force[i])
+            return _on_declared_child(d.k, i, wrench) if joint.reversed else wrench
     return _fixed_reaction(d, name, acc, forces.moment, forces.force)
+
+
+def _on_declared_child(k: Kinematics, i: int, wrench: Matrix) -> Matrix:
+    """Wrench on the inner body of joint i, whose child it is, at its frame in its axes."""
+    rotation, position = k.system.joints[i].element.pose(k.coordinates[i], **k.data[i])
+    moment, force = (rotation @ wrench.block(slice(a, a + 3)) for a in (0, 3))
+    return -Matrix.vstack(moment + position.cross(force), force)
 
 
 def _fixed_reaction(

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..elements.joints.joint import Joint as JointElement
 from ..errors import TopologyError
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
@@ -89,11 +90,12 @@ class Assembly:
 
     def add(self, branch: Branch) -> None:
         """Add the outer body of a branch: a part of the inner one, or a body with a joint."""
-        parent_side, child_side = self._sides(branch.joint)
+        sides = self._sides(branch.joint)
+        near_side, far_side = reversed(sides) if branch.reversed else sides
         if branch.joint.kind.kind == "fixed":
-            self._merge(branch, parent_side, child_side)
+            self._merge(branch, near_side, far_side)
         else:
-            self._join(branch, parent_side, child_side)
+            self._join(branch, near_side, far_side)
 
     def _sides(self, joint: UserJoint) -> tuple[Placement, Placement]:
         """The joint frame on the parent body and on the child body, in their user frames."""
@@ -141,13 +143,10 @@ class Assembly:
             self.local[place] = found
         return found
 
-    def _merge(self, branch: Branch, parent_side: Placement, child_side: Placement) -> None:
+    def _merge(self, branch: Branch, near_side: Placement, far_side: Placement) -> None:
         """Fix the outer body to the rigid body of the inner one."""
         g, joint = self.graph, branch.joint
         number, inner = self.home[branch.inner]
-        near_side, far_side = parent_side, child_side
-        if branch.reversed:
-            near_side, far_side = child_side, parent_side
         with g.made_by(joint.name, "placement"):
             side = inner.then(g, near_side)
             self.home[branch.outer] = (number, side.then(g, far_side.inverse(g)))
@@ -155,31 +154,39 @@ class Assembly:
         self.fixed.append(joint.name)
         self._part(branch, joint.name, where)
 
-    def _join(self, branch: Branch, parent_side: Placement, child_side: Placement) -> None:
-        """A new rigid body: its axes are the child side of its inboard joint."""
+    def _join(self, branch: Branch, near_side: Placement, far_side: Placement) -> None:
+        """A new rigid body: its axes are the far side of its inboard joint."""
         g, joint = self.graph, branch.joint
         parent, inner = self.home[branch.inner]
         number = len(self.bodies)
         self.bodies.append(Rigid(branch.outer.name, parent))
         with g.made_by(joint.name, "placement"):
-            self.home[branch.outer] = (number, child_side.inverse(g))
-            outer_side = inner.then(g, parent_side)
+            self.home[branch.outer] = (number, far_side.inverse(g))
+            outer_side = inner.then(g, near_side)
         self._label_place(joint.name, outer_side)
         self._part(branch, "", HERE)
-        element = joint.kind
-        data = self._data(joint)
+        element, data = joint.kind, self._data(joint)
         check_coincidence(self.convert, joint.name, element, data)
+        if branch.reversed:
+            element, data = self._reversed(joint, data)
         slots = joint.motion is None and joint.couple is None
-        frame = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, outer_side)
-        child = self._joint_frame(joint.child, f"{joint.name}.child", number, HERE)
+        frames = {
+            role: self._joint_frame(
+                place,
+                f"{joint.name}.{role}",
+                *((parent, outer_side) if place.body is branch.inner else (number, HERE)),
+            )
+            for role, place in (("parent", joint.parent), ("child", joint.child))
+        }
+        near, far = ("child", "parent") if branch.reversed else ("parent", "child")
         self.joint_number[joint.name] = number
         self.joints.append(
             Joint(
                 name=joint.name,
                 element=element,
                 data=data,
-                parent_frame=frame,
-                child_frame=child,
+                parent_frame=frames[near],
+                child_frame=frames[far],
                 rotation=outer_side.rotation,
                 position=outer_side.position,
                 q=self.nq if slots else -1,
@@ -187,6 +194,7 @@ class Assembly:
                 q0=joint.q0,
                 u0=joint.u0,
                 limits=joint.limits,
+                reversed=branch.reversed,
             )
         )
         coordinates, speeds = element.coordinates, element.speeds
@@ -197,6 +205,18 @@ class Assembly:
             self.nq += len(coordinates)
             self.nu += len(speeds)
 
+    def _reversed(
+        self, joint: UserJoint, data: dict[str, tuple[int, int, Nodes]]
+    ) -> tuple[JointElement, dict[str, tuple[int, int, Nodes]]]:
+        """Element and data of a joint whose child carries its parent."""
+        line = joint.kind.line
+        if not line:
+            return joint.kind.reversed(), data
+        # parameters are those of the direction as declared
+        rows, columns, nodes = data[line]
+        back = rows, columns, tuple(map(self.graph.neg, nodes))
+        return joint.kind.reversed(), data | {line: back}
+
     def close(self, closing: Closing) -> None:
         """A joint of a circuit between bodies that are in the tree already."""
         g, joint = self.graph, closing.joint
@@ -205,6 +225,7 @@ class Assembly:
                 joint,
                 self._local(joint.parent, joint.name),
                 self._local(joint.child, f"{joint.name}.child"),
+                lambda: self._rest(joint),
             )
             (parent, inner), (child, outer) = (
                 self.home[place.body] for place in (joint.parent, joint.child)
@@ -217,11 +238,7 @@ class Assembly:
                 f"moves: '{joint.parent.body.name}' and '{joint.child.body.name}' are fixed to "
                 "each other. Leave it out, or let another joint of the circuit move"
             )
-        with g.made_by(joint.name, "data"):
-            data = {
-                name: self.convert.quantity(entry, f"{joint.name}.{name}")
-                for name, entry in joint.kind.quantities().items()
-            }
+        data = self._data(joint)
         self.cuts.append(
             Cut(
                 name=joint.name,

@@ -44,14 +44,12 @@ class Reference:
             return parent, child
         g, apart = self.convert.graph, rest()
         if joint.parent.body not in self.poses:
-            return self._backwards(joint, parent, child)
+            return self._backwards(joint, parent, child, apart)
         base = self.poses[joint.parent.body]
         body = joint.child.body
         given = self._given(body)
         if joint.at is not None:
-            place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
-            place = self._base(joint.base).then(g, place)
-            there = place.then(g, apart)
+            place, there = self._at(joint, apart)
             self.poses[body] = given or there
             return base.inverse(g).then(g, place), self.poses[body].inverse(g).then(g, there)
         if given is not None and isinstance(joint.parent, Body):
@@ -61,39 +59,55 @@ class Reference:
             return base.inverse(g).then(g, side), child
         found = base.then(g, parent).then(g, apart).then(g, child.inverse(g))
         if given is not None:
-            self._agree(joint, found, given)
+            self._agree(joint, body, found, given)
         self.poses[body] = given or found
         return parent, child
 
     def closing(
-        self, joint: Joint, parent: Placement, child: Placement
+        self,
+        joint: Joint,
+        parent: Placement,
+        child: Placement,
+        rest: Callable[[], Placement] = lambda: HERE,
     ) -> tuple[Placement, Placement]:
         """The frames of a joint between bodies that have their places already."""
         if not self.active:
             return parent, child
-        g = self.convert.graph
+        g, apart = self.convert.graph, rest()
         base, outer = self.poses[joint.parent.body], self.poses[joint.child.body]
         if joint.at is not None:
-            place = Placement(IDENTITY, self.convert.vector(joint.at, f"{joint.name}.at", "m"))
-            place = self._base(joint.base).then(g, place)
-            return base.inverse(g).then(g, place), outer.inverse(g).then(g, place)
+            place, there = self._at(joint, apart)
+            return base.inverse(g).then(g, place), outer.inverse(g).then(g, there)
         if joint.child.body.pose is not None and isinstance(joint.parent, Body):
-            return base.inverse(g).then(g, outer.then(g, child)), child
+            side = outer.then(g, child).then(g, apart.inverse(g))
+            return base.inverse(g).then(g, side), child
         return parent, child
 
-    def _backwards(
-        self, joint: Joint, parent: Placement, child: Placement
-    ) -> tuple[Placement, Placement]:
-        """A fixed joint whose child is nearer to the ground."""
-        if joint.at is not None:
-            raise ModelError(
-                f"joint '{joint.name}': with at= the parent must be nearer to the ground; "
-                "exchange parent and child"
-            )
+    def _at(self, joint: Joint, apart: Placement) -> tuple[Placement, Placement]:
+        """Both frames of a joint with ``at=``, in ground axes."""
         g = self.convert.graph
-        base = self.poses[joint.child.body].then(g, child)
-        body = joint.parent.body
-        self.poses[body] = self._given(body) or base.then(g, parent.inverse(g))
+        place = Placement(IDENTITY, self.convert.vector(joint.at or (), f"{joint.name}.at", "m"))
+        place = self._base(joint.base).then(g, place)
+        return place, place.then(g, apart)
+
+    def _backwards(
+        self, joint: Joint, parent: Placement, child: Placement, apart: Placement
+    ) -> tuple[Placement, Placement]:
+        """A joint whose child is nearer to the ground."""
+        g, body = self.convert.graph, joint.parent.body
+        carrier, given = self.poses[joint.child.body], self._given(joint.parent.body)
+        if joint.at is not None:
+            place, there = self._at(joint, apart)
+            self.poses[body] = given or place
+            return self.poses[body].inverse(g).then(g, place), carrier.inverse(g).then(g, there)
+        side = carrier.then(g, child).then(g, apart.inverse(g))
+        found = side.then(g, parent.inverse(g))
+        if given is not None and joint.child.body.pose is not None and joint.parent is body:
+            self.poses[body] = given
+            return given.inverse(g).then(g, side), child
+        if given is not None:
+            self._agree(joint, body, found, given)
+        self.poses[body] = given or found
         return parent, child
 
     def _given(self, body: Body) -> Placement | None:
@@ -110,7 +124,7 @@ class Reference:
         """Pose of the ground of an included model."""
         return HERE if body is None else self.poses[body]
 
-    def _agree(self, joint: Joint, found: Placement, given: Placement) -> None:
+    def _agree(self, joint: Joint, body: Body, found: Placement, given: Placement) -> None:
         """Frames on both sides and a pose say the same, at the default parameters.
 
         Raises:
@@ -122,7 +136,7 @@ class Reference:
         worst = max(abs(a - b) for a, b in (self.convert.defaults(pair) for pair in pairs))
         if worst > 1e-9:
             raise ModelError(
-                f"joint '{joint.name}': its frames put body '{joint.child.body.name}' "
+                f"joint '{joint.name}': its frames put body '{body.name}' "
                 f"{worst:.3g} away from its pose=. Leave out one of them, or give the parent as "
                 "a body: then its frame follows from the pose"
             )

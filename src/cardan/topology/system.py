@@ -145,7 +145,7 @@ class Joint:
         name: The user's name.
         element: Its kind.
         data: The element's quantities: name -> (rows, columns, nodes).
-        parent_frame, child_frame: Indices in ``System.frames``.
+        parent_frame, child_frame: Indices in ``System.frames``, of the inner and the outer body.
         rotation, position: Parent-side joint frame in axes of the parent body, (9), (3).
         q, u: First slot in the system's q and u, -1 without slots (coupled or prescribed).
         coupling, motion: Set for a coupled or a prescribed joint.
@@ -153,6 +153,7 @@ class Joint:
         limits: (lower, upper, speed, effort) as far as given.
         offset: Added to the angle of a joint along a line.
         follows: Turns about the line about which the parent does, from the same axes at angle 0.
+        reversed: Declared with the outer body as parent; element and data are told the other way.
     """
 
     name: str
@@ -171,6 +172,7 @@ class Joint:
     limits: tuple[float | None, float | None, float | None, float | None] = (None,) * 4
     offset: int = 0
     follows: bool = False
+    reversed: bool = False
 
 
 @dataclass(frozen=True)

@@ -181,8 +181,7 @@ def rooted_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     """The spanning tree of a model in which all bodies hang on the ground.
 
     Raises:
-        TopologyError: a body that nothing joins to the ground, a joint whose child is nearer to
-            the ground than its parent, or a circuit that cannot be cut.
+        TopologyError: a body that nothing joins to the ground, or a circuit that cannot be cut.
     """
     branches, closing = spanning_tree(model)
     reached = {branch.outer for branch in branches}
@@ -193,13 +192,6 @@ def rooted_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
             f"nothing joins {'bodies' if len(loose) > 1 else 'body'} {names} to the ground. Add "
             "the missing joint; Free() lets a body float"
         )
-    for branch in branches:
-        joint = branch.joint
-        if branch.reversed and joint.kind.kind != "fixed":
-            raise TopologyError(
-                f"joint '{joint.name}' ({joint.kind.kind}): its child '{branch.inner.name}' is "
-                f"nearer to the ground than its parent '{branch.outer.name}'; exchange the two"
-            )
     return branches, closing
 
 

@@ -290,6 +290,11 @@ class Reversed(Joint):
     def reversed(self) -> Joint:
         return self.element
 
+    @property
+    def rotation(self) -> Any:
+        """What the joint says about its rotation, None where it says nothing."""
+        return getattr(self.element, "rotation", None)
+
     def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         return self.element.rates(q, u, **data)
 
