@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError
 from ..runtime.initial import entries
-from .meeting import Conditions, meet
 from .mechanism import Mechanism
+from .meeting import Conditions, meet
 from .redundancy import rank_of
 from .targets import Target, read
 
@@ -62,7 +62,9 @@ class Drive:
                 found |= dict.fromkeys(names, float(value))
         return found
 
-    def at(self, values: Array, rates: Sequence[float] = (), more: Sequence[float] = ()) -> Mechanism:
+    def at(
+        self, values: Array, rates: Sequence[float] = (), more: Sequence[float] = ()
+    ) -> Mechanism:
         """The mechanism at values of its drivers, with their first and second derivatives."""
         if not self.inputs:
             return self.m

@@ -73,7 +73,7 @@ class Sweep:
         for ending, letter, values in blocks:
             places = entries(self.model.manifest, letter)
             place = places.get(name.removesuffix(ending)) if name.endswith(ending) else None
-            if place is None and letter == "u" and ending == ".udot":
+            if place is None and ending == ".udot" and name.endswith(ending):
                 place = places.get(f"{name.removesuffix(ending)}.u")
             if place is not None and values.shape[1]:
                 found = values[:, place]

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import NoReturn
 
+import numpy as np
+
 from ..errors import ModelError
 from .mechanism import Mechanism
 from .meeting import Found
@@ -35,7 +37,7 @@ def explain(
     if not any(one.met for one in bare):
         raise ModelError(_open(m, bare))
     conflict = _smallest(held, again)
-    raise ModelError(_conflict(m, conflict, again))
+    raise ModelError(_conflict(m, conflict, [*again(_wished(conflict)), *bare]))
 
 
 def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
@@ -48,10 +50,18 @@ def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
     return kept
 
 
-def _conflict(m: Mechanism, targets: Sequence[Target], again: Search) -> str:
+def _wished(targets: Sequence[Target]) -> list[Target]:
+    """The same targets, none of which must be held."""
+    return [replace(target, weight=1.0) for target in targets]
+
+
+def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found]) -> str:
     """What is reached where all of them are only wished for."""
-    wished = [replace(target, weight=1.0) for target in targets]
-    q = min((one for one in again(wished) if one.met), key=lambda one: one.cost).q
+
+    def away(one: Found) -> float:
+        return sum(float(np.sum(target.residual(m, one.q) ** 2)) for target in targets)
+
+    q = min((one for one in found if one.met), key=away).q
     said = [f"'{t.name}' (asked {t.asked}; reached {t.reached(m, q)})" for t in targets]
     if len(said) == 1:
         return (

@@ -44,13 +44,25 @@ def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], pat
     return _figure(title, label, over, panels, None if path is None else Path(path))
 
 
+def plot_points(title: str, points: Curve, path: Path | None) -> Any:
+    """Draw places (n, 3) from three sides.
+
+    Returns:
+        The Matplotlib figure.
+    """
+    figure = _empty((12, 4.4))
+    for axis, (i, j) in zip(figure.subplots(1, 3), ((0, 1), (0, 2), (1, 2)), strict=True):
+        axis.plot(points[:, i], points[:, j], ".", markersize=2)
+        axis.set_xlabel(f"{'xyz'[i]} [m]")
+        axis.set_ylabel(f"{'xyz'[j]} [m]")
+        axis.set_aspect("equal", adjustable="datalim")
+        axis.grid(alpha=0.3)
+    return _done(figure, title, path)
+
+
 def _figure(title: str, label: str, over: Curve, panels: Panels, path: Path | None) -> Any:
     """Panels below each other, written to a file if there is one."""
-    try:
-        from matplotlib.figure import Figure
-    except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError("plot needs Matplotlib: pip install 'cardan[plot]'") from missing
-    figure = Figure(figsize=(9, 2.4 * len(panels) + 0.6), layout="constrained")
+    figure = _empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
     for axis, (name, curves) in zip(axes, panels, strict=True):
         for curve, values in curves.items():
@@ -60,6 +72,24 @@ def _figure(title: str, label: str, over: Curve, panels: Panels, path: Path | No
         if 0 < len(curves) <= CURVES:
             axis.legend(fontsize="small", ncols=2, loc="upper right")
     axes[-1].set_xlabel(label)
+    return _done(figure, title, path)
+
+
+def _empty(size: tuple[float, float]) -> Any:
+    """An empty figure.
+
+    Raises:
+        ModuleNotFoundError: Matplotlib is not installed.
+    """
+    try:
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError as missing:
+        raise ModuleNotFoundError("plot needs Matplotlib: pip install 'cardan[plot]'") from missing
+    return Figure(figsize=size, layout="constrained")
+
+
+def _done(figure: Any, title: str, path: Path | None) -> Any:
+    """The figure with its headline, written to a file if there is one."""
     figure.suptitle(title)
     if path is not None:
         path.parent.mkdir(parents=True, exist_ok=True)
