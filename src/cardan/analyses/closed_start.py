@@ -21,6 +21,7 @@ from .targets import Target, read
 from .unassembled import explain
 
 Array = NDArray[np.float64]
+NAMED = "Name fewer coordinates at the start: circuits determine the others"
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 
 
@@ -79,7 +80,7 @@ def _assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
         nearest = search_from(m, wished, q)
         if nearest.met and nearest.cost <= NEARLY**2:
             return nearest
-        explain(m, goals, found, lambda some: search(m, some, q, 6, 0))
+        explain(m, goals, found, lambda some: search(m, some, q, 6, 0), NAMED)
     return choose(m, met, [], q)
 
 

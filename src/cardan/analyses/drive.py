@@ -54,7 +54,7 @@ class Drive:
         rows = entries(self.m.model.manifest, "u")
         given = dict(zip(self.names, rates, strict=True))
         given |= {target.name: 0.0 for target in self.held if target.kind == "coordinate"}
-        found = {}
+        found: dict[str, float] = {}
         for name, value in given.items():
             place = rows.get(name, rows.get(f"{name}.u"))
             if name not in self.inputs and place is not None:
@@ -158,7 +158,7 @@ class Drive:
         length = float(np.abs(ahead).max(initial=0.0))
         if not length < 0.5:
             return None
-        guess = m.advance(q, ahead)
+        guess = m.advance(q, np.asarray(ahead, dtype=np.float64))
         found = meet(conditions, guess)
         off = float(np.abs(m.between(guess, found.q)).max(initial=0.0))
         if not found.met or off > 0.3 * length + 1e-9:

@@ -100,7 +100,7 @@ def position(model: CompiledModel, q: Any) -> Array:
     return initial_state(model.manifest, q or {}, {})[0][: model.nq]
 
 
-def rank_of(singular_values: Array) -> int:
+def rank_of(singular_values: NDArray[Any]) -> int:
     """How many singular values are not zero."""
     largest = float(singular_values.max(initial=0.0))
     return int(np.sum(singular_values > RANK * largest))

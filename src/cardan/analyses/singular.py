@@ -156,7 +156,7 @@ class Path:
         self.drive = m.model.coordinates.index(driver)
 
     def tangent(self, q: Array, along: Array | None) -> tuple[Array, float]:
-        """Unit tangent (nu,) without units, next to an earlier one, and the smallest singular value.
+        """Unit tangent (nu,), next to an earlier one, and the smallest singular value.
 
         Raises:
             ModelError: more than one freedom.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, final
 
 import numpy as np
@@ -193,7 +194,7 @@ def _drivers(model: CompiledModel, driver: Any, values: Any) -> dict[str, Array]
 def _follow(drive: Drive, q: Array, table: Array) -> tuple[list[Array], str | None]:
     """Positions at the rows of a table, each from the one before; why it ends early."""
     rows = [q]
-    for before, after in zip(table[:-1], table[1:], strict=True):
+    for before, after in pairwise(table):
         try:
             rows.append(drive.go(rows[-1], before, after))
         except Stuck as stuck:
