@@ -37,9 +37,21 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
+    **{
+        ("cardan.runtime.analyzed", f"Analyzed.{method}"): frozenset({f"cardan.analyses.{module}"})
+        for method, module in (
+            ("assemble", "assemble"),
+            ("sweep", "sweep"),
+            ("singular_positions", "singular"),
+            ("workspace", "workspace"),
+            ("redundancy", "redundancy"),
+        )
+    },
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
+    ("cardan.analyses.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
     ("cardan.runtime.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
 }

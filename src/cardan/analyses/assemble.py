@@ -84,20 +84,30 @@ def search(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
 ) -> list[Found]:
     """Where searches from a start and from random coordinates end."""
-    conditions, found = Conditions(m, targets), list[Found]()
+    found = list[Found]()
     given = initial_state(m.model.manifest, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
     for k in range(starts):
-        q = begin.copy() if k == 0 else _drawn(m, given, rng)
-        for target in targets:
-            if target.kind == "coordinate" and target.weight is None:
-                q[target.place] = target.value
-        end = meet(conditions, _unit(m, q))
-        found.append(replace(end, q=m.nearest(_exact(m, end, targets), begin)))
+        end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
+        found.append(replace(end, q=m.nearest(end.q, begin)))
     return found
 
 
-def _drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
+def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
+    """Where one search ends; held coordinates have their values to the bit."""
+    q = begin.copy()
+    for target in targets:
+        if target.kind == "coordinate" and target.weight is None:
+            q[target.place] = target.value
+    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.model.nu)))
+    q = end.q.copy()
+    for target in targets if end.met else ():
+        if target.kind == "coordinate" and target.weight is None and len(target.value) == 1:
+            q[target.place] = target.value
+    return replace(end, q=m.nearest(q, begin))
+
+
+def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
     """Random coordinates; lengths without limits as far from their start as the mechanism is."""
     manifest = m.model.manifest
     q = random_state(manifest, rng)[: m.model.nq]
@@ -105,20 +115,6 @@ def _drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
     for k, row in enumerate(manifest["coordinates"]):
         if row["unit"] == "m" and row.get("joint") not in bound:
             q[k] = given[k] + m.size * (q[k] - (row["default"] or 0.0))
-    return q
-
-
-def _unit(m: Mechanism, q: Array) -> Array:
-    return m.advance(q, np.zeros(m.model.nu))
-
-
-def _exact(m: Mechanism, end: Found, targets: Sequence[Target]) -> Array:
-    """Coordinates with held ones to the bit, where that is what was found."""
-    q = end.q.copy()
-    for target in targets if end.met else ():
-        turns = target.kind == "coordinate" and len(target.value) == 1
-        if turns and target.weight is None:
-            q[target.place] = target.value
     return q
 
 
@@ -153,12 +149,12 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
 
     def order(one: Found) -> tuple[bool, int, float]:
         worse = one.cost > best + REACHED
-        return worse, _outside(m, one.q), float(np.linalg.norm(m.between(begin, one.q)))
+        return worse, outside(m, one.q), float(np.linalg.norm(m.between(begin, one.q)))
 
     return min(allowed, key=order)
 
 
-def _outside(m: Mechanism, q: Array) -> int:
+def outside(m: Mechanism, q: Array) -> int:
     """How many coordinates are outside their limits."""
     places, count = entries(m.model.manifest, "q"), 0
     for name, limits in m.model.limits.items():

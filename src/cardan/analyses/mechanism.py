@@ -68,13 +68,15 @@ class Mechanism:
         count = self.closing.positions
         if count == 0:
             return np.zeros(0)
-        return self.evaluate("constraints", q) / self.rows[:count]
+        found: Array = self.evaluate("constraints", q) / self.rows[:count]
+        return found
 
     def jacobian(self, q: Array) -> Array:
         """G (m, nu), without units."""
         if not self.closing.rows:
             return np.zeros((0, self.model.nu))
-        return self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
+        found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
+        return found
 
     def rates(self, q: Array, u: Array) -> Array:
         """Residuals (m,) of the constraints of velocities, lengths without units."""

@@ -140,6 +140,11 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any) -> Start:
     return Start(*initial_state(model.manifest, names["q"], names["u"]))
 
 
+def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:
+    """What was given for q and for u: names, something else that is a whole block, or None."""
+    return (x0, x0) if x0 is not None else (q, u)
+
+
 def _by_entry(letter: str, value: Any, entries: tuple[str, ...]) -> Values:
     if value is None or isinstance(value, Mapping):
         return value or {}

@@ -62,6 +62,11 @@ class Signals:
             found |= {start + sign * k * self.sample for k in range(1, count)}
         return sorted(found, reverse=end < start)
 
+    def first(self, t: float) -> Array:
+        """r (nr,) at the start; functions, which prescribe no motion, are not asked."""
+        found: Array = self.recorded(np.array([t]), self.constants[None]).at(np.array([t]))[0]
+        return found
+
     def recorded(self, t: Array, r: Array) -> Recorded:
         """The inputs of a run with values r (nt, nr) at its times t (nt,)."""
         asked = tuple(self.functions)

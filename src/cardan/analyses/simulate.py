@@ -19,11 +19,12 @@ from ..runtime.dense import Dense
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
+from .closed_start import closed_start
 from .outcome import explain
 from .plain import PlainRunner
 from .progress import showing
 from .run import Runner
-from .settings import Settings, Start, Values, settings, start
+from .settings import Settings, Start, Values, blocks, settings, start
 from .signals import Signals, signals
 from .times import Span, span
 
@@ -55,7 +56,8 @@ def simulate(
             With an end or a pair the result is dense: every step is kept, with what is between.
         x0: Initial state (nx,); or by names:
         q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
-            or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0.
+            or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
+            of a system with circuits it is assembled next to that, see ``model.assemble``.
         method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853.
         rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
             state, root mean square over them.
@@ -82,6 +84,7 @@ def simulate(
     begin = start(model, x0, q, u)
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
+    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
     motion = _run(runner_of(model, how, given), over, begin, given, progress)
     if not motion.success:
         if check:

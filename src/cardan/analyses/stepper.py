@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
+from .closed_start import closed_start
 from .outcome import explain
 from .plain import PlainRunner
 from .run import Runner, Saved
-from .settings import Settings, Values, settings, start
+from .settings import Settings, Values, blocks, settings, start
 from .signals import signals
 from .times import Span
 
@@ -148,6 +149,7 @@ def stepper(
             )
     given = signals(model.manifest["inputs"], inputs, None, (t, t))
     begin = start(model, x0, q, u)
+    begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
     runner = runner_of(model, how, given)
     runner.want(None, dense=False)
     return Stepper(runner, begin.x, t)

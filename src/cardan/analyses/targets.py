@@ -128,12 +128,8 @@ def read(
         if not (np.isfinite(weight) and weight > 0):
             raise ModelError(f"weights: '{name}' has {weight:g}; weights are positive numbers")
     soft = [n for n in known if (n in weights if held is None else n not in held)]
-    return [
-        replace(
-            target, weight=float(weights.get(target.name, 1.0)) if target.name in soft else None
-        )
-        for target in found
-    ]
+    counts = {name: float(weights.get(name, 1.0)) for name in soft}
+    return [replace(target, weight=counts.get(target.name)) for target in found]
 
 
 def _target(m: Mechanism, name: str, value: Any) -> Target:

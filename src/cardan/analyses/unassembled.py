@@ -6,16 +6,23 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import NoReturn
 
+import numpy as np
+
 from ..errors import ModelError
 from .mechanism import Mechanism
 from .meeting import Found
 from .targets import Target
 
+WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
 Search = Callable[[Sequence[Target]], list[Found]]
 
 
 def explain(
-    m: Mechanism, targets: Sequence[Target], found: Sequence[Found], again: Search
+    m: Mechanism,
+    targets: Sequence[Target],
+    found: Sequence[Found],
+    again: Search,
+    remedy: str = WEIGHTS,
 ) -> NoReturn:
     """Raise the error for searches of which none met what must hold.
 
@@ -24,6 +31,7 @@ def explain(
         targets: All of them.
         found: Where the searches ended.
         again: Searches with other targets.
+        remedy: What to do about targets that cannot hold.
 
     Raises:
         ModelError: always.
@@ -35,7 +43,7 @@ def explain(
     if not any(one.met for one in bare):
         raise ModelError(_open(m, bare))
     conflict = _smallest(held, again)
-    raise ModelError(_conflict(m, conflict, again))
+    raise ModelError(_conflict(m, conflict, [*again(_wished(conflict)), *bare], remedy))
 
 
 def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
@@ -48,20 +56,22 @@ def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
     return kept
 
 
-def _conflict(m: Mechanism, targets: Sequence[Target], again: Search) -> str:
+def _wished(targets: Sequence[Target]) -> list[Target]:
+    """The same targets, none of which must be held."""
+    return [replace(target, weight=1.0) for target in targets]
+
+
+def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found], remedy: str) -> str:
     """What is reached where all of them are only wished for."""
-    wished = [replace(target, weight=1.0) for target in targets]
-    q = min((one for one in again(wished) if one.met), key=lambda one: one.cost).q
+
+    def away(one: Found) -> float:
+        return sum(float(np.sum(target.residual(m, one.q) ** 2)) for target in targets)
+
+    q = min((one for one in found if one.met), key=away).q
     said = [f"'{t.name}' (asked {t.asked}; reached {t.reached(m, q)})" for t in targets]
     if len(said) == 1:
-        return (
-            f"target {said[0]} is out of reach. Give it a weight to come as near as possible: "
-            f"weights={{'{targets[0].name}': 1}}"
-        )
-    return (
-        f"targets {', '.join(said[:-1])} and {said[-1]} cannot hold together. Leave one out, or "
-        "give weights= to those that need not be met exactly"
-    )
+        return f"{said[0]} is out of reach. {remedy}"
+    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together. {remedy}"
 
 
 def _open(m: Mechanism, found: Sequence[Found]) -> str:

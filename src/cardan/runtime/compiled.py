@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError
 from . import kernels
+from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
-from .described import Described
 from .evaluation import Values
 from .layout import FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction, assemble, batch
@@ -40,7 +40,7 @@ class _Calls(dict[Key, Any]):
 
 
 @final
-class CompiledModel(Described):
+class CompiledModel(Analyzed):
     """Functions of a system as compiled C.
 
     All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill

@@ -30,7 +30,8 @@ def summary(motion: Trajectory) -> str:
     given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
-    lines += _values("start", "by default", rest)
+    closed = bool(motion.manifest.get("multipliers"))
+    lines += _values("start", "assembled" if closed else "by default", rest)
     lines += _energy(motion)
     lines += _constraints(motion)
     return "\n".join(lines)

@@ -13,6 +13,8 @@ from ..runtime.trajectory import Trajectory
 
 POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
+Curve = NDArray[np.float64]
+Panels = list[tuple[str, dict[str, Curve]]]
 
 
 def plot(motion: Trajectory, path: Path | None, names: Iterable[str] | None) -> Any:
@@ -21,25 +23,74 @@ def plot(motion: Trajectory, path: Path | None, names: Iterable[str] | None) -> 
     Returns:
         The Matplotlib figure.
     """
-    try:
-        from matplotlib.figure import Figure
-    except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(
-            "motion.plot needs Matplotlib: pip install 'cardan[plot]'"
-        ) from missing
     motion = _smooth(motion)
     panels = _everything(motion) if names is None else _chosen(motion, list(names))
-    figure = Figure(figsize=(9, 2.4 * len(panels) + 0.6), layout="constrained")
+    return _figure(str(motion.manifest["name"]), "t [s]", motion.t, panels, path)
+
+
+def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], path: Any) -> Any:
+    """Draw curves over a coordinate, one panel each.
+
+    Args:
+        title, label: Headline and what is along the axis.
+        over: Along the axis (n,).
+        curves: Name -> values (n,) or (n, k).
+        path: Picture file, or None.
+
+    Returns:
+        The Matplotlib figure.
+    """
+    panels = [(name, _columns(name, np.asarray(values))) for name, values in curves.items()]
+    return _figure(title, label, over, panels, None if path is None else Path(path))
+
+
+def plot_points(title: str, points: Curve, path: Path | None) -> Any:
+    """Draw places (n, 3) from three sides.
+
+    Returns:
+        The Matplotlib figure.
+    """
+    figure = _empty((12, 4.4))
+    for axis, (i, j) in zip(figure.subplots(1, 3), ((0, 1), (0, 2), (1, 2)), strict=True):
+        axis.plot(points[:, i], points[:, j], ".", markersize=2)
+        axis.set_xlabel(f"{'xyz'[i]} [m]")
+        axis.set_ylabel(f"{'xyz'[j]} [m]")
+        axis.set_aspect("equal", adjustable="datalim")
+        axis.grid(alpha=0.3)
+    return _done(figure, title, path)
+
+
+def _figure(title: str, label: str, over: Curve, panels: Panels, path: Path | None) -> Any:
+    """Panels below each other, written to a file if there is one."""
+    figure = _empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
-    for axis, (label, curves) in zip(axes, panels, strict=True):
-        for name, values in curves.items():
-            axis.plot(motion.t, values, label=name, linewidth=1.2)
-        axis.set_ylabel(label)
+    for axis, (name, curves) in zip(axes, panels, strict=True):
+        for curve, values in curves.items():
+            axis.plot(over, values, label=curve, linewidth=1.2)
+        axis.set_ylabel(name)
         axis.grid(alpha=0.3)
         if 0 < len(curves) <= CURVES:
             axis.legend(fontsize="small", ncols=2, loc="upper right")
-    axes[-1].set_xlabel("t [s]")
-    figure.suptitle(str(motion.manifest["name"]))
+    axes[-1].set_xlabel(label)
+    return _done(figure, title, path)
+
+
+def _empty(size: tuple[float, float]) -> Any:
+    """An empty figure.
+
+    Raises:
+        ModuleNotFoundError: Matplotlib is not installed.
+    """
+    try:
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError as missing:
+        raise ModuleNotFoundError("plot needs Matplotlib: pip install 'cardan[plot]'") from missing
+    return Figure(figsize=size, layout="constrained")
+
+
+def _done(figure: Any, title: str, path: Path | None) -> Any:
+    """The figure with its headline, written to a file if there is one."""
+    figure.suptitle(title)
     if path is not None:
         path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path, dpi=130)
@@ -53,9 +104,6 @@ def _smooth(motion: Trajectory) -> Trajectory:
     between = np.linspace(motion.t[0], motion.t[-1], POINTS)
     times = np.unique(np.concatenate([motion.t, between]))
     return motion.resample(times if motion.t[-1] >= motion.t[0] else times[::-1])
-
-
-Panels = list[tuple[str, dict[str, NDArray[np.float64]]]]
 
 
 def _everything(motion: Trajectory) -> Panels:
@@ -74,12 +122,10 @@ def _everything(motion: Trajectory) -> Panels:
 
 def _chosen(motion: Trajectory, names: list[str]) -> Panels:
     """One panel for every name asked for; a block of several entries shares one."""
-    panels: Panels = []
-    for name in names:
-        values = np.asarray(motion[name])
-        if values.ndim == 1:
-            panels.append((name, {name: values}))
-        else:
-            columns = {f"{name}[{k}]": values[:, k] for k in range(values.shape[1])}
-            panels.append((name, columns))
-    return panels
+    return [(name, _columns(name, np.asarray(motion[name]))) for name in names]
+
+
+def _columns(name: str, values: Curve) -> dict[str, Curve]:
+    if values.ndim == 1:
+        return {name: values}
+    return {f"{name}[{k}]": values[:, k] for k in range(values.shape[1])}

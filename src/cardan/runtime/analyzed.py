@@ -1,0 +1,98 @@
+"""Analyses that a compiled model offers as methods; each is one function further down."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, cast
+
+from numpy.typing import ArrayLike
+
+from .described import Described
+
+if TYPE_CHECKING:
+    from ..analyses.assembly import Assembly
+    from ..analyses.redundancy import Redundancy
+    from ..analyses.singular import Singular
+    from ..analyses.sweep import Sweep
+    from ..analyses.workspace import Workspace
+    from .compiled import CompiledModel
+
+
+class Analyzed(Described):
+    """A model with analyses of its circuits."""
+
+    @property
+    def _itself(self) -> CompiledModel:
+        return cast("CompiledModel", self)
+
+    def assemble(self, targets: Mapping[str, Any] | None = None, **options: Any) -> Assembly:
+        """A state at which circuits close and targets are met: assembly, inverse kinematics.
+
+        Args:
+            targets: ``{"crank": 0.3, "hand": [x, y, z]}``: coordinates, positions (3,) or poses
+                (4, 4) of frames.
+            options: ``u``, ``udot``, ``weights``, ``hold``, ``branch``, ``start``, ``starts``,
+                ``seed``, ``t``, ``r``; see :func:`cardan.analyses.assemble.assemble`.
+        """
+        from ..analyses.assemble import assemble
+
+        return assemble(self._itself, targets, **options)
+
+    def sweep(
+        self,
+        driver: str | Mapping[str, ArrayLike],
+        values: ArrayLike | None = None,
+        **options: Any,
+    ) -> Sweep:
+        """Positions, speeds and accelerations of a driven mechanism.
+
+        Args:
+            driver: Coordinate or prescribed input that is driven through ``values`` (n,); or
+                several, ``{"left": values, "right": values}``.
+            values: Of the one driver.
+            options: ``rate``, ``acceleration``, ``hold``, ``start``, ``branch``, ``t``, ``r``,
+                ``check``; see :func:`cardan.analyses.sweep.sweep`.
+        """
+        from ..analyses.sweep import sweep
+
+        return sweep(self._itself, driver, values, **options)
+
+    def singular_positions(
+        self, coordinate: str, over: tuple[float, float], **options: Any
+    ) -> Singular:
+        """Dead points of a driver, and positions where branches meet, as a coordinate moves.
+
+        Args:
+            coordinate: What moves the mechanism.
+            over: Its range.
+            options: ``driver``, ``hold``, ``start``, ``branch``, ``step``, ``t``, ``r``; see
+                :func:`cardan.analyses.singular.singular_positions`.
+        """
+        from ..analyses.singular import singular_positions
+
+        return singular_positions(self._itself, coordinate, over, **options)
+
+    def workspace(self, frame: str, **options: Any) -> Workspace:
+        """Places that a frame reaches.
+
+        Args:
+            frame: Its origin is followed.
+            options: ``over``, ``samples``, ``start``, ``branch``, ``seed``, ``t``, ``r``; see
+                :func:`cardan.analyses.workspace.workspace`.
+        """
+        from ..analyses.workspace import workspace
+
+        return workspace(self._itself, frame, **options)
+
+    def redundancy(
+        self, q: Mapping[str, ArrayLike] | ArrayLike | None = None, **options: Any
+    ) -> Redundancy:
+        """Which constraints say the same twice at a position, and what that leaves undetermined.
+
+        Args:
+            q: An assembled position; where the model starts if left out.
+            options: ``t``, ``r``; see :func:`cardan.analyses.redundancy.redundancy`.
+        """
+        from ..analyses.redundancy import redundancy
+
+        return redundancy(self._itself, q, **options)
