@@ -20,7 +20,7 @@ from .joints import Hinge
 READ = ("connect", "weld", "joint")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Law:
     """y - y_ref = c0 + c1 (x - x_ref) + ... + c4 (x - x_ref)^4 between two joints.
 

@@ -126,11 +126,13 @@ class Reader:
         """Bodies, joints, pictures and sites."""
         scene = self.scene
         self.parts = Parts(scene, {"world": scene.ground}, {scene.ground: HERE}, {})
-        couples = {}
+        # a joint follows one other by its coupling; what more is asked of it is a constraint
+        followers: dict[str, Law] = {}
         for law in self.laws:
-            if law.couple is not None and law.follower not in couples:
-                couples[law.follower] = law.couple
-        self.couples = couples
+            if law.couple is not None:
+                followers.setdefault(law.follower, law)
+        couples = {name: law.couple for name, law in followers.items() if law.couple is not None}
+        self.laws = [law for law in self.laws if law not in followers.values()]
         self.chain = Chain(scene, self.compiler, couples, self._free, self._origin)
         made: list[Body] = []
         for one, own in zip(found, hinges, strict=True):
@@ -201,9 +203,8 @@ class Reader:
             self.parts.close(element, name)
             self._origin("joint", name, element)
         for law in self.laws:
-            if law.couple is None or self.couples.get(law.follower) is not law.couple:
-                self.scene.constraint(law.name, law.expression(self.scene))
-                self._origin("constraint", law.name, law.element)
+            self.scene.constraint(law.name, law.expression(self.scene))
+            self._origin("constraint", law.name, law.element)
 
     def _announce(self) -> None:
         """What a reader of the model must know."""

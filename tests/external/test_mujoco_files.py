@@ -1,0 +1,114 @@
+"""MJCF files as we read them and as MuJoCo does: M, bias and accelerations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.model.files.mjcf import from_text
+
+mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install mujoco")
+
+SEED, STATES = 5, 8
+FUNCTIONS = ("forward_dynamics", "mass_matrix", "bias")
+# of numbers that both compute, and of inertias that MuJoCo turns to principal axes: its iteration
+# stops where a tensor is diagonal to 1e-12, which leaves its axes turned by about 1e-8
+ROUNDING, PRINCIPAL = 1e-12, 1e-7
+
+HINGE = '<joint axis="0.3 1 0.2" pos="0.1 0 0.2"/>'
+
+
+def one(inside: str, settings: str = "", place: str = 'pos="0.1 0.2 1"') -> str:
+    return f"<mujoco>{settings}<worldbody><body {place}>{inside}</body></worldbody></mujoco>"
+
+
+TREES = {
+    "inertial": one(HINGE + '<inertial pos="0.1 0.2 0.3" quat="1 2 3 4" mass="2" '
+                    'diaginertia="1 1.2 1.5"/>'),
+    "sphere": one(HINGE + '<geom size="0.1" pos="0.2 0.3 0"/>'),
+    "box": one(HINGE + '<geom type="box" size="0.1 0.2 0.3" quat="0.7 0.1 0.2 0.3" mass="2"/>'),
+    "capsule": one(HINGE + '<geom type="capsule" fromto="0 0 0 0.3 0.1 0.5" size="0.05"/>'),
+    "cylinder": one(HINGE + '<geom type="cylinder" size="0.1 0.2" zaxis="1 1 1" pos="0 1 0"/>'),
+    "ellipsoid": one(HINGE + '<geom type="ellipsoid" size="0.1 0.2 0.15" xyaxes="1 1 0 0 1 1"/>'),
+    "ends of a box": one(HINGE + '<geom type="box" fromto="0 0 0 1 1 0" size="0.1"/>'),
+    "euler": one(HINGE + '<geom type="box" size="0.1 0.2 0.3" euler="10 20 30"/>',
+                 '<compiler eulerseq="zXy"/>', 'euler="20 -30 40"'),
+    "ball": one('<joint type="ball" pos="0 0 0.3"/><geom type="box" size="0.1 0.2 0.3"/>'),
+    "free": one('<freejoint/><geom type="box" size="0.1 0.2 0.3" pos="0.1 0 0"/>',
+                '<option gravity="1 2 -9"/>', 'pos="1 2 3" euler="10 20 30"'),
+    "three joints": one(
+        '<joint type="slide" axis="1 0 1" ref="0.1" damping="2" stiffness="10" springref="0.2"/>'
+        '<joint axis="0 0 1" pos="0 0.1 0.2" stiffness="3" springref="15" armature="0.3"/>'
+        '<joint axis="0 1 0" pos="0.2 0.1 0" ref="40"/>'
+        '<geom type="cylinder" size="0.1 0.2" pos="0.3 0 0"/>'),
+    "damped free": one('<joint type="free" damping="0.5"/><geom type="box" size="0.1 0.2 0.3"/>'),
+    "frames": '<mujoco><worldbody><frame pos="0 1 0" euler="10 20 30"><body pos="1 0 0"><frame '
+              'pos="0 0 2" quat="1 1 0 0"><joint axis="1 2 3" pos="0.1 0 0"/><geom type="box" '
+              'size="0.1 0.2 0.3"/></frame></body></frame></worldbody></mujoco>',
+    "classes": '<mujoco><compiler angle="radian"/><default><joint damping="0.3" axis="0 1 0"/>'
+               '<geom density="300"/><default class="heavy"><geom density="3000"/>'
+               '<joint armature="0.2" stiffness="2" springref="0.3"/></default></default>'
+               '<worldbody><body name="a"><joint/><geom size="0.1" pos="0.2 0 0"/>'
+               '<body childclass="heavy" pos="0.3 0 0" axisangle="1 1 0 0.7"><joint/>'
+               '<geom size="0.1" pos="0 0.2 0"/><body pos="0 0.3 0"><joint class="main"/>'
+               '<geom size="0.1" class="main" pos="0.1 0 0"/></body></body></body></worldbody>'
+               "</mujoco>",
+}  # fmt: skip
+COMBINED = {
+    "full inertia": one(HINGE + '<inertial pos="0 0 -0.1" mass="1.5" '
+                        'fullinertia="0.1 0.12 0.09 0.01 0.02 -0.01"/>'),
+    "two geoms": one(HINGE + '<geom type="capsule" fromto="0 0 0 0.3 0.1 0.5" size="0.05"/>'
+                     '<geom type="box" size="0.1 0.2 0.3" quat="0.7 0.1 0.2 0.3" mass="2"/>'),
+}  # fmt: skip
+CASES = {**dict.fromkeys(TREES, ROUNDING), **dict.fromkeys(COMBINED, PRINCIPAL)}
+
+
+class Theirs:
+    """MuJoCo's model of a file, in our order of coordinates and speeds."""
+
+    def __init__(self, text: str) -> None:
+        self.model = mujoco.MjModel.from_xml_string(text)
+        self.data = mujoco.MjData(self.model)
+        self.q: list[int] = []
+        self.u: list[int] = []
+        for j in range(self.model.njnt):
+            kind, q, u = (int(a[j]) for a in (
+                self.model.jnt_type, self.model.jnt_qposadr, self.model.jnt_dofadr))  # fmt: skip
+            if kind == mujoco.mjtJoint.mjJNT_FREE:
+                self.q += [q + 3, q + 4, q + 5, q + 6, q, q + 1, q + 2]
+                self.u += [u + 3, u + 4, u + 5, u, u + 1, u + 2]
+            else:
+                ball = kind == mujoco.mjtJoint.mjJNT_BALL
+                self.q += range(q, q + (4 if ball else 1))
+                self.u += range(u, u + (3 if ball else 1))
+
+    def at(self, q: np.ndarray, u: np.ndarray) -> Any:
+        self.data.qpos[self.q], self.data.qvel[self.u] = q, u
+        mujoco.mj_forward(self.model, self.data)
+        return self.data
+
+    @property
+    def mass_matrix(self) -> np.ndarray:
+        full = np.zeros((self.model.nv, self.model.nv))
+        mujoco.mj_fullM(self.model, full, self.data.qM)
+        return full[np.ix_(self.u, self.u)]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_trees(case: str) -> None:
+    text = {**TREES, **COMBINED}[case]
+    ours, theirs = cd.compile(from_text(text), functions=FUNCTIONS), Theirs(text)
+    for state in range(STATES):
+        q, u = ours.split(ours.random_state(SEED + state))
+        data = theirs.at(q, u)
+        for what, mine, other in (
+            ("mass matrix", ours.mass_matrix(q), theirs.mass_matrix),
+            ("bias", ours.bias(q, u), data.qfrc_bias[theirs.u]),
+            ("accelerations", ours.forward_dynamics(q, u), data.qacc_smooth[theirs.u]),
+        ):
+            size = max(1.0, float(np.abs(other).max()))
+            error = float(np.abs(mine - other).max()) / size
+            assert error <= CASES[case], f"{what}, seed {SEED + state}: {error:.2e}"
