@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import __version__, topology
 from .codegen import generate, layout, manifest
+from .equations.branches import with_branches
 from .equations.choice import chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
@@ -64,6 +65,7 @@ def derive(
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
+    branches: Mapping[str, str] | None = None,
 ) -> Equations:
     """Equations of motion of a scene.
 
@@ -81,7 +83,11 @@ def derive(
             it saves.
         constraints: How they are treated: ``"multipliers"`` (what ``"auto"`` takes),
             ``"elimination"``, ``"null_space"``, ``"baumgarte"``, ``"penalty"``, ``"augmented"``,
-            ``"perturbed"``, or one of these with its numbers, such as ``cd.Penalty(1e9)``.
+            ``"perturbed"``, or one of these with its numbers, such as ``cd.Penalty(1e9)``; or
+            ``"closed_form"``: circuits that can be are solved by formulas, which leaves their
+            independent coordinates only, and multipliers serve for the rest.
+        branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
+            default what is nearest to the initial values of its joints.
 
     Returns:
         The record that says everything else: matrices, counts, functions.
@@ -94,7 +100,10 @@ def derive(
         raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
-    system = topology.build(scene, specialize)
+    solved = branches is not None or constraints == "closed_form"
+    system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    if system.closures:
+        system = with_branches(system)
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen, method = topology.named_speeds(scene, system, speeds), "kane"
@@ -113,6 +122,7 @@ def compile(
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
     constraints: str | Treatment | None = None,
+    branches: Mapping[str, str] | None = None,
     loops: bool | None = None,
     threads: int | None = None,
 ) -> CompiledModel:
@@ -122,8 +132,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints: As :func:`derive` takes
-            them, where ``scene`` is a model.
+        coordinates, method, speeds, rewrites, specialize, constraints, branches: As
+            :func:`derive` takes them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -142,6 +152,7 @@ def compile(
         rewrites=rewrites,
         specialize=specialize,
         constraints=constraints,
+        branches=branches,
     )
     functions = (functions,) if isinstance(functions, str) else functions
     known = equations.names()

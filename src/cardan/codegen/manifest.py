@@ -70,7 +70,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
             {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
             for row in equations.constraint_rows
         ],
-        "cuts": [_cut(equations, cut) for cut in system.cuts],
+        "cuts": [_cut(equations, cut) for cut in _all_cuts(system)],
         "joints": joints,
         "fixed": list(system.fixed),
         "bodies": [
@@ -107,7 +107,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
-    unknown += ["its circuits are not judged"] if system.closed else []
+    unknown += ["its circuits are not judged"] if system.closed or system.closures else []
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
@@ -185,6 +185,11 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
         "coupled": coupled,
         "prescribed": joint.motion is not None,
     }
+
+
+def _all_cuts(system: System) -> tuple[Cut, ...]:
+    """The joints that close circuits, those that are solved in closed form first."""
+    return (*(closure.cut for closure in system.closures), *system.cuts)
 
 
 def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:

@@ -79,6 +79,8 @@ def predicted(system: System) -> tuple[str | None, str]:
     """
     if system.closed:
         return "composite", "its constraints need M"
+    if system.closures:
+        return "composite", "circuits tie joints together"
     coupled = [j.name for j in system.joints if j.coupling is not None]
     if coupled:
         return "composite", f"joint {coupled[0]} is coupled"

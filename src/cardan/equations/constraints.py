@@ -21,7 +21,8 @@ from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
-from ..topology.system import Cut, System
+from ..topology.system import System
+from .ends import ends
 from .kinematics import Kinematics
 
 POSITION, VELOCITY = "position", "velocity"
@@ -83,22 +84,6 @@ def _has_speeds(system: System, node: int) -> bool:
     return False
 
 
-@dataclass(frozen=True)
-class Ends:
-    """How the frames of a cut joint lie and move against each other.
-
-    Attributes:
-        rotation, position: R_PC (3, 3) and p_PC (3, 1) in P axes.
-        columns: Speed -> twist of C against P at the origin of C, in C axes (6, 1).
-        twist: All of it (6, 1), prescribed motion included.
-    """
-
-    rotation: Matrix
-    position: Matrix
-    columns: dict[int, Matrix]
-    twist: Matrix
-
-
 class Constraints:
     """The constraints of a system as expressions, derived when asked for.
 
@@ -110,7 +95,7 @@ class Constraints:
         self.k = k
         self.rows = rows(k.system)
         self.positions = sum(row.level == POSITION for row in self.rows)
-        self._ends = [_ends(k, cut) for cut in k.system.cuts]
+        self._ends = [ends(k, cut) for cut in k.system.cuts]
         self._closed = [
             closed(cut.element, e.rotation, e.position, data)
             for cut, e, data in zip(k.system.cuts, self._ends, self._data, strict=True)
@@ -259,47 +244,3 @@ class Constraints:
 def _times(gradient: Matrix, i: int, twist: Matrix) -> int:
     """Row i of a gradient times a twist."""
     return gradient.block(slice(i, i + 1)).T.dot(twist).node
-
-
-def _ends(k: Kinematics, cut: Cut) -> Ends:
-    """The two frames of a cut joint by the joints of its circuit, from where its branches part."""
-    g = k.graph
-    at = {cut.base: (Matrix.identity(g, 3), Matrix.zeros(g, 3))}
-    with g.made_by(cut.name, "pose"):
-        for i, _ in cut.path:
-            inner, joint = at[k.system.bodies[i].parent], k.joints[i]
-            at[i] = inner[0] @ joint.rotation, inner[1] + inner[0] @ joint.position
-        (r_p, x_p), (r_c, x_c) = (
-            _frame(k, f, at[k.system.frames[f].body]) for f in (cut.parent_frame, cut.child_frame)
-        )
-        rotation, position = r_p.T @ r_c, r_p.T @ (x_c - x_p)
-    columns: dict[int, Matrix] = {}
-    twist = Matrix.zeros(g, 6)
-    with g.made_by(cut.name, "twist"):
-        for i, sign in cut.path:
-            arm = x_c - at[i][1]
-            for slot, column in k.joints[i].columns:
-                own = _carried(at[i][0], arm, column) * sign
-                columns[slot] = columns[slot] + own if slot in columns else own
-            twist = twist + _carried(at[i][0], arm, k.joints[i].velocity) * sign
-        to_child = r_c.T
-        columns = {slot: _turned(to_child, column) for slot, column in columns.items()}
-        twist = _turned(to_child, twist)
-    return Ends(rotation, position, columns, twist)
-
-
-def _frame(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
-    f = k.system.frames[frame]
-    rotation, position = body
-    axes = k.fixed_to(f.body, k.matrix(3, 3, f.rotation))
-    return rotation @ axes, position + rotation @ k.place(frame)
-
-
-def _carried(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
-    """A twist of a body about its origin, about a point an arm away, in the axes of the base."""
-    turning = rotation @ twist.block(slice(0, 3))
-    return Matrix.vstack(turning, rotation @ twist.block(slice(3, 6)) + turning.cross(arm))
-
-
-def _turned(rotation: Matrix, twist: Matrix) -> Matrix:
-    return Matrix.vstack(rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6)))

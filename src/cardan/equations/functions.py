@@ -225,7 +225,7 @@ def _motion(c: Context) -> dict[int, Scalar]:
     if not any(joint.motion is not None for joint in c.k.system.joints):
         return {}
     udot = c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
-    return outputs.motion_forces(c.d, outputs.system_accelerations(c.d, udot))
+    return outputs.motion_forces(c.d, udot, outputs.system_accelerations(c.d, udot))
 
 
 def _outputs(c: Context) -> tuple[Output, ...]:

@@ -17,6 +17,27 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class JointPose:
+    """Where a body is against its parent, and how it can move from there.
+
+    Attributes:
+        q: Coordinates of the joint as expressions of the system's.
+        turns: Rotations (3, 3) whose product is ``rotation``.
+        rotation: R from child axes to parent axes (3, 3).
+        position: Origin of the child in parent axes (3, 1).
+        S: Modes of motion (6, nu of the joint), child axes.
+        modes: The same, not cut where values are handed on.
+    """
+
+    q: Matrix
+    turns: tuple[Matrix, ...]
+    rotation: Matrix
+    position: Matrix
+    S: Matrix
+    modes: Matrix
+
+
+@dataclass(frozen=True)
 class JointMotion:
     """Motion of a body against its parent.
 
@@ -43,13 +64,13 @@ class JointMotion:
     drift: Matrix
 
 
-def joint_motion(k: Kinematics, i: int) -> JointMotion:
-    """Motion of body i against its parent, told in the axes of the two."""
-    joint, q, u, data = k.system.joints[i], k.coordinates[i], k.speeds[i], k.data[i]
+def joint_pose(k: Kinematics, i: int) -> JointPose:
+    """Place of body i against its parent, told in the axes of the two."""
+    joint, q, data = k.system.joints[i], k.coordinates[i], k.data[i]
     g, name, parent = k.graph, joint.name, k.system.bodies[i].parent
     fixed, at = k.matrix(3, 3, joint.rotation), k.vector(joint.position)
     with g.made_by(name, "R"):
-        inner, shift = joint.element.pose(_with_offset(k, i), **data)
+        inner, shift = (k.settled(i, x) for x in joint.element.pose(_with_offset(k, i), **data))
         _label_angles(k, name, inner)
         turns = _turns(k, i, fixed, k.carry(i, "inner", inner, (), name))
         product = Matrix.identity(g, 3)
@@ -59,15 +80,24 @@ def joint_motion(k: Kinematics, i: int) -> JointMotion:
     with g.made_by(name, "p"):
         position = k.carry(i, "p", k.fixed_to(parent, at + fixed @ shift), XYZ, name)
     with g.made_by(name, "S"):
-        modes = joint.element.motion(q, **data)
+        modes = k.settled(i, joint.element.motion(q, **data))
         s = k.carry(i, "S", modes, (), name)
-    with g.made_by(name, "velocity"):
-        velocity = k.carry(i, "relative", s @ u, (), name)
-    with g.made_by(name, "drift"):
-        drift = _drift(k, i, modes, velocity)
-        if joint.motion is not None:
-            drift = drift + s * Scalar(g, k.resolve([joint.motion.acceleration])[0])
-    return JointMotion(q, u, turns, rotation, position, s, _columns(k, i, s), velocity, drift)
+    return JointPose(q, turns, rotation, position, s, modes)
+
+
+def joint_motion(k: Kinematics, i: int) -> JointMotion:
+    """Motion of body i against its parent, told in the axes of the two."""
+    joint, g, at = k.system.joints[i], k.graph, k.pose_of(i)
+    u = k.joint_speeds(i)
+    with g.made_by(joint.name, "velocity"):
+        velocity = k.carry(i, "relative", at.S @ u, (), joint.name)
+    with g.made_by(joint.name, "drift"):
+        drift = _drift(k, i, at.modes, u, velocity)
+        given = k.given_acceleration(i)
+        if given is not None:
+            drift = drift + at.S @ given
+    columns = _columns(k, i, at.S)
+    return JointMotion(at.q, u, at.turns, at.rotation, at.position, at.S, columns, velocity, drift)
 
 
 def turn(k: Kinematics, made: Turn | None) -> Matrix | None:
@@ -128,12 +158,11 @@ def _label_angles(k: Kinematics, name: str, rotation: Matrix) -> None:
             k.graph.label(node, name, op)
 
 
-def _drift(k: Kinematics, i: int, s: Matrix, velocity: Matrix) -> Matrix:
+def _drift(k: Kinematics, i: int, s: Matrix, u: Matrix, velocity: Matrix) -> Matrix:
     """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
-    q, u = k.coordinates[i], k.speeds[i]
-    own = k.system.joints[i].element.convective(q, u, **k.data[i])
+    own = k.system.joints[i].element.convective(k.coordinates[i], u, **k.data[i])
     if own is not None:
-        return own
+        return k.settled(i, own)
     w, v = velocity.block(slice(0, 3)), velocity.block(slice(3, 6))
     turning = Matrix.vstack(Matrix.zeros(k.graph, 3), w.cross(v))
     if all(k.graph.value(x) is not None for x in s.nodes):
@@ -142,10 +171,8 @@ def _drift(k: Kinematics, i: int, s: Matrix, velocity: Matrix) -> Matrix:
 
 
 def _columns(k: Kinematics, i: int, s: Matrix) -> tuple[tuple[int, Matrix], ...]:
-    joint = k.system.joints[i]
-    if joint.motion is not None:
-        return ()
-    if joint.coupling is not None:
-        leader, ratio, _ = k.leader(i)
-        return ((k.system.joints[leader].u, s * ratio),)
-    return tuple((joint.u + k, s.column(k)) for k in range(s.columns))
+    shares = k.shares(i)
+    if shares is None:
+        first = k.system.joints[i].u
+        return tuple((first + n, s.column(n)) for n in range(s.columns))
+    return tuple((slot, s @ share) for slot, share in shares.items())

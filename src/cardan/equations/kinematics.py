@@ -23,7 +23,9 @@ from ..ir.solve import solve
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from .carried import XYZ, Cuts
-from .joint_motion import JointMotion, joint_motion, turn
+from .closures import Closures
+from .joint_motion import JointMotion, JointPose, joint_motion, joint_pose, turn
+from .memo import Memo
 from .placeholders import placeholder
 
 
@@ -109,17 +111,59 @@ class Kinematics:
         return [self._data(joint) for joint in self.system.joints]
 
     @cached_property
-    def coordinates(self) -> list[Matrix]:
-        """q of every joint."""
-        return [self._joint_values(i, "q") for i in range(len(self.system.joints))]
+    def closures(self) -> Closures:
+        """The circuits that are solved in closed form."""
+        return Closures(self)
 
     @cached_property
-    def speeds(self) -> list[Matrix]:
+    def coordinates(self) -> Memo[Matrix]:
+        """q of every joint."""
+        return Memo(len(self.system.joints), lambda i: self._joint_values(i, "q"))
+
+    @cached_property
+    def speeds(self) -> Memo[Matrix]:
         """u of every joint."""
-        return [self._joint_values(i, "u") for i in range(len(self.system.joints))]
+        return Memo(len(self.system.joints), self.joint_speeds)
+
+    def joint_speeds(self, i: int) -> Matrix:
+        """u of a joint."""
+        return self._joint_values(i, "u")
+
+    def given_acceleration(self, i: int) -> Matrix | None:
+        """What udot of a joint is where that of the system is 0, None for 0."""
+        joint = self.system.joints[i]
+        if joint.closure >= 0:
+            return self.closures.velocity(joint.closure).bias[i]
+        if joint.motion is None:
+            return None
+        return self.vector([joint.motion.acceleration])
+
+    def shares(self, i: int) -> dict[int, Matrix] | None:
+        """Slot -> share of its speed in the speeds (n, 1) of a joint that has no slots of its own.
+
+        None for a joint with slots.
+        """
+        joint = self.system.joints[i]
+        if joint.motion is not None:
+            return {}
+        if joint.closure >= 0:
+            return self.closures.velocity(joint.closure).shares[i]
+        if joint.coupling is not None:
+            leader, ratio, _ = self.leader(i)
+            return {self.system.joints[leader].u: Matrix.vector(self.graph, [ratio])}
+        return None
+
+    def settled(self, i: int, x: Matrix) -> Matrix:
+        """Expressions in the coordinates of a joint, with what is known of their sines."""
+        closure = self.system.joints[i].closure
+        return x if closure < 0 else self.closures.position(closure).settled(x)
 
     def _joint_values(self, i: int, block: str) -> Matrix:
         g, joint = self.graph, self.system.joints[i]
+        if joint.closure >= 0:
+            if block == "q":
+                return self.closures.position(joint.closure).q[i]
+            return self.closures.velocity(joint.closure).rates[i]
         if joint.motion is not None:
             return self.vector([joint.motion.value if block == "q" else joint.motion.rate])
         if joint.coupling is not None:
@@ -158,6 +202,14 @@ class Kinematics:
     @cached_property
     def time_seeds(self) -> dict[int, int]:
         """Leaf -> its time derivative at udot = 0: t, q and inputs that prescribe a motion."""
+        seeds = self.slot_seeds
+        for n in range(len(self.system.closures)):
+            seeds = seeds | self.closures.seeds(n)
+        return seeds
+
+    @cached_property
+    def slot_seeds(self) -> dict[int, int]:
+        """The same without what closed circuits determine."""
         g = self.graph
         seeds = {g.var("t", 0): ONE} | input_rates(g, self.system.inputs)
         for k, node in enumerate(self.rates.nodes):
@@ -169,8 +221,17 @@ class Kinematics:
         return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, self.time_seeds))
 
     @cached_property
-    def joints(self) -> list[JointMotion]:
-        return [joint_motion(self, i) for i in range(len(self.system.joints))]
+    def joints(self) -> Memo[JointMotion]:
+        """Motion of every body against its parent."""
+        return Memo(len(self.system.joints), lambda i: joint_motion(self, i))
+
+    @cached_property
+    def _poses(self) -> Memo[JointPose]:
+        return Memo(len(self.system.joints), lambda i: joint_pose(self, i))
+
+    def pose_of(self, i: int) -> JointPose:
+        """Place of a body against its parent."""
+        return self._poses[i]
 
     # bodies
 

@@ -119,10 +119,8 @@ def generalized(k: Kinematics, loads: Loads) -> Matrix:
 
 def spread(k: Kinematics, joint: int, force: Matrix) -> dict[int, int]:
     """A force along the speeds of one joint as a generalized force of the system: slot -> node."""
-    record = k.system.joints[joint]
-    if record.coupling is not None:
-        leader, ratio, _ = k.leader(joint)
-        return {k.system.joints[leader].u: (force[0] * ratio).node}
-    if record.motion is not None:
-        return {}
-    return {record.u + n: node for n, node in enumerate(force.nodes)}
+    shares = k.shares(joint)
+    if shares is None:
+        first = k.system.joints[joint].u
+        return {first + n: node for n, node in enumerate(force.nodes)}
+    return {slot: share.dot(force).node for slot, share in shares.items()}

@@ -12,12 +12,12 @@ from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, second_moment
 from ..topology.system import Part
 from .accelerations import Accelerations, accelerations, second_moment_force
-from .closing_loads import closing_loads, together
+from .closing_loads import Closing, closing_wrenches, together, with_closing
 from .dynamics import Dynamics
 from .inertia import of_body
 from .kinematics import Kinematics
-from .loads import Loads, applied
-from .relative.newton_euler import along_joint, driving_force, joint_forces
+from .loads import applied
+from .relative.newton_euler import JointForces, along_joint, driving_force, joint_forces
 
 
 def pose(k: Kinematics, frame: int) -> Matrix:
@@ -154,40 +154,38 @@ def accelerated(d: Dynamics) -> tuple[Matrix, Accelerations]:
     return udot, system_accelerations(d, udot)
 
 
-def all_loads(d: Dynamics, tau: Matrix) -> Loads:
-    """Applied forces, and those of the joints that close circuits under tau."""
-    if not d.k.system.cuts:
-        return d.loads
-    closing = closing_loads(d.constraints, d.bound(tau)[1])
-    return replace(d.loads, wrenches=together(d.loads.wrenches, closing))
-
-
 def reaction(d: Dynamics, name: str) -> Matrix:
     """Wrench of parent on child of a joint (6, 1), at the child joint frame in its axes.
 
     Moment first. Joints with motion and fixed joints alike.
     """
-    _, acc = accelerated(d)
-    for n, cut in enumerate(d.k.system.cuts):
-        if cut.name == name:
-            return d.constraints.wrench(n, d.bound(d.tau)[1])
-    forces = joint_forces(d.k, acc, all_loads(d, d.tau))
+    udot, acc = accelerated(d)
+    closing = closing_wrenches(d, d.tau, udot, acc)
+    for own in closing:
+        if own.cut.name == name:
+            return own.wrench
+    forces = joint_forces(d.k, acc, with_closing(d.k, d.loads, closing))
     for i, joint in enumerate(d.k.system.joints):
         if joint.name == name:
             wrench = Matrix.vstack(forces.moment[i], forces.force[i])
             return _on_declared_child(d.k, i, wrench) if joint.reversed else wrench
-    return _fixed_reaction(d, name, acc, forces.moment, forces.force)
+    return _fixed_reaction(d, name, acc, forces, closing)
 
 
 def _on_declared_child(k: Kinematics, i: int, wrench: Matrix) -> Matrix:
     """Wrench on the inner body of joint i, whose child it is, at its frame in its axes."""
-    rotation, position = k.system.joints[i].element.pose(k.coordinates[i], **k.data[i])
+    pose = k.system.joints[i].element.pose(k.coordinates[i], **k.data[i])
+    rotation, position = (k.settled(i, x) for x in pose)
     moment, force = (rotation @ wrench.block(slice(a, a + 3)) for a in (0, 3))
     return -Matrix.vstack(moment + position.cross(force), force)
 
 
 def _fixed_reaction(
-    d: Dynamics, name: str, acc: Accelerations, moments: list[Matrix], forces: list[Matrix]
+    d: Dynamics,
+    name: str,
+    acc: Accelerations,
+    joints: JointForces,
+    closing: tuple[Closing, ...],
 ) -> Matrix:
     """Reaction inside a rigid body: balance of the parts outboard of a fixed joint."""
     k = d.k
@@ -197,14 +195,14 @@ def _fixed_reaction(
     for j in outboard:
         own = _part_force(d, body, parts[j], acc)
         moment, force = moment + own[0], force + own[1]
-    applied_here = _applied(d, body, parts, outboard)
+    applied_here = _applied(d, body, parts, outboard, closing)
     moment, force = moment - applied_here[0], force - applied_here[1]
     # joints that leave from the outboard parts pull on them
     for i, joint in enumerate(k.system.joints):
         frame = k.system.frames[joint.parent_frame]
         if frame.body == body and frame.part in outboard:
-            carried = k.joints[i].rotation @ forces[i]
-            turned = k.joints[i].rotation @ moments[i]
+            carried = k.joints[i].rotation @ joints.force[i]
+            turned = k.joints[i].rotation @ joints.moment[i]
             moment = moment + turned + k.joints[i].position.cross(carried)
             force = force + carried
     held = next(p for p in parts if p.joint == name)
@@ -247,25 +245,33 @@ def _part_force(d: Dynamics, body: int, part: Part, acc: Accelerations) -> tuple
 
 
 def _applied(
-    d: Dynamics, body: int, parts: tuple[Part, ...], chosen: set[int]
+    d: Dynamics,
+    body: int,
+    parts: tuple[Part, ...],
+    chosen: set[int],
+    closing: tuple[Closing, ...],
 ) -> tuple[Matrix, Matrix]:
-    """Moment and force that elements and the block ``wrench`` apply to some parts of a body."""
+    """What elements, the block ``wrench`` and circuits apply to some parts of a body."""
     frames = d.k.system.frames
     mine = {i for i, f in enumerate(frames) if f.body == body and f.part in chosen}
     zero = Matrix.zeros(d.k.graph, 3)
     moment, force = applied(d.k, mine).wrenches.get(body, (zero, zero))
     outside = external(d, {parts[j].name for j in chosen}) if body >= 0 else {}
-    total = together({body: (moment, force)}, outside)
-    if d.k.system.cuts:
-        total = together(total, closing_loads(d.constraints, d.bound(d.tau)[1], mine))
-    return total[body]
+    loads = replace(d.loads, wrenches=together({body: (moment, force)}, outside))
+    return with_closing(d.k, loads, closing, mine).wrenches[body]
 
 
-def motion_forces(d: Dynamics, acc: Accelerations) -> dict[int, Scalar]:
-    """Force that moves every prescribed joint as prescribed, along its coordinate."""
+def motion_forces(d: Dynamics, udot: Matrix, acc: Accelerations) -> dict[int, Scalar]:
+    """Force that moves every prescribed joint as prescribed, along its coordinate.
+
+    Args:
+        udot: Accelerations of the system without tau (nu, 1).
+        acc: Those of the bodies.
+    """
     moved = [i for i, joint in enumerate(d.k.system.joints) if joint.motion is not None]
     if not moved:
         return {}
-    forces = joint_forces(d.k, acc, all_loads(d, Matrix.zeros(d.k.graph, d.k.system.nu)))
+    closing = closing_wrenches(d, Matrix.zeros(d.k.graph, d.k.system.nu), udot, acc)
+    forces = joint_forces(d.k, acc, with_closing(d.k, d.loads, closing))
     still = Matrix.zeros(d.k.graph, 1)
     return {i: driving_force(d.k, i, forces, d.loads, still)[0] for i in moved}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -21,7 +21,7 @@ from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
 from .reference import Reference
-from .system import GROUND, Body, Cut, Frame, Joint, Nodes, Part
+from .system import GROUND, Body, Closure, Cut, Frame, Joint, Nodes, Part
 from .tree import Branch, Closing
 
 ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
@@ -169,7 +169,6 @@ class Assembly:
         check_coincidence(self.convert, joint.name, element, data)
         if branch.reversed:
             element, data = self._reversed(joint, data)
-        slots = joint.motion is None and joint.couple is None
         frames = {
             role: self._joint_frame(
                 place,
@@ -189,19 +188,30 @@ class Assembly:
                 child_frame=frames[far],
                 rotation=outer_side.rotation,
                 position=outer_side.position,
-                q=self.nq if slots else -1,
-                u=self.nu if slots else -1,
+                q=-1,
+                u=-1,
                 q0=joint.q0,
                 u0=joint.u0,
                 limits=joint.limits,
                 reversed=branch.reversed,
             )
         )
-        coordinates, speeds = element.coordinates, element.speeds
-        motion.define_coordinates(
-            self.convert, joint.name, coordinates, speeds, (self.nq, self.nu) if slots else None
-        )
-        if slots:
+
+    def number(self, closures: Sequence[Closure]) -> None:
+        """Slots of the joints that move freely, now that it is known which ones do not."""
+        circuit = {i: n for n, closure in enumerate(closures) for i in closure.unknown}
+        for i, joint in enumerate(self.joints):
+            if i in circuit:
+                self.joints[i] = motion.replaced(joint, closure=circuit[i])
+                continue
+            user = self.model.joints[joint.name]
+            if user.motion is not None or user.couple is not None:
+                continue
+            coordinates, speeds = joint.element.coordinates, joint.element.speeds
+            self.joints[i] = motion.replaced(joint, q=self.nq, u=self.nu)
+            motion.define_coordinates(
+                self.convert, joint.name, coordinates, speeds, (self.nq, self.nu)
+            )
             self.nq += len(coordinates)
             self.nu += len(speeds)
 

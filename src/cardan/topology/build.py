@@ -13,20 +13,27 @@ from . import announcements, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
 from .circuits import independent
+from .closed_forms import closed_forms
 from .convert import Converter
 from .pictures import pictures
 from .rotors import with_rotors
-from .system import Atom, Force, Named, System
+from .system import Atom, Closure, Force, Named, System
 from .tree import rooted_tree
 
 
-def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] = False) -> System:
+def build(
+    model: Model,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    branches: Mapping[str, str] | None = None,
+) -> System:
     """The system graph of a model.
 
     Args:
         model: The scene; it is not changed.
         specialize: Parameters that become numbers of the equations: names, or values by name;
             True for all.
+        branches: Solve circuits in closed form where that can be: joint that closes one -> "+" or
+            "-". None: solve none.
 
     Returns:
         The system, with notes on what does not act.
@@ -36,7 +43,7 @@ def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] =
         ModelError: quantities that cannot be what they say.
     """
     try:
-        return _build(model, BuiltIn.of(specialize))
+        return _build(model, BuiltIn.of(specialize), branches)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
@@ -49,9 +56,9 @@ def build(model: Model, specialize: bool | Sequence[str] | Mapping[str, float] =
         raise found from problem
 
 
-def _build(model: Model, built_in: BuiltIn | None) -> System:
+def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] | None) -> System:
     scene, rotors = with_rotors(model)
-    branches, closing = rooted_tree(scene)
+    tree, closing = rooted_tree(scene)
     convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
     inputs = motion.declare_inputs(scene, convert)
@@ -60,11 +67,18 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
 
     # the tree: bodies, frames, joints and their slots
     assembly = Assembly(scene, convert, rotors.place)
-    for branch in branches:
+    for branch in tree:
         assembly.add(branch)
     assembly.couple()
     for joint in closing:
         assembly.close(joint)
+    parents = [rigid.parent for rigid in assembly.bodies]
+    cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
+    closures: tuple[Closure, ...] = ()
+    if branches is not None:
+        free = [scene.joints[j.name].motion is None for j in assembly.joints]
+        closures, cuts = closed_forms(cuts, assembly.joints, free, branches)
+    assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:
             assembly.frame(frame, frame.name)
@@ -79,8 +93,6 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
-    parents = [rigid.parent for rigid in assembly.bodies]
-    cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
     convert.finish()
     made = System(
         name=scene.name,
@@ -97,6 +109,7 @@ def _build(model: Model, built_in: BuiltIn | None) -> System:
         nq=assembly.nq,
         nu=assembly.nu,
         cuts=cuts,
+        closures=closures,
         constraints=constraints,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),

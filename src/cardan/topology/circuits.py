@@ -104,7 +104,15 @@ def _independent(
         group = np.stack([back.carried(twist) for twist in algebra], axis=1)
         blocks.append(numbers.gradient(cut, pose) @ group)
     rank = int(np.linalg.matrix_rank(blocks[-1], tol=DEPENDENT * max(1.0, abs(blocks[-1]).max())))
-    return dataclasses.replace(cut, rows=_leading(np.hstack(blocks), rank))
+    rows = _leading(np.hstack(blocks), rank)
+    return dataclasses.replace(cut, rows=rows, group=_group(algebra))
+
+
+def _group(algebra: Sequence[Array]) -> str:
+    """What twists that generate nothing else move in."""
+    turning = np.stack([twist[:3] for twist in algebra])
+    turns = int(np.linalg.matrix_rank(turning, tol=DEPENDENT)) if len(algebra) == 3 else 0
+    return {1: "planar", 3: "spherical"}.get(turns, "")
 
 
 def closure(twists: Sequence[Array]) -> list[Array]:

@@ -57,15 +57,13 @@ def define_coordinates(
     joint: str,
     coordinates: Sequence[Component],
     speeds: Sequence[Component],
-    slots: tuple[int, int] | None,
+    slots: tuple[int, int],
 ) -> None:
-    """Symbols of the coordinates and speeds of a joint; placeholders where it has no slots.
+    """Symbols of the coordinates and speeds of a joint.
 
     Raises:
         ModelError: something else has the name of a coordinate.
     """
-    if slots is None:
-        return
     for block, start, prefix, components in (
         ("q", slots[0], joint, coordinates),
         ("u", slots[1], f"{joint}.u", speeds),

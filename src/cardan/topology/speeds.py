@@ -29,9 +29,9 @@ def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tup
     convert.moving = True
     declare_inputs(model, convert)
     for joint in system.joints:
-        slots = (joint.q, joint.u) if joint.q >= 0 else None
-        element = joint.element
-        define_coordinates(convert, joint.name, element.coordinates, element.speeds, slots)
+        if joint.q >= 0:
+            element, slots = joint.element, (joint.q, joint.u)
+            define_coordinates(convert, joint.name, element.coordinates, element.speeds, slots)
     for name, atom in system.atoms.items():
         if atom.quantity in ("q", "u"):
             convert.define(name, system.graph.atom(name))

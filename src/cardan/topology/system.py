@@ -152,6 +152,8 @@ class Joint:
         q0, u0: Initial values as named in the model.
         limits: (lower, upper, speed, effort) as far as given.
         offset: Added to the angle of a joint along a line.
+        closure: Index in ``System.closures`` of the circuit that determines its coordinates, -1
+            for none.
         follows: Turns about the line about which the parent does, from the same axes at angle 0.
         reversed: Declared with the outer body as parent; element and data are told the other way.
     """
@@ -172,6 +174,7 @@ class Joint:
     limits: tuple[float | None, float | None, float | None, float | None] = (None,) * 4
     offset: int = 0
     follows: bool = False
+    closure: int = -1
     reversed: bool = False
 
 
@@ -188,6 +191,7 @@ class Cut:
         rows: Which of its closing conditions are independent of each other, whatever the motion
             of the circuit; the others hold by themselves.
         reason: Why this joint was cut.
+        group: What the circuit moves in: "planar", "spherical" or "".
     """
 
     name: str
@@ -199,6 +203,24 @@ class Cut:
     path: tuple[tuple[int, int], ...]
     rows: tuple[int, ...]
     reason: str = ""
+    group: str = ""
+
+
+@dataclass(frozen=True)
+class Closure:
+    """A circuit whose joints follow from the others in closed form.
+
+    Attributes:
+        cut: The joint that closes it.
+        kind: How it is solved: a member of ``equations.closures``.
+        unknown: The tree joints that follow, each after those it is carried by.
+        branch: 1 or -1: which of the two solutions.
+    """
+
+    cut: Cut
+    kind: str
+    unknown: tuple[int, ...]
+    branch: int
 
 
 @dataclass(frozen=True)
@@ -244,7 +266,8 @@ class System:
     """A scene as a graph with expressions.
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
-    ``cuts`` close the circuits of the tree, ``constraints`` are expressions that are kept at 0.
+    ``cuts`` close the circuits of the tree, but for ``closures``, which are solved in closed form;
+    ``constraints`` are expressions that are kept at 0.
     ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
     ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
     what the user should know.
@@ -264,6 +287,7 @@ class System:
     nq: int
     nu: int
     cuts: tuple[Cut, ...] = ()
+    closures: tuple[Closure, ...] = ()
     constraints: tuple[Named, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
@@ -279,7 +303,8 @@ class System:
     @property
     def moving_joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, then of those that are cut."""
-        return (*(joint.name for joint in self.joints), *(cut.name for cut in self.cuts))
+        closing = (*(closure.cut for closure in self.closures), *self.cuts)
+        return (*(joint.name for joint in self.joints), *(cut.name for cut in closing))
 
     @property
     def closed(self) -> bool:

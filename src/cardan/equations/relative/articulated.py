@@ -65,7 +65,7 @@ def forward_dynamics(k: Kinematics, tau: Matrix, loads: Loads, gravity: Matrix) 
 
 
 def _refuse_coupled(k: Kinematics) -> None:
-    coupled = [j.name for j in k.system.joints if j.coupling is not None]
+    coupled = [j.name for j in k.system.joints if j.coupling is not None or j.closure >= 0]
     if coupled:
         raise DerivationError(
             f"method 'articulated' cannot eliminate the coupled joints {', '.join(coupled)}: "

@@ -99,14 +99,12 @@ def inward(k: Kinematics, body: int, momentum: Matrix) -> Matrix:
 def _add_rotor(k: Kinematics, entries: list[list[int]], i: int, loads: Loads) -> None:
     if i not in loads.rotors:
         return
-    joint, rotor = k.system.joints[i], loads.rotors[i]
-    if joint.coupling is not None:
-        leader, ratio, _ = k.leader(i)
-        slot = k.system.joints[leader].u
-        added = (rotor[0, 0] * ratio * ratio).node
-        entries[slot][slot] = k.graph.add(entries[slot][slot], added)
-    elif joint.motion is None:
-        for a in range(rotor.rows):
-            for b in range(a + 1):
-                at = entries[joint.u + a]
-                at[joint.u + b] = k.graph.add(at[joint.u + b], rotor[a, b].node)
+    rotor, shares = loads.rotors[i], k.shares(i)
+    if shares is None:
+        first, unit = k.system.joints[i].u, Matrix.identity(k.graph, loads.rotors[i].rows)
+        shares = {first + n: unit.column(n) for n in range(unit.columns)}
+    for row, own in shares.items():
+        for column, other in shares.items():
+            if column <= row:
+                added = own.dot(rotor @ other).node
+                entries[row][column] = k.graph.add(entries[row][column], added)

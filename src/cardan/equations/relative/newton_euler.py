@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ..accelerations import Accelerations, accelerations, own_force
@@ -68,12 +67,9 @@ def driving_force(k: Kinematics, i: int, forces: JointForces, loads: Loads, udot
     s = k.joints[i].S
     value = s.T @ Matrix.vstack(forces.moment[i], forces.force[i])
     if i in loads.rotors:
-        rotor = udot
-        motion = k.system.joints[i].motion
-        if motion is not None:
-            rotor = rotor + Matrix.vector(
-                k.graph, [Scalar(k.graph, k.resolve([motion.acceleration])[0])]
-            )
+        rotor, given = udot, k.given_acceleration(i)
+        if given is not None:
+            rotor = rotor + given
         value = value + loads.rotors[i] @ rotor
     if i in loads.joints:
         value = value - loads.joints[i]
@@ -81,14 +77,18 @@ def driving_force(k: Kinematics, i: int, forces: JointForces, loads: Loads, udot
 
 
 def along_joint(k: Kinematics, i: int, udot: Matrix) -> Matrix:
-    """The part of udot (nu, 1) along the speeds of one joint, 0 for a prescribed one."""
+    """The part of udot (nu, 1) along the speeds of one joint, 0 for a prescribed one.
+
+    A joint that others determine has its share of theirs.
+    """
     joint, count = k.system.joints[i], len(k.system.joints[i].element.speeds)
-    if joint.motion is not None:
-        return Matrix(k.graph, count, 1, [ZERO] * count)
-    if joint.coupling is not None:
-        leader, ratio, _ = k.leader(i)
-        return Matrix.vector(k.graph, [udot[k.system.joints[leader].u] * ratio])
-    return udot.block(slice(joint.u, joint.u + count))
+    shares = k.shares(i)
+    if shares is None:
+        return udot.block(slice(joint.u, joint.u + count))
+    total = Matrix.zeros(k.graph, count)
+    for slot, share in shares.items():
+        total = total + share * udot[slot]
+    return total
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:

@@ -32,12 +32,11 @@ def treatment(asked: str | Treatment) -> Treatment:
     """
     if isinstance(asked, Treatment):
         return asked
-    if asked == "auto":
+    if asked in ("auto", "closed_form"):
         return Multipliers()
     if asked not in TREATMENTS:
-        raise DerivationError(
-            f"constraints='{asked}' is no way to treat them.{near(str(asked), TREATMENTS)}"
-        )
+        known = near(str(asked), (*TREATMENTS, "closed_form"))
+        raise DerivationError(f"constraints='{asked}' is no way to treat them.{known}")
     return TREATMENTS[asked]()
 
 

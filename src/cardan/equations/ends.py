@@ -1,0 +1,89 @@
+"""How the two frames of a joint that closes a circuit lie and move against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ..ir.matrix import Matrix
+from ..topology.system import Cut
+
+if TYPE_CHECKING:
+    from .kinematics import Kinematics
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The frames of a cut joint, P on its parent and C on its child.
+
+    Attributes:
+        rotation, position: R_PC (3, 3) and p_PC (3, 1) in P axes.
+        columns: Speed -> twist of C against P at the origin of C, in C axes (6, 1).
+        twist: All of it (6, 1), prescribed motion included.
+        open: (joint, number of its speed) -> the same for joints whose speeds are looked for;
+            they are not in ``columns`` and ``twist``.
+    """
+
+    rotation: Matrix
+    position: Matrix
+    columns: dict[int, Matrix]
+    twist: Matrix
+    open: dict[tuple[int, int], Matrix]
+
+
+def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = ()) -> Ends:
+    """The frames of a cut joint by the joints of its circuit, from where its branches part.
+
+    Args:
+        k: Motion of the tree.
+        cut: The joint.
+        unknown: Joints of the circuit whose speeds are looked for.
+    """
+    g = k.graph
+    at = {cut.base: (Matrix.identity(g, 3), Matrix.zeros(g, 3))}
+    with g.made_by(cut.name, "pose"):
+        for i, _ in cut.path:
+            inner, pose = at[k.system.bodies[i].parent], k.pose_of(i)
+            at[i] = inner[0] @ pose.rotation, inner[1] + inner[0] @ pose.position
+        (r_p, x_p), (r_c, x_c) = (
+            placed(k, f, at[k.system.frames[f].body]) for f in (cut.parent_frame, cut.child_frame)
+        )
+        rotation, position = r_p.T @ r_c, r_p.T @ (x_c - x_p)
+    columns, free = dict[int, Matrix](), dict[tuple[int, int], Matrix]()
+    twist = Matrix.zeros(g, 6)
+    with g.made_by(cut.name, "twist"):
+        for i, sign in cut.path:
+            arm = x_c - at[i][1]
+            if i in unknown:
+                modes = k.pose_of(i).S
+                for n in range(modes.columns):
+                    free[i, n] = _carried(at[i][0], arm, modes.column(n)) * sign
+                continue
+            for slot, column in k.joints[i].columns:
+                own = _carried(at[i][0], arm, column) * sign
+                columns[slot] = columns[slot] + own if slot in columns else own
+            twist = twist + _carried(at[i][0], arm, k.joints[i].velocity) * sign
+        to_child = r_c.T
+        columns = {slot: _turned(to_child, column) for slot, column in columns.items()}
+        free = {key: _turned(to_child, column) for key, column in free.items()}
+        twist = _turned(to_child, twist)
+    return Ends(rotation, position, columns, twist, free)
+
+
+def placed(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
+    """A frame of a body that is placed in some axes, in those axes."""
+    f = k.system.frames[frame]
+    rotation, position = body
+    axes = k.fixed_to(f.body, k.matrix(3, 3, f.rotation))
+    return rotation @ axes, position + rotation @ k.place(frame)
+
+
+def _carried(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
+    """A twist of a body about its origin, about a point an arm away, in the axes of the base."""
+    turning = rotation @ twist.block(slice(0, 3))
+    return Matrix.vstack(turning, rotation @ twist.block(slice(3, 6)) + turning.cross(arm))
+
+
+def _turned(rotation: Matrix, twist: Matrix) -> Matrix:
+    return Matrix.vstack(rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6)))
