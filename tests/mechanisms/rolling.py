@@ -23,7 +23,7 @@ def skate() -> cd.Model:
     scene = cd.Model("skate", gravity=(1.5, 0.4, -9.5))
     disk = scene.body("disk", mass=2.0, com=(0.02, 0, 0.05), inertia=(0.02, 0.03, 0.02))
     bob = scene.body("bob", mass=0.3, com=(0, 0, -0.2), inertia=(0.004, 0.004, 0.001))
-    scene.joint("edge", cd.RollingDisk(0.2, "z", knife_edge=True), scene.ground, disk)
+    scene.joint("rolls", cd.RollingDisk(0.2, "z", knife_edge=True), scene.ground, disk)
     scene.joint("hinge", cd.Revolute("y"), disk.at(0, 0.1, 0), bob)
     return scene
 
@@ -39,10 +39,10 @@ def wheel() -> cd.Model:
 
 
 def tire() -> cd.Model:
-    """A wheel that may slide sideways, declared from the wheel to the ground."""
+    """An unbalanced wheel that may slide sideways on a wall."""
     scene = cd.Model("tire", gravity=(0, 0, -9.81))
     rim = scene.body("rim", mass=3.0, com=(0.02, 0.01, 0), inertia=(0.05, 0.09, 0.05))
-    scene.joint("plane", cd.Wheel(0.35, 0.1, "x", lateral_slip=True).reversed(), rim, scene.ground)
+    scene.joint("rolls", cd.Wheel(0.35, 0.1, "x", lateral_slip=True), scene.ground, rim)
     return scene
 
 
