@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -46,8 +47,10 @@ def machine(kind: Joint, cut: bool, back: bool = False) -> cd.Model:
     one, other = arm.at(0.1, 0.2, -0.5, rotation=("XYZ", 0.2, -0.3, 0.5)), load.at(0, 0.1, 0.1)
     if cut:
         scene.joint("float", cd.Free(), scene.ground, load)
-    ends = (other, one) if back else (one, other)
-    scene.joint("tested", kind.reversed() if back else kind, *ends, cut=cut)
+    made = scene.joint("tested", kind, one, other, cut=cut)
+    if back:
+        ends = {"parent": made.child, "child": made.parent}
+        scene.joints["tested"] = dataclasses.replace(made, kind=kind.reversed(), **ends)
     return scene
 
 

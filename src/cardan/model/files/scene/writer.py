@@ -10,7 +10,6 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from ....elements.joints.joint import Reversed
 from ....elements.written import AXES
 from ....errors import ModelError
 from ...body import INERTIA_ENTRIES, Body
@@ -238,11 +237,6 @@ class _Writer:
 
     def _joint(self, joint: Joint) -> dict[str, Any]:
         where = f"joint '{joint.name}'"
-        if isinstance(joint.kind, Reversed):
-            raise ModelError(
-                f"{where} ({joint.kind.kind}): a reversed kind cannot be said in a scene file; "
-                "take the kind itself, and exchange parent and child"
-            )
         made: dict[str, Any] = {"type": joint.kind.kind}
         made |= self._element(joint.kind, where)
         made |= {"parent": self._place(joint.parent), "child": self._place(joint.child)}
