@@ -368,6 +368,14 @@ def test_names_and_units(bench: Bench) -> None:
     assert isinstance(bench.joint.domain, str)
 
 
+def test_a_reversed_kind_is_declared_by_exchanged_ends() -> None:
+    scene = cd.Model("m")
+    body = scene.body("b", mass=1)
+    with pytest.raises(cd.ModelError, match=r"'j' \(spherical\): .* exchange parent and child"):
+        scene.joint("j", cd.Spherical().reversed(), scene.ground, body)
+    assert cd.Revolute("-y").reversed() == cd.Revolute("y")
+
+
 BAD: dict[str, tuple[Callable[[], Joint], str]] = {
     "letter": (lambda: cd.Revolute("w"), "revolute joint: axis 'w' is no direction; give 'x'"),
     "zero": (lambda: cd.Prismatic((0, 0, 0)), "prismatic joint: axis is the zero vector"),
@@ -383,6 +391,21 @@ BAD: dict[str, tuple[Callable[[], Joint], str]] = {
     "seven": (lambda: cd.Custom(sympy.symbols("x0:7")), "give one to six different symbols"),
     "rows": (lambda: cd.Custom([a], rotation=[[1, 0, 0]]), "rotation must have 3 rows of 3"),
     "row": (lambda: cd.Custom([a], rotation=[[1, 0]] * 3), r"rotation\[0\] has 2 entries; give 3"),
+    "radius": (lambda: cd.Wheel(0), "wheel: radius is 0.0; give a number above 0"),
+    "crown": (lambda: cd.Wheel(0.3, 0.4), "crown is 0.4; give a length from 0 to the radius 0.3"),
+    "hollow": (lambda: cd.Wheel(0.3, -0.1), "wheel: crown is -0.1"),
+    "disk": (lambda: cd.RollingDisk(-1.0), "rolling disk: radius is -1.0; give a number above 0"),
+    "rod": (lambda: cd.Distance("long"), "distance: length is 'long'; give a finite number"),
+    "rod axis": (lambda: cd.Distance(1, (0, 0, 0)), "distance: axis is the zero vector"),
+    "ratio": (lambda: cd.Gear("a", None), "gear: ratio is None; give a finite number"),
+    "shaft": (lambda: cd.ConstantVelocity("w"), "constant-velocity joint: axis 'w' is no dir"),
+    "plane": (lambda: cd.PointOnPlane("n"), "point on a plane: normal 'n' is no direction"),
+    "turn": (lambda: cd.PointOnPlane("z", "quat"), "point on a plane: parametrization 'quat'"),
+    "point": (lambda: cd.PointOnCurve([(0, 0, 0)]), "points must be at least 2 rows of 3"),
+    "words": (lambda: cd.PointOnCurve("line"), "points must be at least 2 rows of 3 numbers"),
+    "flat": (lambda: cd.PointOnCurve([(0, 0), (1, 1)]), r"points\[0\] has 2 entries; give 3"),
+    "stays": (lambda: cd.PointOnCurve([(0, 0, 0)] * 2), r"points\[1\] is the point before it"),
+    "symbol": (lambda: cd.PointOnCurve([(0, 0, 0), (a, 0, 1)]), r"points\[1\] must be numbers"),
     "place": (lambda: cd.Custom([a], position=(a, 0)), "position has 2 entries; give 3"),
 }
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import cardan as cd
 from laws.cases import SEED, bound, call, derived, deviation, states
 from mechanisms import METHODS, ZOO
+from mechanisms.rolling import ROLLING
 
 PAIRS = [(name, method) for name, member in ZOO.items() for method in member.methods[1:]]
 
@@ -69,6 +71,7 @@ def test_the_zoo_covers_what_it_promises() -> None:
     from cardan.spatial.rotations import ROTATIONS
 
     systems = [derived(name, "newton_euler").system for name in ZOO]
+    systems += [cd.derive(build()).system for build in ROLLING.values()]
     elements = [joint.element for system in systems for joint in system.joints]
     kinds = {element.kind for element in elements}
     kinds |= {"fixed"} if any(system.fixed for system in systems) else set()

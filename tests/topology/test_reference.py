@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from cardan.elements.joints import Free, Revolute
+from cardan.elements.joints import Distance, Free, Revolute
 from cardan.errors import ModelError
 from cardan.model import Model
 from cardan.topology import build
@@ -71,6 +71,53 @@ def test_frames_and_pose_that_disagree():
     a = scene.body("a", mass=1.0, pose=(0, 0, 1))
     scene.joint("j", Revolute("y"), scene.ground.at(0, 0, 0.5), a.at(0, 0, -0.5))
     np.testing.assert_allclose(frame_pose(build(scene), "a")[:3, 3], [0, 0, 1])
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_poses_through_joints_of_either_direction(back):
+    """Three bodies, one placed by the joint's place, one by its pose, one by frames."""
+    scene = Model("m")
+    a, b, c = (scene.body(n, mass=1.0, pose=(1, 2, 3) if n == "b" else None) for n in "abc")
+    ends = [(scene.ground, a), (a, b), (b.at(0, 0, 1), c.at(0.5, 0, 0))]
+    for name, pair, at in zip("ijk", ends, ((1, 0, 0), (1, 1, 1), None), strict=True):
+        scene.joint(name, Revolute("y"), *(pair[::-1] if back else pair), at=at)
+    system = build(scene)
+    assert [joint.reversed for joint in system.joints] == [back] * 3
+    for name, place in zip("abc", ((1, 0, 0), (1, 2, 3), (0.5, 2, 4)), strict=True):
+        np.testing.assert_allclose(frame_pose(system, name)[:3, 3], place, rtol=0, atol=1e-15)
+    # the joints are where they were put: a quarter turn of the first two about them
+    turn = np.array([np.pi / 2, 0, 0]) * (-1 if back else 1)
+    np.testing.assert_allclose(frame_pose(system, "a", turn)[:3, 3], [1, 0, 0], atol=1e-15)
+    np.testing.assert_allclose(frame_pose(system, "b", turn)[:3, 3], [4, 2, 0], atol=1e-15)
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_frames_that_stay_apart_at_zero(back):
+    """A rod of 2 m down from the joint's place; where the pose says otherwise, it is an error."""
+    scene = Model("m")
+    a = scene.body("a", mass=1.0)
+    b = scene.body("b", mass=1.0)
+    rod = Distance(2.0, "-z")
+    scene.joint("j", rod, *((a, scene.ground) if back else (scene.ground, a)), at=(1, 0, 5))
+    scene.joint("k", Revolute("y"), a, b, at=(1, 0, 1))
+    system = build(scene)
+    # declared from body to ground the rod goes down from the body
+    places = ((1, 0, 5), (1, 0, 1)) if back else ((1, 0, 3), (1, 0, 1))
+    for name, place in zip("ab", places, strict=True):
+        q = [1, 0, 0, 0, 0, 0, 0]
+        np.testing.assert_allclose(frame_pose(system, name, q)[:3, 3], place, atol=1e-15)
+    scene = Model("m")
+    a = scene.body("a", mass=1.0, pose=(0, 0, 1))
+    ends = (a.at(0, 0, 0), scene.ground) if back else (scene.ground.at(0, 0, 0), a)
+    scene.joint("j", rod, *ends)
+    with pytest.raises(ModelError, match=r"'j'.*'a' [13] away"):
+        build(scene)
+    # between bodies the frame on the parent follows
+    scene = Model("m")
+    a = scene.body("a", mass=1.0, pose=(0.3, 0, 1))
+    scene.joint("j", rod, *((a, scene.ground) if back else (scene.ground, a)))
+    q = [1, 0, 0, 0, 0, 0]
+    np.testing.assert_allclose(frame_pose(build(scene), "a", q)[:3, 3], [0.3, 0, 1], atol=1e-15)
 
 
 def test_at_needs_bodies():

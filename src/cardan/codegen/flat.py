@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from ..elements.joints.joint import Reversed
 from ..equations.blocks import blocks
 from ..ir.function import Function, Output, live
 from ..ir.graph import ZERO, Graph
@@ -66,13 +67,9 @@ def _sizes(joints: Sequence[Joint]) -> list[Output]:
 
 
 def kind(joint: Joint) -> str:
-    """Kind of a joint; where the declared child carries the parent and that is not said by an
-    opposite direction, after the word ``reversed``."""
-    return f"reversed {joint.element.kind}" if _told_backwards(joint) else joint.element.kind
-
-
-def _told_backwards(joint: Joint) -> bool:
-    return joint.reversed and not joint.element.line
+    """Kind of a joint, after the word ``reversed`` where its pose is told backwards."""
+    backwards = isinstance(joint.element, Reversed)
+    return f"reversed {joint.element.kind}" if backwards else joint.element.kind
 
 
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.joint import Reversed
 from ..errors import ModelError, near
 from . import checks
 from .body import Body
@@ -78,6 +79,10 @@ def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) ->
         kind = _plain(name, kind)
     if not isinstance(kind, JointElement):
         raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
+    if isinstance(kind, Reversed):
+        raise ModelError(
+            f"joint '{name}' ({kind.kind}): give the kind itself, and exchange parent and child"
+        )
     kind = by_names(kind)
     if axis is None:
         return kind

@@ -24,6 +24,7 @@ class Reference:
         self.active = any(b.pose is not None for b in model.bodies.values()) or any(
             j.at is not None for j in model.joints.values()
         )
+        self.ground = model.ground
         self.poses: dict[Body, Placement] = {model.ground: HERE}
 
     def sides(
@@ -102,7 +103,9 @@ class Reference:
             return self.poses[body].inverse(g).then(g, place), carrier.inverse(g).then(g, there)
         side = carrier.then(g, child).then(g, apart.inverse(g))
         found = side.then(g, parent.inverse(g))
-        if given is not None and joint.child.body.pose is not None and joint.parent is body:
+        known = joint.child.body is self.ground or joint.child.body.pose is not None
+        if given is not None and known and joint.parent is body:
+            # the frame on the parent follows from where the child is
             self.poses[body] = given
             return given.inverse(g).then(g, side), child
         if given is not None:

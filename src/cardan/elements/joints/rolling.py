@@ -64,6 +64,24 @@ class Rolling(Joint):
         back = rotation_about(second, q[4]).T
         return Matrix.vstack(back @ turning, back @ sliding)
 
+    def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
+        # components along heading, axle and up of axes that yaw and lean but do not spin
+        n, first, second = _triad(data)
+        large, _ = self.radii(data)
+        c, s = cos(q[3]), sin(q[3])
+        yaw, lean, spin = u[2], u[3], u[4]
+        level, tipped = yaw * c, yaw * s
+        turning = (
+            first * -(spin * level) + second * (lean * level) + n * (lean * spin - lean * tipped)
+        )
+        pulled = (
+            first * (2.0 * lean * level)
+            + second * (tipped * level)
+            - n * (lean * lean + tipped * tipped)
+        )
+        back = rotation_about(second, q[4]).T
+        return Matrix.vstack(back @ turning, back @ (pulled * large))
+
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         # the force along the normal at the point of contact
         n, first, second = _triad(data)

@@ -1,0 +1,157 @@
+"""Every joint as a tree joint and closing a circuit: the same accelerations and reactions."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import cardan as cd
+from cardan.elements.joints import JOINTS, Joint
+from laws.cases import EPS, call
+
+OBLIQUE, OTHER = (1.0, 2.0, -2.0), (0.3, -0.7, 0.1)
+INSTANCES: dict[str, Joint] = {
+    "fixed": cd.Fixed(),
+    "revolute": cd.Revolute("y"),
+    "revolute oblique": cd.Revolute(OBLIQUE),
+    "prismatic": cd.Prismatic("-x"),
+    "cylindrical": cd.Cylindrical(OTHER),
+    "screw": cd.Screw("z", pitch=0.07),
+    "universal": cd.Universal(OBLIQUE, OTHER),
+    "constant velocity": cd.ConstantVelocity("x"),
+    "spherical": cd.Spherical("XYZ"),
+    "planar": cd.Planar("y"),
+    "point on plane": cd.PointOnPlane(OTHER),
+    "distance": cd.Distance(0.6, "y"),
+    "wheel": cd.Wheel(0.4, 0.1),
+    "wheel that drifts": cd.Wheel(0.4, 0.0, OBLIQUE, lateral_slip=True),
+    "rolling disk": cd.RollingDisk(0.3, "x"),
+    "knife edge": cd.RollingDisk(0.3, knife_edge=True),
+}
+# what holds nothing; what cannot be cut, or follows another joint
+APART = {"free", "custom", "point_on_curve", "gear"}
+INERTIA = ((0.3, 0.02, -0.01), (0.02, 0.4, 0.03), (-0.01, 0.03, 0.2))
+STEP = 1e-5
+
+
+def machine(kind: Joint, cut: bool, back: bool = False) -> cd.Model:
+    """A pendulum that carries a body by the joint; cut, the body floats and the joint binds it."""
+    scene = cd.Model("machine", gravity=(0.3, 0.5, -9.81))
+    arm = scene.body("arm", mass=2.0, com=(0.1, 0, -0.3), inertia=INERTIA)
+    load = scene.body("load", mass=1.0, com=(0.05, -0.1, 0.2), inertia=INERTIA)
+    scene.joint("pivot", cd.Revolute((1, 1, 0)), scene.ground, arm)
+    one, other = arm.at(0.1, 0.2, -0.5, rotation=("XYZ", 0.2, -0.3, 0.5)), load.at(0, 0.1, 0.1)
+    if cut:
+        scene.joint("float", cd.Free(), scene.ground, load)
+    made = scene.joint("tested", kind, one, other, cut=cut)
+    if back:
+        ends = {"parent": made.child, "child": made.parent}
+        scene.joints["tested"] = dataclasses.replace(made, kind=kind.reversed(), **ends)
+    return scene
+
+
+class Pair:
+    """Both machines at the same regular state."""
+
+    def __init__(self, name: str, back: bool) -> None:
+        self.kind, self.back = INSTANCES[name], back
+        self.tree = cd.derive(machine(self.kind, False))
+        self.cut = cd.derive(machine(self.kind, True, back))
+        start = [c.default for c in self.kind.coordinates]
+        n = len(self.kind.speeds)
+        rng = np.random.default_rng(5)
+        q, du = np.array([0.4, *start]), np.array([0.1, *rng.uniform(0.2, 0.5, n)])
+        self.q = self._whole("integrate", q=q, du=du)
+        u = rng.uniform(-1, 1, 1 + n)
+        if self.kind.slips:
+            u = self._whole("close_velocity", q=self.q, u=u)[: 1 + n]
+        self.u = u
+        self.floating = self._floating()
+
+    def _whole(self, function: str, **given: Any) -> np.ndarray:
+        return np.concatenate([x.ravel() for x in call(self.tree, function, **given).values()])
+
+    def _floating(self) -> tuple[np.ndarray, np.ndarray]:
+        """The state of the machine in which the load floats."""
+        (pose,) = call(self.tree, "pose", "load", q=self.q).values()
+        (twist,) = call(self.tree, "velocity", "load", q=self.q, u=self.u).values()
+        x, y, z, w = Rotation.from_matrix(pose[:3, :3]).as_quat()
+        q = np.array([self.q[0], w, x, y, z, *pose[:3, 3]])
+        return q, np.array([self.u[0], *(pose[:3, :3].T @ twist[:3]), *twist[3:]])
+
+    def accelerations(self) -> tuple[np.ndarray, np.ndarray]:
+        """Of both bodies (12,), in the tree and with the circuit."""
+        found = []
+        for e, (q, u) in ((self.tree, (self.q, self.u)), (self.cut, self.floating)):
+            (udot,) = call(e, "forward_dynamics", q=q, u=u).values()
+            parts = [
+                next(iter(call(e, "acceleration", body, q=q, u=u, udot=udot).values()))
+                for body in ("arm", "load")
+            ]
+            found.append(np.concatenate(parts))
+        return found[0], found[1]
+
+
+@pytest.fixture(scope="module", params=INSTANCES)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module", params=[False, True], ids=["forth", "back"])
+def pair(request: pytest.FixtureRequest, name: str) -> Pair:
+    return Pair(name, request.param)
+
+
+def test_every_joint_is_tested() -> None:
+    assert {kind.kind for kind in INSTANCES.values()} == set(JOINTS) - APART
+
+
+def test_the_state_is_on_the_constraints(pair: Pair) -> None:
+    q, u = pair.floating
+    (g,) = call(pair.cut, "constraints", q=q).values()
+    (rates,) = call(pair.cut, "constraint_rates", q=q, u=u).values()
+    assert len(g) == len(pair.kind.held)
+    assert len(rates) == len(g) + len(pair.kind.slips)
+    assert np.abs([*g, *rates]).max() < 100 * EPS
+
+
+def test_accelerations_are_those_of_the_tree(pair: Pair) -> None:
+    tree, cut = pair.accelerations()
+    # the mass matrices have condition numbers of some hundreds
+    assert np.abs(tree - cut).max() < 1e4 * EPS * np.abs(tree).max()
+
+
+def test_reactions_are_those_of_the_tree(pair: Pair) -> None:
+    (wanted,) = call(
+        pair.tree, "reaction", "tested", q=pair.q, u=pair.u, wrench=np.zeros(12)
+    ).values()
+    q, u = pair.floating
+    (found,) = call(pair.cut, "reaction", "tested", q=q, u=u, wrench=np.zeros(12)).values()
+    if pair.back:
+        # the wrench on the arm, at its frame in its axes
+        frames = [
+            next(iter(call(pair.cut, "pose", f"tested.{end}", q=q).values()))
+            for end in ("child", "parent")
+        ]
+        turn = frames[0][:3, :3].T @ frames[1][:3, :3]
+        arm = frames[0][:3, :3].T @ (frames[1] - frames[0])[:3, 3]
+        moment, force = turn @ wanted[:3], turn @ wanted[3:]
+        wanted = -np.concatenate([moment + np.cross(arm, force), force])
+    assert np.abs(found - wanted).max() < 1e5 * EPS * (1 + np.abs(wanted).max())
+
+
+def test_constraints_do_no_work(pair: Pair) -> None:
+    """Nothing drives the machine: its energy stays, to second order of a central difference."""
+    q, u = pair.floating
+    (udot,) = call(pair.cut, "forward_dynamics", q=q, u=u).values()
+
+    def energy(h: float) -> float:
+        (moved,) = call(pair.cut, "integrate", q=q, du=u * h + udot * (h * h / 2)).values()
+        return float(call(pair.cut, "energy", q=moved, u=u + h * udot)["total"])
+
+    rate = (energy(STEP) - energy(-STEP)) / (2 * STEP)
+    assert abs(rate) < 1e3 * STEP**2 + 1e2 * EPS / STEP
