@@ -75,9 +75,11 @@ static void copy(real *to, const real *from, ptrdiff_t size)
 
 /* Newton steps of one level until its residuals vanish or no longer fall.
  *
- * Returns 0, CARDAN_OPEN where they are not small by then, or CARDAN_MODEL.
+ * `first` becomes the largest residual before, relative to the scale. Returns 0, CARDAN_OPEN where
+ * they are not small by then, or CARDAN_MODEL.
  */
-static int close_level(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted)
+static int newton(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted,
+                  real *first)
 {
     real *closed = run->closing, *residuals = closed + at->size;
     real last = INFINITY;
@@ -92,8 +94,11 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
             return CARDAN_MODEL;
         row = worst_of(residuals, at->rows);
         worst = fabs(residuals[row]) / at->scale;
-        if (k == 0 && noted)
-            note(run, at, *in->t, residuals, 0);
+        if (k == 0) {
+            *first = worst;
+            if (noted)
+                note(run, at, *in->t, residuals, 0);
+        }
         if (run->open_row < 0)
             run->open_row = at->first + row;
         /* solved, rounding only, or not converging */
@@ -114,6 +119,38 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
         cardan_normalize(run, y);
     }
     return CARDAN_OPEN;
+}
+
+/* Project one level of y, unless that would disturb what is closed already.
+ *
+ * Beside a singular position a residual of rounding size stands for a large step in a direction
+ * that constraints hardly hold: a step into another branch. Where such a step would exceed the
+ * tolerance and residuals are small without it, the block stays what it was.
+ * Adds the square of what changed, in units of the tolerance, to `sum`.
+ */
+static int close_level(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted,
+                       real *sum)
+{
+    const ptrdiff_t start = at->block - y;
+    const real *given = run->closing + cardan_closing_length(run) - run->nx + start;
+    real first = INFINITY, change = 0;
+    int status = newton(run, in, at, y, noted, &first);
+
+    for (ptrdiff_t i = 0; i < at->size; i++) {
+        real step = (at->block[i] - given[i]) / cardan_scale(run, y, start + i);
+        change += step * step;
+    }
+    if ((status == CARDAN_OPEN || change > (real)run->nx) && first <= CLOSED) {
+        copy(at->block, given, at->size);
+        run->projections++;
+        status = at->function(in, run->closing, run->work);
+        if (status == 0 && noted)
+            note(run, at, *in->t, run->closing + at->size, 2);
+        run->model_status = status;
+        return status == 0 ? 0 : CARDAN_MODEL;
+    }
+    *sum += change;
+    return status;
 }
 
 /* Project y (n) at t onto the constraints.
@@ -144,7 +181,7 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
         const level at = {run->close_position, run->close_position_w, y, nq, run->positions, 0,
                           run->size};
         in.w = run->close_position_w;
-        status = close_level(run, &in, &at, y, noted);
+        status = close_level(run, &in, &at, y, noted, &sum);
     }
     for (ptrdiff_t i = 0; i < nu; i++)
         fastest = fmax(fastest, fabs(y[nq + i]));
@@ -152,14 +189,8 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
         const level at = {run->close_velocity, run->close_velocity_w, y + nq, nu, run->rates,
                           run->positions, run->size * fastest};
         in.w = run->close_velocity_w;
-        status = close_level(run, &in, &at, y, noted);
-    }
-    if (status != 0)
-        return status;
-    for (ptrdiff_t i = 0; i < run->nx; i++) {
-        real change = (y[i] - given[i]) / cardan_scale(run, y, i);
-        sum += change * change;
+        status = close_level(run, &in, &at, y, noted, &sum);
     }
     run->correction = sqrt(sum / (real)run->nx);
-    return 0;
+    return status;
 }

@@ -9,6 +9,17 @@
 #include <math.h>
 
 static const real SAFETY = 0.9, SHRINK = 1.0 / 3, GROW = 6;
+/* of systems with constraints: how many rejected trials in a row shrink by little */
+static const ptrdiff_t PATIENCE = 6;
+static const real LITTLE = 0.7;
+
+/* Beside a singular position the error of a step is an accident of where its stages fall: rounding
+ * is magnified by the inverse cube of the distance. Steps that shrink towards it only come nearer,
+ * a step over it is regular; so trials differ by little and steps grow at once. */
+static int is_closed(const cardan_run *run)
+{
+    return run->positions + run->rates > 0;
+}
 
 /* Size against which an error of entry i counts. */
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
@@ -99,7 +110,7 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order)
     real factor = error > 0 ? SAFETY * pow(error, -1.0 / order) : GROW;
     real next;
 
-    factor = fmin(run->rejected ? 1 : GROW, fmax(SHRINK, factor));
+    factor = fmin(run->rejected && !is_closed(run) ? 1 : GROW, fmax(SHRINK, factor));
     next = fabs(h) * factor;
     if (fabs(h) < 0.99 * fabs(run->h) && factor >= 1)
         next = fmax(next, fabs(run->h));
@@ -114,11 +125,12 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order)
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status)
 {
     real factor = status == 0 ? SAFETY * pow(error, -1.0 / order) : 0.25;
+    real least_factor = is_closed(run) && run->rejected < PATIENCE ? LITTLE : 0.2;
 
     if (status == CARDAN_INPUT)
         return status;
     run->rejections++;
-    run->rejected = 1;
-    run->h = h * fmin(0.9, fmax(0.2, factor));
+    run->rejected++;
+    run->h = h * fmin(0.9, fmax(least_factor, factor));
     return fabs(run->h) < least(run) ? (status == 0 ? CARDAN_TOO_SMALL : status) : 0;
 }
