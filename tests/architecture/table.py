@@ -78,7 +78,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "peers": frozenset(
         {
             *("peer", "coordinates", "tree", "loop", "ours", "contest", "comparison", "urdf"),
-            *("processor", "cplusplus", "casadi_algorithms"),
+            *("processor", "cplusplus", "casadi_algorithms", "circuits"),
         }
     ),
     "codegen.languages": frozenset({"expressions"}),

@@ -9,6 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.model.files.mjcf import from_text
+from model.test_mjcf import linkage
 
 mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install mujoco")
 
@@ -112,3 +113,56 @@ def test_trees(case: str) -> None:
             size = max(1.0, float(np.abs(other).max()))
             error = float(np.abs(mine - other).max()) / size
             assert error <= CASES[case], f"{what}, seed {SEED + state}: {error:.2e}"
+
+
+# constraints: MuJoCo's give way in proportion to 1 - d, d being what it calls impedance, at most
+# 0.9999; it leaves out the derivative of their Jacobian, so that states are at rest
+
+SOFTNESS = (1e-1, 1e-2, 1e-3, 1e-4)
+LOOSE = (
+    '<body name="c" pos="0.1 0 1.2"><freejoint/>'
+    '<inertial pos="0.1 0 0" mass="0.5" diaginertia="0.01 0.02 0.015"/>'
+    '<site name="sc" pos="0.05 0.1 0"/></body>'
+)
+EQUALITIES = {
+    "connect": linkage('<connect body1="a" body2="c" anchor="0.2 0.1 1"/>', LOOSE),
+    "connect at sites": linkage('<connect site1="sa" site2="sc"/>', LOOSE),
+    "weld": linkage('<weld body1="b" body2="c"/>', LOOSE),
+    "weld with a pose": linkage('<weld body1="b" body2="c" relpose="0 0.2 1 1 0.3 0 0.1"/>', LOOSE),
+    "joint": linkage('<joint joint1="jb" joint2="ja" polycoef="0.1 -1.5"/>'),
+    "joint by a curve": linkage('<joint joint1="jb" joint2="ja" polycoef="0.1 0.5 0.7 0 0.2"/>'),
+}
+
+
+@pytest.mark.parametrize("case", EQUALITIES)
+def test_constraints_that_harden(case: str) -> None:
+    text = EQUALITIES[case].replace('name="b" pos', 'name="b" euler="10 0 40" pos')
+    scene = from_text(text)
+    ours = cd.compile(scene)
+    q = ours.assemble({"ja": 0.3}).q
+    udot = ours.forward_dynamics(q, np.zeros(ours.nu))
+    q, udot = followed(scene, ours, q), followed(scene, ours, udot, rates=True)
+    theirs = Theirs(text)
+    theirs.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+    theirs.model.opt.iterations, theirs.model.opt.tolerance = 1000, 0.0
+    errors = []
+    for soft in SOFTNESS:
+        theirs.model.eq_solimp[:] = (1 - soft, 1 - soft, 0.001, 0.5, 2)
+        data = theirs.at(q, np.zeros_like(udot))
+        errors.append(np.abs(data.qacc[theirs.u] - udot).max() / np.abs(udot).max())
+    slopes = np.diff(np.log10(errors)) / np.diff(np.log10(SOFTNESS))
+    print(f"{case}: errors {errors}, slopes {slopes}")
+    # first order, better the harder; the first step is not small yet
+    np.testing.assert_allclose(slopes[1:], 1, atol=0.05)
+    assert errors[-1] < 1e-2
+
+
+def followed(
+    scene: cd.Model, ours: cd.CompiledModel, values: np.ndarray, rates: bool = False
+) -> np.ndarray:
+    """Coordinates, or accelerations, with those of coupled joints, which have no slot of ours."""
+    couple = scene.joints["jb"].couple
+    if couple is None:
+        return values
+    leader = values[ours.coordinates.index(couple.leader)]
+    return np.array([leader, couple.ratio * leader + (0 if rates else couple.offset)])

@@ -15,7 +15,7 @@ from ..ir.function import Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import complement, unit
-from ..topology.system import Joint, System
+from ..topology.system import Cut, Joint, System
 
 SIZES = ("length", "radius", "crown")
 
@@ -28,7 +28,8 @@ def scene(system: System) -> Function:
     the parent-side joint frame in axes of the parent body; axis, axis2 (nb, 3), pitch (nb) of the
     joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; rotor (nb): inertia
     that drives add to the joint's coordinate; frame_rotation (nf, 3, 3) and frame_position (nf, 3)
-    in axes of the frame's body; sizes (nb, 2) where joints have lengths of their own.
+    in axes of the frame's body; sizes (nb, 2) where joints have lengths of their own; cut_axis,
+    cut_axis2 (nc, 3) of the joints that close circuits, where there are any.
     """
     graph = system.graph.fork()
     bodies, joints, frames = system.bodies, system.joints, system.frames
@@ -52,6 +53,7 @@ def scene(system: System) -> Function:
         _output("frame_rotation", (nf, 3, 3), [f.rotation for f in frames]),
         _output("frame_position", (nf, 3), [f.position for f in frames]),
         *_sizes(joints),
+        *_cuts(graph, system.cuts),
     )
     return _function("scene", system, graph, outputs, "the scene as numbers")
 
@@ -70,6 +72,14 @@ def kind(joint: Joint) -> str:
     """Kind of a joint, after the word ``reversed`` where its pose is told backwards."""
     backwards = isinstance(joint.element, Reversed)
     return f"reversed {joint.element.kind}" if backwards else joint.element.kind
+
+
+def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
+    """Axes of the joints that close circuits, where there are any."""
+    axes = [_axes(graph, cut) for cut in cuts]
+    names = ("cut_axis", "cut_axis2")
+    rows = zip(names, zip(*axes, strict=True), strict=True) if axes else ()
+    return [_output(name, (len(cuts), 3), row) for name, row in rows]
 
 
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:
@@ -106,7 +116,7 @@ def _rotors(system: System, graph: Graph) -> list[int]:
     return found
 
 
-def _axes(graph: Graph, joint: Joint) -> tuple[tuple[int, ...], tuple[int, ...]]:
+def _axes(graph: Graph, joint: Joint | Cut) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """First and second axis of a joint, in the joint frame."""
     none = (0, 0, 0)
     found = {

@@ -7,7 +7,7 @@ and whether the linear ones are given in the axes of the body or of its parent.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,17 +16,26 @@ from ..runtime.newton_euler import Scene
 from ..runtime.rotations import PARAMETERS
 from .peer import Array
 
-SIZES = {"revolute": (1, 1), "prismatic": (1, 1), "spherical": (4, 3), "free": (7, 6)}
+SIZES = {
+    "revolute": (1, 1),
+    "prismatic": (1, 1),
+    "universal": (2, 2),
+    "spherical": (4, 3),
+    "free": (7, 6),
+}
+# joints that every program knows
+COMMON = frozenset(SIZES) - {"universal"}
 
 
-def refusal(scene: Scene, joints: Sequence[str]) -> str:
+def refusal(scene: Scene, joints: Sequence[str], kinds: Container[str] = COMMON) -> str:
     """Why a tree cannot be handed to other programs, "" if it can.
 
     Args:
         joints: Their names, by body.
+        kinds: Those that the program knows, of ``SIZES``.
     """
     for i, (name, kind) in enumerate(zip(joints, scene.kinds, strict=True)):
-        if kind not in SIZES:
+        if kind not in kinds:
             return f"joint '{name}' is {kind}"
         if SIZES[kind][0] > 1 and scene.rotations[i] != "quaternion":
             return f"joint '{name}' turns without a quaternion"
@@ -160,8 +169,8 @@ def coordinates(scene: Scene, how: Convention, places: Sequence[tuple[int, int]]
 
 def _orders(kind: str, nq: int, nu: int, how: Convention) -> tuple[list[int], list[int]]:
     """Our entry behind each of theirs, within one joint."""
-    if nq == 1:
-        return [0], [0]
+    if nq == nu:
+        return list(range(nq)), list(range(nu))
     turn = [1, 2, 3, 0] if how.scalar_last else [0, 1, 2, 3]
     if kind == "spherical":
         return turn, [0, 1, 2]

@@ -1,0 +1,288 @@
+"""Circuits for programs that close them by points or whole bodies held together.
+
+A ball joint that closes a circuit holds two points together, a weld two bodies. Any other one is
+put back into the tree: the body behind it is split, one part stays where it is, the other hangs on
+the joint, and both are held together. The masses of the parts add up to that of the body, so the
+motion is the same.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ..runtime.compiled import CompiledModel
+from ..runtime.joint_motion import cross, joint_motion, times
+from ..runtime.newton_euler import Scene, own
+from ..runtime.verify import scene_of
+from .peer import Array
+
+# what can hang on a joint of a split body: coordinates and speeds
+SPLIT = {"revolute": 1, "prismatic": 1, "universal": 2}
+
+
+# numbers of a scene that come body by body
+BY_BODY = (
+    *("mass", "first_moment", "inertia", "rotation", "position", "axis", "axis2", "pitch"),
+    *("ratio", "offset", "rotor", "sizes"),
+)
+
+
+@dataclass(frozen=True)
+class Held:
+    """Two frames that are held together.
+
+    Attributes:
+        whole: Their axes too, not only their origins.
+        bodies: The two bodies, -1 for the ground.
+        rotations, positions: The frames in axes of their bodies, (2, 3, 3) and (2, 3).
+    """
+
+    whole: bool
+    bodies: tuple[int, int]
+    rotations: Array
+    positions: Array
+
+
+@dataclass(frozen=True)
+class Circuits:
+    """A closed system as a tree with frames held together.
+
+    Attributes:
+        scene: The tree, parts of split bodies last.
+        held: What closes the circuits.
+        bodies, nq, nu: Of the system without parts.
+        seats: For every part the frame it must meet: body, rotation, position.
+    """
+
+    scene: Scene
+    held: tuple[Held, ...]
+    bodies: int
+    nq: int
+    nu: int
+    seats: tuple[tuple[int, Array, Array], ...] = field(repr=False)
+
+    def states(self, q: Array, u: Array, third: Array) -> tuple[Array, Array, Array]:
+        """The states with coordinates and speeds of the parts; no force acts along their joints."""
+        poses = _motions(self.scene, self.bodies, q, u)
+        more_q, more_u = [q], [u]
+        for part, (body, rotation, position) in enumerate(self.seats, self.bodies):
+            n, kind = self.scene.numbers, self.scene.kinds[part]
+            parent = poses[self.scene.parents[part] + 1].frame(
+                n["rotation"][part], n["position"][part]
+            )
+            relative = parent.seen(poses[body + 1].frame(rotation, position))
+            axes = np.stack([n["axis"][part], n["axis2"][part]])
+            more_q.append(_coordinates(kind, axes, relative))
+            more_u.append(_speeds(kind, axes, relative))
+        nothing = np.zeros((len(q), sum(block.shape[1] for block in more_u[1:])))
+        return (*(np.concatenate(x, axis=1) for x in (more_q, more_u, [third, nothing])),)
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """Pose and velocity of a frame in ground axes, by state."""
+
+    rotation: Array
+    position: Array
+    turning: Array
+    moving: Array
+
+    def frame(self, rotation: Array, position: Array) -> _Motion:
+        """A frame fixed to this one."""
+        arm = times(self.rotation, np.broadcast_to(position, self.position.shape))
+        moving = self.moving + cross(self.turning, arm)
+        return _Motion(self.rotation @ rotation, self.position + arm, self.turning, moving)
+
+    def seen(self, other: _Motion) -> _Motion:
+        """Another frame in axes of this one; velocities relative to it."""
+        back = np.swapaxes(self.rotation, 1, 2)
+        arm = other.position - self.position
+        moving = other.moving - self.moving - cross(self.turning, arm)
+        return _Motion(
+            back @ other.rotation,
+            times(back, arm),
+            times(back, other.turning - self.turning),
+            times(back, moving),
+        )
+
+
+def _motions(scene: Scene, count: int, q: Array, u: Array) -> list[_Motion]:
+    """Motions of the ground and the first bodies."""
+    still, none = np.broadcast_to(np.eye(3), (len(q), 3, 3)), np.zeros((len(q), 3))
+    found = [_Motion(still, none, none, none)]
+    for i in range(count):
+        qi, ui = own(scene, i, q, (u,), None)
+        joint = joint_motion(scene.told(i), qi, ui)
+        numbers = scene.numbers
+        seat = found[scene.parents[i] + 1].frame(numbers["rotation"][i], numbers["position"][i])
+        arm = times(seat.rotation, joint.position)
+        rotation = seat.rotation @ joint.rotation
+        drift = times(seat.rotation, times(joint.shift, ui))
+        found.append(
+            _Motion(
+                rotation,
+                seat.position + arm,
+                seat.turning + times(rotation, times(joint.turn, ui)),
+                seat.moving + cross(seat.turning, arm) + drift,
+            )
+        )
+    return found
+
+
+def _coordinates(kind: str, axes: Array, relative: _Motion) -> Array:
+    """Coordinates (n, k) of a joint at a relative pose that it allows."""
+    e, f = axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-300)
+    if kind == "prismatic":
+        return np.asarray(relative.position @ e)[:, None]
+    if kind == "revolute":
+        # any direction across the axis, and how far it is turned
+        x = np.cross(e, np.eye(3)[np.argmin(np.abs(e))])
+        turned = relative.rotation @ x
+        return np.arctan2(turned @ np.cross(e, x), turned @ x)[:, None]
+    # R e2 is turned about the first axis alone, R^T e1 about the second one
+    g = np.cross(e, f)
+    first = relative.rotation @ f
+    second = np.swapaxes(relative.rotation, 1, 2) @ e
+    one = np.arctan2(first @ g, first @ f)
+    return np.stack([one, np.arctan2(second @ g, second @ e)], axis=1)
+
+
+def _speeds(kind: str, axes: Array, relative: _Motion) -> Array:
+    """Speeds (n, k) of a joint that moves as it allows."""
+    e, f = axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-300)
+    if kind == "prismatic":
+        return np.asarray(relative.moving @ e)[:, None]
+    if kind == "revolute":
+        return np.asarray(relative.turning @ e)[:, None]
+    # the second axis as the first angle has turned it; perpendicular to the first one
+    turned = relative.rotation @ f
+    return np.stack([relative.turning @ e, np.sum(relative.turning * turned, axis=1)], axis=1)
+
+
+def circuits(model: CompiledModel) -> Circuits | str:
+    """The circuits of a model, or why they cannot be handed over."""
+    scene, cuts = scene_of(model), model.manifest["cuts"]
+    rows: Mapping[str, int] = {}
+    for row in model.manifest["multipliers"]:
+        if row["joint"] not in {cut["name"] for cut in cuts} or row["level"] != "position":
+            return f"'{row['name']}' is no closing condition of a joint"
+        turning = row["name"].rpartition(".")[2].startswith("r")
+        rows = {**rows, row["joint"]: rows.get(row["joint"], 0) + turning}
+    bodies = {body["name"]: k for k, body in enumerate(model.manifest["bodies"])}
+    frames = {
+        f["name"]: (k, bodies.get(f["body"], -1)) for k, f in enumerate(model.manifest["frames"])
+    }
+    held: list[Held] = []
+    parts: list[Part] = []
+    for number, cut in enumerate(cuts):
+        axes = np.stack([scene.numbers[name][number] for name in ("cut_axis", "cut_axis2")])
+        ends = [frames[cut[side]] for side in ("parent_frame", "child_frame")]
+        found = _closed(cut, rows.get(cut["name"], 0), scene, axes, ends)
+        if isinstance(found, str):
+            return found
+        (held if isinstance(found, Held) else parts).append(found)  # type: ignore[arg-type]
+    return _with_parts(scene, held, parts, model.nq, model.nu)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a body on a joint of its own."""
+
+    kind: str
+    axes: Array
+    ends: tuple[tuple[int, Array, Array], ...]
+
+
+def _closed(
+    cut: Mapping[str, Any],
+    turning: int,
+    scene: Scene,
+    axes: Array,
+    ends: Sequence[tuple[int, int]],
+) -> Held | Part | str:
+    """How a cut joint is closed: its frames held together, or a part of its body on it."""
+    n, kind = scene.numbers, cut["kind"]
+    placed = tuple((body, n["frame_rotation"][k], n["frame_position"][k]) for k, body in ends)
+    # a hinge of which only points have to be held, as in planar circuits, is a ball to others
+    if kind in ("spherical", "fixed") or (kind == "revolute" and not turning):
+        return Held(
+            kind == "fixed",
+            (placed[0][0], placed[1][0]),
+            np.stack([end[1] for end in placed]),
+            np.stack([end[2] for end in placed]),
+        )
+    if kind not in SPLIT:
+        return f"joint '{cut['name']}' that closes a circuit is {kind}"
+    if placed[1][0] < 0:
+        if kind == "universal":
+            return f"joint '{cut['name']}' ends at the ground"
+        placed, axes = placed[::-1], -axes
+    return Part(kind, axes, placed)
+
+
+def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: int) -> Circuits:
+    """The tree with split bodies."""
+    n = {name: np.array(block) for name, block in scene.numbers.items()}
+    count = len(scene.parents)
+    share = np.ones(count)
+    for part in parts:
+        share[part.ends[1][0]] += 1
+    for name in ("mass", "first_moment", "inertia"):
+        n[name] = (n[name].T / share).T
+    parents, kinds = [*scene.parents], [*scene.kinds]
+    places, speeds = [*scene.q], [*scene.u]
+    q, u = nq, nu
+    new: dict[str, list[Array]] = {name: [] for name in n}
+    for part in parts:
+        (outer, rotation, position), (body, seat, at) = part.ends
+        size = SPLIT[part.kind]
+        held.append(
+            Held(
+                True, (len(parents), body), np.stack([np.eye(3), seat]), np.stack([np.zeros(3), at])
+            )
+        )
+        parents.append(outer)
+        kinds.append(part.kind)
+        places.append((q, size))
+        speeds.append((u, size))
+        q, u = q + size, u + size
+        rows = dict(zip(("axis", "axis2"), part.axes, strict=True))
+        rows |= {"rotation": rotation, "position": position}
+        rows |= _mass(n["mass"][body], n["first_moment"][body], n["inertia"][body], seat, at)
+        for name in BY_BODY:
+            if name in n:
+                new[name].append(rows.get(name, np.zeros(n[name].shape[1:])))
+    for name, blocks in new.items():
+        if blocks:
+            n[name] = np.concatenate([n[name], np.stack(blocks)])
+    more = len(parts)
+    tree = dataclasses.replace(
+        scene,
+        parents=tuple(parents),
+        kinds=tuple(kinds),
+        rotations=(*scene.rotations, *[None] * more),
+        q=tuple(places),
+        u=tuple(speeds),
+        leaders=(*scene.leaders, *[-1] * more),
+        prescribed=(*scene.prescribed, *[False] * more),
+        numbers=n,
+        nu=u,
+        curves=(*scene.curves, *[None] * more) if scene.curves else (),
+    )
+    return Circuits(tree, tuple(held), count, nq, nu, tuple(part.ends[1] for part in parts))
+
+
+def _mass(mass: Array, first: Array, inertia: Array, seat: Array, at: Array) -> dict[str, Array]:
+    """Mass, first moment and inertia about the origin of a frame, in its axes."""
+    s = first - mass * at
+
+    def square(a: Array, b: Array) -> Array:
+        return np.asarray(a @ b * np.eye(3) - np.outer(a, b))
+
+    moved = inertia - square(first, at) - square(at, first) + mass * square(at, at)
+    return {"mass": mass, "first_moment": seat.T @ s, "inertia": seat.T @ moved @ seat}
