@@ -44,6 +44,7 @@ STANDARD = (
     "reaction",
     "outputs",
     "power",
+    "dependents",
     "constraints",
     "constraint_rates",
     "constraint_jacobian",

@@ -183,8 +183,20 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
         "rotation": _rotation(joint),
         "domain": element.domain,
         "coupled": coupled,
+        "solved": _solved(system, joint),
         "prescribed": joint.motion is not None,
     }
+
+
+def _solved(system: System, joint: Joint) -> dict[str, Any] | None:
+    """The circuit that determines a joint, and the names of its coordinates and speeds."""
+    if joint.closure < 0:
+        return None
+    names = {
+        "q": blocks.entries(joint.name, joint.element.coordinates),
+        "u": blocks.entries(f"{joint.name}.u", joint.element.speeds),
+    }
+    return {"circuit": system.closures[joint.closure].cut.name, **names}
 
 
 def _all_cuts(system: System) -> tuple[Cut, ...]:

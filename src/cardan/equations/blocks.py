@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from ..elements.joints.joint import Component
 from ..ir.function import Block
 from ..topology.system import System
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
+
+
+def entries(head: str, components: Sequence[Component]) -> list[str]:
+    """Names of the coordinates or speeds of a joint: the bare one where there is only one."""
+    return [f"{head}.{c.name}" if c.name else head for c in components]
 
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:
@@ -15,9 +22,9 @@ def coordinates(system: System) -> list[tuple[str, str, float]]:
     rows = []
     for joint in system.joints:
         if joint.q >= 0:
-            for component in joint.element.coordinates:
-                name = f"{joint.name}.{component.name}" if component.name else joint.name
-                rows.append((name, component.unit, component.default))
+            names = entries(joint.name, joint.element.coordinates)
+            parts = zip(names, joint.element.coordinates, strict=True)
+            rows += [(name, c.unit, c.default) for name, c in parts]
     return rows
 
 
@@ -26,9 +33,8 @@ def speeds(system: System) -> list[tuple[str, str]]:
     rows = []
     for joint in system.joints:
         if joint.u >= 0:
-            for component in joint.element.speeds:
-                suffix = f".u.{component.name}" if component.name else ".u"
-                rows.append((joint.name + suffix, component.unit))
+            names = entries(f"{joint.name}.u", joint.element.speeds)
+            rows += zip(names, (c.unit for c in joint.element.speeds), strict=True)
     return rows
 
 

@@ -12,6 +12,7 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..topology.system import System
 from . import outputs
+from .blocks import entries
 from .constraints import VELOCITY
 from .dynamics import Dynamics
 from .kinematics import Kinematics
@@ -168,6 +169,23 @@ def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]
     return tuple(r.name for r in rows), tuple(units)
 
 
+def _dependents(c: Context) -> tuple[Output, ...]:
+    system, found = c.k.system, dict[str, tuple[list[str], list[int], list[str]]]()
+    for block, values in (("q", c.k.coordinates), ("u", c.k.speeds)):
+        names, nodes, units = found[block] = [], [], []
+        for i, joint in enumerate(system.joints):
+            if joint.closure >= 0:
+                parts = joint.element.coordinates if block == "q" else joint.element.speeds
+                head = joint.name if block == "q" else f"{joint.name}.u"
+                names += entries(head, parts)
+                nodes += values[i].nodes
+                units += [part.unit for part in parts]
+    return tuple(
+        Output(block, (len(nodes),), tuple(nodes), tuple(names), tuple(units))
+        for block, (names, nodes, units) in found.items()
+    )
+
+
 def _constraints(c: Context) -> tuple[Output, ...]:
     g = c.d.constraints.position
     return (Output("g", (g.rows,), g.nodes, *_rows(c, True)),)
@@ -314,6 +332,7 @@ class Recipe:
         told: Whether it is the same in whatever frames and by whatever grouping of inertia the
             bodies are told.
         bound: Whether there is one only of systems with constraints.
+        solved: Whether there is one only of systems with circuits in closed form.
         moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
             user chose.
     """
@@ -323,6 +342,7 @@ class Recipe:
     of: str = ""
     told: bool = False
     bound: bool = False
+    solved: bool = False
     moves: bool = False
 
 
@@ -336,6 +356,9 @@ RECIPES: dict[str, Recipe] = {
     "coriolis": Recipe("h without gravity", _coriolis, told=True),
     "applied": Recipe("f: generalized forces of the model's elements", _forces),
     "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
+    "dependents": Recipe(
+        "coordinates, then speeds, of joints that circuits determine", _dependents, solved=True
+    ),
     "constraints": Recipe("g: what vanishes at position level", _constraints, bound=True),
     "constraint_rates": Recipe(
         "G u + g_t: what vanishes at velocity level", _constraint_rates, bound=True

@@ -71,3 +71,18 @@ def check(name: str, of: str | None) -> None:
     if bool(recipe.of) != (of is not None):
         wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
         raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
+
+
+def missing(system: System, name: str) -> str:
+    """Why a system has no function of a name, "" where it has one."""
+    if RECIPES[name].bound and not system.closed:
+        return (
+            f"function '{name}' is one of systems with constraints; nothing binds the speeds of "
+            f"'{system.name}'"
+        )
+    if RECIPES[name].solved and not system.closures:
+        return (
+            f"function '{name}' is one of systems with circuits in closed form, as "
+            f"derive(constraints='closed_form') makes them; '{system.name}' has none"
+        )
+    return ""

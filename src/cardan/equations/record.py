@@ -24,7 +24,7 @@ from .functions import Context
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
 from .readable import Readable
-from .recipes import RECIPES, about, c_name, check, is_told
+from .recipes import RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
@@ -115,7 +115,7 @@ class Equations(Readable):
 
     def names(self) -> list[str]:
         """Functions that :meth:`function` can derive; those of frames and joints take ``of``."""
-        return [n for n, recipe in RECIPES.items() if self.system.closed or not recipe.bound]
+        return [name for name in RECIPES if not missing(self.system, name)]
 
     def c_name(self, name: str, of: str | None = None) -> str:
         """C name of a function."""
@@ -133,11 +133,8 @@ class Equations(Readable):
                 system, such as udot where M is singular.
         """
         check(name, of)
-        if RECIPES[name].bound and not self.system.closed:
-            raise DerivationError(
-                f"function '{name}' is one of systems with constraints; '{self.system.name}' is a "
-                "tree, whose speeds nothing binds"
-            )
+        if missing(self.system, name):
+            raise DerivationError(missing(self.system, name))
         symbol = self.c_name(name, of)
         if symbol not in self._made:
             with collector_paused():

@@ -17,6 +17,19 @@ class Constraints(Dynamics, ABC):
     The rows, those of position level first, are named in ``model.multipliers_of``.
     """
 
+    def dependents(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Coordinates, then speeds (..., n), of joints that circuits in closed form determine."""
+        return self._evaluate(("dependents", None), (t, q, u, r), parameters, out)
+
     def constraints(
         self,
         q: State,

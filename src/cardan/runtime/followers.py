@@ -17,7 +17,13 @@ if TYPE_CHECKING:
 def names(manifest: Mapping[str, Any]) -> list[str]:
     """Histories that follow from others: ``<joint>`` and ``<joint>.u``."""
     rows = [j["name"] for j in manifest["joints"] if j["coupled"] or j["prescribed"]]
-    return [name + suffix for name in rows for suffix in ("", ".u")]
+    return [name + suffix for name in rows for suffix in ("", ".u")] + _solved(manifest)
+
+
+def _solved(manifest: Mapping[str, Any]) -> list[str]:
+    """Coordinates and speeds of joints that circuits in closed form determine."""
+    rows = [j["solved"] for j in manifest["joints"] if j.get("solved")]
+    return [name for block in ("q", "u") for row in rows for name in row[block]]
 
 
 def history(motion: Trajectory, name: str) -> Array:
@@ -26,6 +32,8 @@ def history(motion: Trajectory, name: str) -> Array:
     Raises:
         ModelError: a prescribed motion of a run read from a file without its model.
     """
+    if name in _solved(motion.manifest):
+        return _from_circuit(motion, name)
     joint, rate = name.removesuffix(".u"), name.endswith(".u")
     rows = motion.manifest["joints"]
     number = [row["name"] for row in rows].index(joint)
@@ -35,6 +43,18 @@ def history(motion: Trajectory, name: str) -> Array:
     offset = 0.0 if rate else float(np.ravel(motion.scene["offset"])[number])
     leader = rows[number]["coupled"]["leader"] + (".u" if rate else "")
     return ratio * motion[leader] + offset
+
+
+def _from_circuit(motion: Trajectory, name: str) -> Array:
+    """A coordinate or speed of a joint of a circuit in closed form."""
+    if motion.model is None:
+        raise ModelError(
+            f"motion['{name}']: it follows from others by a function of the model. Compile that "
+            "and give it: load_motion(path, model=...)"
+        )
+    values = motion.model.dependents(motion.q, motion.u, t=motion.t, r=motion.r)
+    column: Array = values[:, _solved(motion.manifest).index(name)]
+    return column.copy()
 
 
 def _prescribed(motion: Trajectory, number: int, rate: bool) -> Array:

@@ -112,6 +112,10 @@ def _unknown(letter: str, name: str, joints: Rows) -> str:
         return (
             f"joint '{name}' follows '{joint['coupled']['leader']}' and has no {what} of its own."
         )
+    if joint is not None and joint.get("solved"):
+        return (
+            f"joint '{name}' follows from the circuit that '{joint['solved']['circuit']}' closes."
+        )
     if joint is not None:
         return f"joint '{name}' moves as prescribed and has no {what} of its own."
     return f"there is no joint or {what} '{name}'."

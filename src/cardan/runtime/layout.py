@@ -31,6 +31,7 @@ READS = {
     "reaction": "t q u r tau wrench",
     "outputs": "t q u r",
     "power": "t q u r",
+    "dependents": "t q u r",
     "constraints": "t q r",
     "constraint_rates": "t q u r",
     "constraint_jacobian": "t q r",

@@ -1,0 +1,155 @@
+"""Circuits in closed form against the same circuits with multipliers."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.errors import ModelError, TopologyError
+from mechanisms.closed import CLOSED
+
+# circuits that close by dyads or legs, and the joints that stay free
+SOLVED = {
+    "four_bar": ("A",),
+    "slider_crank": ("A",),
+    "parallelogram": ("A0",),
+    "andrews": ("beta",),
+    "stewart": ("hooke0", "slide0", "ball0"),
+}
+
+
+def spherical_four_bar() -> cd.Model:
+    """Four revolute joints whose axes meet in the origin."""
+    scene = cd.Model("spherical", gravity=(0, 0, -9.81))
+    axes = {"A": (0, 0, 1), "B": (0.5, 0, 1), "C": (0.6, 0.9, 1), "D": (0, 1, 1)}
+    made = {}
+    for name, com in (
+        ("crank", (0.2, 0, 0.5)),
+        ("rod", (0.3, 0.4, 0.6)),
+        ("rocker", (0, 0.5, 0.4)),
+    ):
+        inertia = (0.02, 0.03, 0.025)
+        made[name] = scene.body(name, mass=1.0, com=com, inertia=inertia, pose=(0, 0, 0))
+    ends = {
+        "A": (scene.ground, made["crank"]),
+        "B": (made["crank"], made["rod"]),
+        "C": (made["rod"], made["rocker"]),
+        "D": (scene.ground, made["rocker"]),
+    }
+    for name, (parent, child) in ends.items():
+        scene.joint(name, cd.Revolute(axes[name]), parent, child)
+    return scene
+
+
+def both(scene: cd.Model) -> tuple[cd.CompiledModel, cd.CompiledModel]:
+    return cd.compile(scene), cd.compile(scene, constraints="closed_form")
+
+
+def started(name: str, s: float) -> tuple[cd.Model, dict[str, object], dict[str, object]]:
+    """A mechanism with initial values on its motion, and a state there."""
+    mechanism = CLOSED[name]
+    scene, state = mechanism.build(), mechanism.state(s)
+    for joint in scene.joints.values():
+        if joint.name in state.q:
+            start = tuple(np.atleast_1d(state.q[joint.name]))
+            scene.joints[joint.name] = dataclasses.replace(joint, q0=start)
+    return scene, state.q, state.u
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_the_same_accelerations_and_reactions(name: str) -> None:
+    scene, q, u = started(name, 0.3)
+    whole, solved = both(scene)
+    full = whole.split(
+        whole.initial({n: q[n] for n in tree(whole)}, {n: u[n] for n in tree(whole)})
+    )
+    free = {n: q[n] for n in SOLVED[name]}, {n: u[n] for n in SOLVED[name]}
+    x = solved.split(solved.initial(*free))
+    assert tree(solved) == list(SOLVED[name])
+    assert solved.nlam == 0
+    places = [whole.speeds.index(n) for n in solved.speeds]
+    wanted = whole.forward_dynamics(*full)[places]
+    # the condition of the circuits enters: some are near their dead points
+    np.testing.assert_allclose(solved.forward_dynamics(*x), wanted, rtol=1e-10, atol=1e-10)
+    for frame in whole.frames:
+        np.testing.assert_allclose(
+            solved.pose(frame, x[0]), whole.pose(frame, full[0]), rtol=0, atol=1e-13
+        )
+    for joint in whole.joints:
+        expected = whole.reaction(joint, *full)
+        size = max(1.0, np.abs(expected).max())
+        np.testing.assert_allclose(solved.reaction(joint, *x), expected, rtol=0, atol=1e-10 * size)
+
+
+def tree(model: cd.CompiledModel) -> list[str]:
+    return [j["name"] for j in model.manifest["joints"] if j["q"]]
+
+
+def test_spherical_circuits() -> None:
+    scene = spherical_four_bar()
+    whole, solved = both(scene)
+    assert solved.coordinates == ("A",)
+    assert len(whole.multipliers_of) == 2
+    start = whole.assemble({"A": 0.2})
+    q, u = whole.split(start.x)
+    u = whole.close_velocity(q, [1.0, 0.0, 0.0])[: whole.nu]
+    own = solved.split(solved.initial({"A": q[0]}, {"A": u[0]}))
+    np.testing.assert_allclose(
+        solved.forward_dynamics(*own), whole.forward_dynamics(q, u)[:1], rtol=1e-10
+    )
+    others = solved.dependents(*own)
+    np.testing.assert_allclose(others, [*q[1:], *u[1:]], rtol=1e-10)
+
+
+def test_the_branch_is_what_is_asked_for() -> None:
+    scene, q, _ = started("four_bar", 0.3)
+    other = cd.compile(scene, constraints="closed_form", branches={"C": "-"})
+    near = cd.compile(scene, constraints="closed_form")
+    assert near.dependents([q["A"]], [0.0])[0] == pytest.approx(q["B"], abs=1e-13)
+    assert abs(other.dependents([q["A"]], [0.0])[0] - q["B"]) > 0.1
+    whole = cd.compile(scene)
+    coordinates = [q["A"], *other.dependents([q["A"]], [0.0])[:2]]
+    np.testing.assert_allclose(whole.constraints(coordinates), 0, atol=1e-14)
+
+
+def test_branches_that_do_not_exist() -> None:
+    scene = CLOSED["four_bar"].build()
+    with pytest.raises(TopologyError, match=r"branch of 'E': it closes no circuit.*C"):
+        cd.derive(scene, branches={"E": "+"})
+    with pytest.raises(TopologyError, match="branch of 'C' is 'up'"):
+        cd.derive(scene, branches={"C": "up"})
+    with pytest.raises(TopologyError, match="not solved in closed form"):
+        cd.derive(CLOSED["bricard"].build(), branches={"J3": "+"})
+
+
+def test_a_run_shows_the_joints_of_its_circuits() -> None:
+    scene, q, _ = started("four_bar", 0.3)
+    whole, solved = both(scene)
+    start = {n: q[n] for n in tree(whole)}
+    long = whole.simulate(2.0, q=start, rtol=1e-11, atol=1e-12)
+    short = solved.simulate(2.0, q={"A": q["A"]}, rtol=1e-11, atol=1e-12)
+    t = np.linspace(0, 2, 41)
+    for name in ("A", "B", "D", "B.u", "D.u"):
+        one, two = long.resample(t)[name], short.resample(t)[name]
+        # the crank swings fast where the other links are nearly in line
+        np.testing.assert_allclose(two, one, rtol=0, atol=1e-7)
+    with pytest.raises(ModelError, match="follows from the circuit that 'C' closes"):
+        solved.simulate(1.0, q={"B": 0.1})
+
+
+def test_prescribed_motion_and_forces_on_dependent_joints() -> None:
+    scene, q, _ = started("four_bar", 0.3)
+    scene.force("spring", cd.TorsionSpring("D", stiffness=5.0, damping=0.3))
+    scene.output("angle", scene.q("D") + 2 * scene.u("B"))
+    whole, solved = both(scene)
+    u = whole.close_velocity([q["A"], q["B"], q["D"]], [1.0, 0.0, 0.0])[: whole.nu]
+    full = [q["A"], q["B"], q["D"]], u
+    own = [q["A"]], u[:1]
+    np.testing.assert_allclose(
+        solved.forward_dynamics(*own), whole.forward_dynamics(*full)[:1], rtol=1e-11
+    )
+    np.testing.assert_allclose(solved.outputs(*own), whole.outputs(*full), rtol=1e-11)
+    np.testing.assert_allclose(solved.power(*own), whole.power(*full), rtol=1e-11)
