@@ -19,7 +19,7 @@ def entries(head: str, components: Sequence[Component]) -> list[str]:
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of q."""
-    rows = []
+    rows: list[tuple[str, str, float]] = []
     for joint in system.joints:
         if joint.q >= 0:
             names = entries(joint.name, joint.element.coordinates)
@@ -30,7 +30,7 @@ def coordinates(system: System) -> list[tuple[str, str, float]]:
 
 def speeds(system: System) -> list[tuple[str, str]]:
     """(name, unit) of every entry of u: ``elbow.u``, ``ball.u.x``."""
-    rows = []
+    rows: list[tuple[str, str]] = []
     for joint in system.joints:
         if joint.u >= 0:
             names = entries(f"{joint.name}.u", joint.element.speeds)

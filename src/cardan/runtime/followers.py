@@ -46,15 +46,18 @@ def history(motion: Trajectory, name: str) -> Array:
 
 
 def _from_circuit(motion: Trajectory, name: str) -> Array:
-    """A coordinate or speed of a joint of a circuit in closed form."""
+    """A coordinate or speed of a joint of a circuit in closed form, angles without jumps."""
     if motion.model is None:
         raise ModelError(
             f"motion['{name}']: it follows from others by a function of the model. Compile that "
             "and give it: load_motion(path, model=...)"
         )
     values = motion.model.dependents(motion.q, motion.u, t=motion.t, r=motion.r)
-    column: Array = values[:, _solved(motion.manifest).index(name)]
-    return column.copy()
+    column: Array = values[:, _solved(motion.manifest).index(name)].copy()
+    (angles, _) = motion.manifest["functions"]["dependents"]["outputs"]
+    if (name, "rad") in zip(angles["entries"], angles["units"], strict=True):
+        column = np.unwrap(column)
+    return column
 
 
 def _prescribed(motion: Trajectory, number: int, rate: bool) -> Array:
