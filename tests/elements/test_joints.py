@@ -50,7 +50,8 @@ INSTANCES: dict[str, Joint] = {
     "point on plane": cd.PointOnPlane("y"),
     "point on plane oblique": cd.PointOnPlane(OTHER, "XYZ"),
     "point on curve": cd.PointOnCurve(CURVE),
-    "point on curve xyz": cd.PointOnCurve(CURVE[:2], "xyz"),
+    "point on closed curve": cd.PointOnCurve(CURVE, closed=True),
+    "point on curve xyz": cd.PointOnCurve(CURVE[:2], rotation="xyz"),
     "distance": cd.Distance(0.8, "-z"),
     "distance oblique": cd.Distance(1.5, OTHER, "ZXZ"),
     "gear": cd.Gear("leader", -2.0, "x"),
@@ -405,6 +406,8 @@ BAD: dict[str, tuple[Callable[[], Joint], str]] = {
     "words": (lambda: cd.PointOnCurve("line"), "points must be at least 2 rows of 3 numbers"),
     "flat": (lambda: cd.PointOnCurve([(0, 0), (1, 1)]), r"points\[0\] has 2 entries; give 3"),
     "stays": (lambda: cd.PointOnCurve([(0, 0, 0)] * 2), r"points\[1\] is the point before it"),
+    "ring": (lambda: cd.PointOnCurve(CURVE[:2], closed=True), "at least 3 rows"),
+    "again": (lambda: cd.PointOnCurve([*CURVE, CURVE[0]], True), "the first again; leave it out"),
     "symbol": (lambda: cd.PointOnCurve([(0, 0, 0), (a, 0, 1)]), r"points\[1\] must be numbers"),
     "place": (lambda: cd.Custom([a], position=(a, 0)), "position has 2 entries; give 3"),
 }

@@ -37,6 +37,17 @@ def test_values_are_those_of_scipy(kind: str) -> None:
     assert isinstance(curve(0.3), float)
 
 
+def test_a_periodic_table_ends_as_it_begins() -> None:
+    y = [*Y[:-1], Y[0]]
+    curve, x = cd.table(X, y, "periodic"), sympy.Symbol("x")
+    np.testing.assert_allclose([curve(at) for at in X], y, rtol=0, atol=1e-14)
+    for order in (0, 1, 2):
+        ends = [float(sympy.diff(curve(x), x, order).subs(x, at)) for at in (X[0], X[-1])]
+        assert ends[0] == pytest.approx(ends[1], abs=1e-12)
+    with pytest.raises(cd.ModelError, match=r"y begins with 0.3 and ends with 1.9; a periodic"):
+        cd.table(X, Y, "periodic")
+
+
 @pytest.mark.parametrize("kind", SCIPY)
 @pytest.mark.parametrize("order", [0, 1, 2, 3, 4])
 def test_expressions_and_their_derivatives(kind: str, order: int) -> None:

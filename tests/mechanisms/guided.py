@@ -15,6 +15,7 @@ VALLEY = [
     (1.3, 0, 0.7),
     (2, 0, 2),
 ]
+TRACK = [(4, 0, 0), (2, 3, 0.8), (-2, 3, 0.2), (-4, 0, 1.0), (-2, -3, 0.3), (2, -3, 0.5)]
 
 
 def constant_velocity() -> cd.Model:
@@ -47,6 +48,16 @@ def point_on_curve() -> cd.Model:
     tassel = scene.body("tassel", mass=0.1, com=(0, 0, -0.1), inertia=(4e-4, 4e-4, 1e-4))
     scene.joint("wire", cd.PointOnCurve(VALLEY), scene.ground.at(0, 0, 3), lamp)
     scene.joint("knot", cd.Revolute("y"), lamp.at(0, 0, -0.4), tassel)
+    return scene
+
+
+def roller_coaster() -> cd.Model:
+    """A car that hangs below a closed track, with a swing."""
+    scene = cd.Model("roller_coaster", gravity=(0, 0, -9.81))
+    car = scene.body("car", mass=3.0, com=(0, 0.02, -0.2), inertia=(0.2, 0.3, 0.25))
+    seat = scene.body("seat", mass=1.0, com=(0.02, 0, -0.1), inertia=(0.02, 0.02, 0.01))
+    scene.joint("track", cd.PointOnCurve(TRACK, closed=True), scene.ground, car)
+    scene.joint("swing", cd.Revolute("y"), car.at(0, 0, -0.3), seat)
     return scene
 
 
@@ -98,6 +109,17 @@ MEMBERS = (
         (
             State({"wire": (1.0, 0.0, 0.0, 0.0, 1.9), "knot": 0.3}),
             State({"wire": (0.8, 0.0, 0.6, 0.0, 2.9)}, {"wire": (0.3, 0.2, 1.0, -0.5)}),
+        ),
+    ),
+    Mechanism(
+        "roller_coaster",
+        roller_coaster,
+        (
+            State({"track": (1.0, 0.0, 0.0, 0.0, 1.0)}, {"track": (0.0, 0.0, 0.0, 5.0)}),
+            State(
+                {"track": (0.8, 0.0, 0.0, 0.6, 60.0), "swing": 0.1},
+                {"track": (0.1, 0.2, 0.3, -4.0), "swing": 0.5},
+            ),
         ),
     ),
     Mechanism(

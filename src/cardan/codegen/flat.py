@@ -83,12 +83,14 @@ def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
 
 
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:
-    """Breaks, and coefficients by component and piece, of a joint's curve; None without one."""
+    """Breaks, coefficients by component and piece, and period (0 for none) of a joint's curve."""
     if "curve" not in joint.data:
         return None
     numbers = [graph.value(graph.nodes[node][1]) for node in joint.data["curve"][2]]
     tables = [graph.tables[int(number or 0)] for number in numbers]
-    return [list(tables[0].breaks), [[list(c) for c in t.coefficients] for t in tables]]
+    breaks = list(tables[0].breaks)
+    period = breaks[-1] if getattr(joint.element, "closed", False) else 0.0
+    return [breaks, [[list(c) for c in t.coefficients] for t in tables], period]
 
 
 def scene_motion(system: System) -> Function | None:

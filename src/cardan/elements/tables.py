@@ -25,7 +25,8 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
         x: Abscissae, increasing, (n,) with n >= 2.
         y: Values, (n,).
         kind: ``akima`` (smooth, does not swing beside a jump), ``linear``, ``cubic`` (two
-            continuous derivatives, not-a-knot ends) or ``pchip`` (keeps monotonicity).
+            continuous derivatives, not-a-knot ends), ``pchip`` (keeps monotonicity) or
+            ``periodic`` (``cubic`` whose ends meet; take it at ``Mod(x, period)``).
 
     Returns:
         A callable: numbers and arrays give numbers, SymPy expressions give an expression.
@@ -53,6 +54,11 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
                 f"table: x[{i + 1}] = {right} does not exceed x[{i}] = {left}; sort the points by "
                 "x and give one y for every x"
             )
+    if kind == "periodic" and values[0] != values[-1]:
+        raise ModelError(
+            f"table: y begins with {values[0]} and ends with {values[-1]}; a periodic "
+            "table ends as it begins"
+        )
     # two points determine a straight line, whatever the kind
     pieces = KINDS["linear" if len(breaks) == 2 else kind](breaks, values)
     return Interpolation(Table(breaks, pieces), kind, values)
@@ -103,13 +109,13 @@ def _linear(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], 
     return tuple(((y[i + 1] - y[i]) / (x[i + 1] - x[i]), y[i]) for i in range(len(x) - 1))
 
 
-def _curve(name: str) -> Callable[..., tuple[tuple[float, ...], ...]]:
+def _curve(name: str, **options: str) -> Callable[..., tuple[tuple[float, ...], ...]]:
     """Pieces of a piecewise polynomial of ``scipy.interpolate``."""
 
     def pieces(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], ...]:
         from scipy import interpolate
 
-        coefficients = getattr(interpolate, name)(x, y).c
+        coefficients = getattr(interpolate, name)(x, y, **options).c
         return tuple(tuple(float(c) for c in piece) for piece in coefficients.T)
 
     return pieces
@@ -120,6 +126,7 @@ KINDS: dict[str, Callable[..., tuple[tuple[float, ...], ...]]] = {
     "linear": _linear,
     "cubic": _curve("CubicSpline"),
     "pchip": _curve("PchipInterpolator"),
+    "periodic": _curve("CubicSpline", bc_type="periodic"),
 }
 
 

@@ -30,13 +30,17 @@ class Curve:
         breaks: Ends of the pieces, (n + 1,).
         coefficients: Highest power of the distance from the left end first, by component and
             piece, (3, n, k).
+        period: After which it comes round again, 0 where it does not.
     """
 
     breaks: Array
     coefficients: Array
+    period: float = 0.0
 
     def at(self, s: Array, order: int) -> Array:
         """Derivative by s, (..., 3)."""
+        if self.period:
+            s = s - self.period * np.floor(s.real / self.period)
         piece = np.clip(np.searchsorted(self.breaks, s.real) - 1, 0, len(self.breaks) - 2)
         step = s - self.breaks[piece]
         rows = [np.moveaxis(row[piece], -1, 0) for row in self.coefficients]

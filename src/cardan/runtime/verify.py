@@ -208,8 +208,12 @@ def scene_of(model: CompiledModel) -> Scene:
         prescribed=tuple(bool(j["prescribed"]) for j in joints),
         numbers=numbers,
         nu=model.nu,
-        curves=tuple(c and Curve(*map(np.array, c)) for c in scene.get("curves", ())),
+        curves=tuple(c and _curve(*c) for c in scene.get("curves", ())),
     )
+
+
+def _curve(breaks: list[float], coefficients: list[list[list[float]]], period: float) -> Curve:
+    return Curve(np.array(breaks), np.array(coefficients), period)
 
 
 def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth:

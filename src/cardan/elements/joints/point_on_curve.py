@@ -30,10 +30,12 @@ class PointOnCurve(Guided):
 
     q = [rotation, s], u = [angular velocity in child axes [rad/s], rate of s]. The curve is the
     cubic spline through the points, with two continuous derivatives; s [m] is 0 at the first
-    point and grows by the distance from point to point. Beyond its ends the curve continues.
+    point and grows by the distance from point to point. Beyond its ends the curve continues; a
+    closed one comes round again.
 
     Args:
         points: Places in parent axes [m], (n, 3) numbers, n >= 2, no two in a row alike.
+        closed: The curve goes on from the last point to the first; n >= 3.
         rotation: How the rotation is described, as of :class:`Spherical`.
 
     Raises:
@@ -46,28 +48,30 @@ class PointOnCurve(Guided):
     kind: ClassVar[str] = "point_on_curve"
     source: ClassVar[str] = "M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001, chapter 7"
     points: Any
+    closed: bool = False
     rotation: str = "quaternion"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points", _points(self.points))
+        object.__setattr__(self, "points", _points(self.points, self.closed))
         parametrization(self.rotation, "point on a curve")
 
-    @property
-    def splines(self) -> tuple[Interpolation, Interpolation, Interpolation]:
-        """x, y and z as functions of s."""
-        chords = [math.dist(a, b) for a, b in pairwise(self.points)]
-        s = list(accumulate(chords, initial=0.0))
-        x, y, z = (table(s, column, "cubic") for column in zip(*self.points, strict=True))
-        return x, y, z
+    def _splines(self) -> tuple[float, list[Interpolation]]:
+        """Length of the curve as s counts it; x, y and z as functions of s."""
+        points = (*self.points, self.points[0]) if self.closed else self.points
+        s = list(accumulate((math.dist(a, b) for a, b in pairwise(points)), initial=0.0))
+        kind = "periodic" if self.closed else "cubic"
+        return s[-1], [table(s, column, kind) for column in zip(*points, strict=True)]
 
     @property
     def guides(self) -> tuple[Component, ...]:
         return (Component(PARAMETER, "m"),)
 
     def quantities(self) -> dict[str, Quantity]:
-        from sympy import Symbol
+        from sympy import Mod, Symbol
 
-        at = tuple(spline(Symbol(PARAMETER)) for spline in self.splines)
+        length, splines = self._splines()
+        s = Symbol(PARAMETER)
+        at = tuple(spline(Mod(s, length) if self.closed else s) for spline in splines)
         return {"curve": Quantity(at, "m", local=(PARAMETER,))}
 
     @property
@@ -110,15 +114,16 @@ class PointOnCurve(Guided):
         return False
 
 
-def _points(given: Any) -> tuple[tuple[float, ...], ...]:
+def _points(given: Any, closed: bool) -> tuple[tuple[float, ...], ...]:
     """Rows of three numbers.
 
     Raises:
         ModelError: they are not, or they make no curve.
     """
     rows = given.tolist() if hasattr(given, "tolist") else given
-    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence) or len(rows) < 2:
-        raise ModelError("point on a curve: points must be at least 2 rows of 3 numbers")
+    least = 3 if closed else 2
+    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence) or len(rows) < least:
+        raise ModelError(f"point on a curve: points must be at least {least} rows of 3 numbers")
     made = tuple(vector("point on a curve", f"points[{i}]", row, 3) for i, row in enumerate(rows))
     for i, row in enumerate(made):
         if any(is_expression(x) for x in row):
@@ -127,4 +132,9 @@ def _points(given: Any) -> tuple[tuple[float, ...], ...]:
             raise ModelError(
                 f"point on a curve: points[{i}] is the point before it again; leave it out"
             )
+    if closed and made[0] == made[-1]:
+        raise ModelError(
+            "point on a curve: the last point is the first again; leave it out, closed=True "
+            "leads back to it"
+        )
     return made
