@@ -45,6 +45,7 @@ class Progress:
     open_row: int = -1
     correction: float = 0.0
     projections: int = 0
+    loosened: int = 0
 
 
 class PlainRunner:

@@ -145,6 +145,7 @@ def _run(
         "rejections": run.rejections,
         "evaluations": run.evaluations,
         "projections": run.projections,
+        "loosened": run.loosened,
         "milliseconds": milliseconds,
     }
     defaulted = (*begin.defaulted, *given.defaulted)

@@ -12,7 +12,8 @@
 #include <math.h>
 
 /* residuals relative to the size of the mechanism: what is sought, and what still counts as closed */
-static const real SOUGHT = 1e-14, CLOSED = 1e-11;
+static const real SOUGHT = 1e-15, CLOSED = 1e-11;
+static const real ROUNDING = 2e-15; /* of residuals that are sought */
 enum { MOST_STEPS = 8 };
 
 /* q or u with the function that closes it */
@@ -73,6 +74,30 @@ static void copy(real *to, const real *from, ptrdiff_t size)
         to[i] = from[i];
 }
 
+/* The largest entry by which a closed block differs. */
+static real largest_change(const level *at, const real *closed)
+{
+    real largest = 0;
+
+    for (ptrdiff_t i = 0; i < at->size; i++)
+        largest = fmax(largest, fabs(closed[i] - at->block[i]));
+    return largest;
+}
+
+/* What rounding of residuals becomes beside a singular position, in units of the tolerance.
+ *
+ * In the speeds of a state y (n) for h = 0, else in their change over a time h.
+ */
+real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h)
+{
+    real speed = 0;
+
+    for (ptrdiff_t i = run->nq; i < run->nx; i++)
+        speed = fmax(speed, fabs(y[i]));
+    return ROUNDING * magnified * magnified * speed * (h == 0 ? 1 : magnified * speed * fabs(h))
+           / (run->atol + run->rtol * speed);
+}
+
 /* Newton steps of one level until its residuals vanish or no longer fall.
  *
  * `first` becomes the largest residual before, relative to the scale. Returns 0, CARDAN_OPEN where
@@ -96,6 +121,8 @@ static int newton(cardan_run *run, const cardan_in *in, const level *at, real *y
         worst = fabs(residuals[row]) / at->scale;
         if (k == 0) {
             *first = worst;
+            if (at->first == 0 && run->positions > 0)
+                run->magnified = worst > 0 ? largest_change(at, closed) / worst : 0;
             if (noted)
                 note(run, at, *in->t, residuals, 0);
         }
@@ -147,6 +174,7 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
         if (status == 0 && noted)
             note(run, at, *in->t, run->closing + at->size, 2);
         run->model_status = status;
+        run->left_open = fmax(run->left_open, sqrt(change / (real)run->nx));
         return status == 0 ? 0 : CARDAN_MODEL;
     }
     *sum += change;
@@ -166,7 +194,7 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     cardan_in in = {0};
     int status = 0;
 
-    run->correction = 0;
+    run->correction = run->left_open = 0;
     run->open_row = -1;
     if (run->positions + run->rates == 0)
         return 0;

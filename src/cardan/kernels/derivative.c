@@ -105,6 +105,9 @@ ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n)
     return -1;
 }
 
+/* weight of one derivative in the next step */
+static const real SHARE = 0.05;
+
 /* The step to t, y succeeded: make it the present state and evaluate its derivative.
  *
  * y may be `trial`; it is normalized and projected onto the constraints here, which must change it
@@ -124,7 +127,14 @@ int cardan_commit(cardan_run *run, real t, const real *y)
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
     status = cardan_close(run, t, next, 1);
-    if (status == 0 && run->correction > 1)
+    /* what was left open at the last state is made good now, and no jump */
+    if (run->correction <= 10 * run->carried)
+        run->correction = 0;
+    /* a state that rounding disturbs, or its derivative, is no place to go on from */
+    run->correction = fmax(run->correction, cardan_rounding(run, next, run->magnified, 0));
+    run->correction = fmax(run->correction,
+                           SHARE * cardan_rounding(run, next, run->magnified, t - run->t));
+    if (status == 0 && run->correction > run->allowed)
         status = CARDAN_OPEN;
     if (status != 0)
         return status;
@@ -141,6 +151,8 @@ int cardan_commit(cardan_run *run, real t, const real *y)
         run->y_old[i] = run->y[i];
         run->y[i] = next[i];
     }
+    run->magnified_here = run->magnified;
+    run->carried = run->left_open;
     run->t_old = run->t;
     run->t = t;
     run->fresh = 1;

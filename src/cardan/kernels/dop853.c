@@ -106,10 +106,10 @@ int cardan_dop853_step(cardan_run *run)
         failed = stages(run, h);
         if (failed == 0) {
             error = error_of(run, h);
-            failed = error <= 1 ? cardan_commit(run, t_new, run->trial) : 0;
+            failed = error <= run->allowed ? cardan_commit(run, t_new, run->trial) : 0;
             failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
         }
-        if (failed == 0 && error <= 1) {
+        if (failed == 0 && error <= run->allowed) {
             cardan_accept_step(run, h, fmax(error, run->correction), ORDER);
             return 0;
         }

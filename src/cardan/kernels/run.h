@@ -95,7 +95,14 @@ struct cardan_run {
     real rtol, atol, max_step;
     real h; /* next step, signed */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
+    real left_open;  /* what it would have changed where it was left out */
+    real carried;    /* the same of the present state */
+    real magnified;  /* how much larger a change of q is than the residual it makes, at most */
+    real magnified_here; /* the same of the present state */
+    real first_h, best_h, best_error; /* of the trials of the present step */
+    real allowed; /* error that the next trial may have, in units of the tolerance: 1 or more */
     ptrdiff_t fresh, is_dense, rejected;
+    ptrdiff_t near_singular; /* whether rounding may explain errors of the present step */
 
     /* rows that come out: t, y, r */
     real *rows;    /* (capacity, 1 + n + nr) */
@@ -111,6 +118,7 @@ struct cardan_run {
     ptrdiff_t model_status;
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
+    ptrdiff_t loosened;    /* steps past singular positions that rounding kept from the tolerance */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
 
@@ -136,6 +144,7 @@ void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
+real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
