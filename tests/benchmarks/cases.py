@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import cardan as cd
 from mechanisms.chain import chain
+from mechanisms.closed import CLOSED
 from mechanisms.robots import STANDARD
 
 FORWARD, INVERSE, MASS, DERIVATIVES = (
@@ -27,6 +28,7 @@ class Case:
         loops: As :func:`cardan.compile` takes it.
         quick: Whether ``QUICK=1`` keeps it.
         size: Bodies of a chain, for the picture of cost against size.
+        closed: It has circuits: it stands in a table of its own.
     """
 
     name: str
@@ -36,12 +38,17 @@ class Case:
     loops: bool | None = None
     quick: bool = False
     size: int | None = None
+    closed: bool = False
 
 
 def _standard(name: str, functions: tuple[str, ...], quick: bool = False) -> Case:
     found = STANDARD[name]
     size = int(name.removeprefix("chain")) if name.startswith("chain") else None
     return Case(name, found.title, found.build, functions, None, quick, size)
+
+
+def _closed(name: str, title: str, quick: bool = False) -> Case:
+    return Case(name, title, CLOSED[name].build, (FORWARD,), None, quick, None, True)
 
 
 CASES = (
@@ -60,6 +67,12 @@ CASES = (
     Case("chain100_straight", "chain of 100, no loops", lambda: chain(100), (FORWARD,), False),
     _standard("pendulum10", (FORWARD,)),
     _standard("pendulum100", (FORWARD,)),
+    _closed("four_bar", "four-bar", quick=True),
+    _closed("slider_crank", "slider-crank"),
+    _closed("andrews", "squeezer of Andrews"),
+    _closed("bricard", "Bricard's mechanism"),
+    _closed("stewart", "Stewart platform, 6-UPS", quick=True),
+    _closed("delta", "Delta robot"),
 )
 # chains too long for anybody else here: bodies and the seconds they may take
 LONG = {1_000: 120, 10_000: 120, 100_000: 400}

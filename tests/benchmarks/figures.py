@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.cases import DERIVATIVES, FORWARD, INVERSE
+from benchmarks.cases import CASES, DERIVATIVES, FORWARD, INVERSE
 from benchmarks.measure import Found
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS, Comparison
@@ -61,6 +61,7 @@ def figures(found: Found) -> list[Figure]:
         *scalar(found),
         *batch(found),
         *derivatives(found),
+        *circuits(found),
         *building(found),
         *accuracy(found),
         Figure("peers that took part", len(PEERS), len(present()), "", least=True),
@@ -130,6 +131,16 @@ def derivatives(found: Found) -> Iterator[Figure]:
         for of, way, target in ((OURS, "scalar", 0.3), (LANES, "batch", 0.08)):
             value = ratio(found, case, DERIVATIVES, "pinocchio", of)
             yield Figure(f"derivatives, {title}, {way}, of Pinocchio's time", target, value)
+
+
+def circuits(found: Found) -> Iterator[Figure]:
+    for case in (case for case in CASES if case.closed):
+        name = f"closed, {case.title}, of Pinocchio's time"
+        yield Figure(name, 0.3, ratio(found, case.name, FORWARD, "pinocchio"))
+    for case, title in (("four_bar", "four-bar"), ("slider_crank", "slider-crank")):
+        comparison = found.comparisons.get(case)
+        row = comparison and comparison.row(FORWARD, OURS)
+        yield Figure(f"closed, {title}", 0.5, 1e6 * row.time.least if row else None, "us")
 
 
 def building(found: Found) -> Iterator[Figure]:

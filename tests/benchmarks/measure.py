@@ -17,6 +17,7 @@ from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
 from cardan.errors import CardanError
 from cardan.peers.comparison import Comparison, compare
 from cardan.peers.processor import Peak, peak
+from cardan.pipeline import STANDARD
 
 BUILDING = Path(__file__).with_name("building.py")
 COUNTS = Path(__file__).parents[1] / "golden" / "counts.json"
@@ -53,7 +54,8 @@ def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Compa
     """A case beside all peers, and the lanes of its batch."""
     plain = [function for function in case.functions if function != DERIVATIVES]
     plain = list(dict.fromkeys((FORWARD, *plain, MASS, "applied")))
-    functions = (*plain, "derivative")
+    # states of a closed system have to be found first, which may need anything
+    functions = STANDARD if case.closed else (*plain, "derivative")
     model = undamped(cd.compile(case.build(), functions=functions, loops=case.loops))
     show(f"{case.title}: compiling")
     model.prepare(*plain)

@@ -6,7 +6,7 @@ import platform
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from benchmarks.cases import CASES
+from benchmarks.cases import CASES, FORWARD
 from benchmarks.figures import EPS, SINCOS, Figure
 from benchmarks.measure import Found
 from cardan.peers import PEERS, peer
@@ -14,6 +14,7 @@ from cardan.peers.comparison import LANES, OURS
 from cardan.peers.processor import name as processor
 from cardan.runtime import cache
 
+CIRCUITS = {case.name for case in CASES if case.closed}
 Section = tuple[str, tuple[str, ...], list[tuple[str, ...]]]
 
 
@@ -24,6 +25,7 @@ def titles() -> dict[str, str]:
 def sections(found: Found) -> Iterator[Section]:
     """Title, headings and rows of every table."""
     yield comparisons(found)
+    yield circuits(found)
     yield buildings(found)
     yield counts(found)
 
@@ -37,7 +39,7 @@ def comparisons(found: Found) -> Section:
     lines: list[tuple[str, ...]] = []
     last = ""
     for case, comparison in found.comparisons.items():
-        for row in comparison.rows:
+        for row in comparison.rows if case not in CIRCUITS else ():
             ours = comparison.row(row.function, OURS)
             what = f"{titles()[case]}, {row.function.replace('_', ' ')}"
             first = what != last
@@ -53,6 +55,30 @@ def comparisons(found: Found) -> Section:
                 "" if row.agreement is None else f"{row.agreement:.1e}",
             ))  # fmt: skip
     return "speed and error, per call on one core, of a batch per state", headings, lines
+
+
+def circuits(found: Found) -> Section:
+    """Closed mechanisms: accelerations on the constraints, beside constrained dynamics."""
+    headings = (
+        "mechanism", "one call [us]", "in a batch [ns]", "Pinocchio [us]", "of its time", "error",
+        "from Pinocchio",
+    )  # fmt: skip
+    lines = []
+    for case, comparison in found.comparisons.items():
+        ours, lanes, judge = (comparison.row(FORWARD, name) for name in (OURS, LANES, "pinocchio"))
+        if case not in CIRCUITS or ours is None or lanes is None:
+            continue
+        theirs = judge.time.least if judge else None
+        lines.append((
+            titles()[case],
+            f"{1e6 * ours.time.least:.3f}",
+            f"{1e9 * lanes.time.least:.1f}",
+            f"{1e6 * theirs:.3f}" if theirs else "",
+            f"{ours.time.least / theirs:.3f}" if theirs else "",
+            "" if ours.error is None else f"{ours.error:.1e}",
+            "" if ours.agreement is None else f"{ours.agreement:.1e}",
+        ))  # fmt: skip
+    return "closed mechanisms, forward dynamics with constraints", headings, lines
 
 
 def buildings(found: Found) -> Section:

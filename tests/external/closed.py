@@ -10,6 +10,7 @@ import pinocchio as pin
 
 from cardan.peers.circuits import Circuits
 from cardan.peers.coordinates import after_each_other, coordinates
+from cardan.peers.peer import States
 from cardan.peers.pinocchio import CONVENTION
 from cardan.peers.tree import central, depth_first, directions
 
@@ -65,7 +66,8 @@ class Constrained:
 
     def forward_dynamics(self, q: np.ndarray, u: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """Accelerations (n, nu) in our speeds."""
-        q, u, tau = self.circuits.states(q, u, tau)
+        states = self.circuits.states(States(q, u, tau))
+        q, u, tau = states.q, states.u, states.third
         theirs = (self.map.q(q), self.map.speeds(q, u), self.map.speeds(q, tau))
         settings = pin.ProximalSettings(ACCURACY, WEIGHT, STEPS)
         rows = [

@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.model.files.mjcf import from_text
-from model.test_mjcf import linkage
+from model.mjcf_texts import linkage
 
 mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install mujoco")
 

@@ -14,8 +14,8 @@ from cardan.model.files import mjcf, urdf
 from cardan.peers.circuits import circuits
 from external.closed import Constrained
 from mechanisms.closed import CLOSED, Closed
-from model import test_mjcf as files_of_mujoco
 from model import test_urdf_loops as loops
+from model.mjcf_texts import linkage
 
 TOLERANCE = 1e-9
 SEED, PLACES = 3, (-0.5, 0.0, 0.1, 0.4)
@@ -58,9 +58,9 @@ FILES = {
     "URDF hinge": urdf.from_text(loops.robot(loops.PIN)),
     "URDF ball": urdf.from_text(loops.robot(loops.PIN.replace("revolute", "ball"))),
     "MJCF connect": mjcf.from_text(
-        files_of_mujoco.linkage('<connect body1="a" body2="c" anchor="0.2 0.1 1"/>', LOOSE)
+        linkage('<connect body1="a" body2="c" anchor="0.2 0.1 1"/>', LOOSE)
     ),
-    "MJCF weld": mjcf.from_text(files_of_mujoco.linkage('<weld body1="b" body2="c"/>', LOOSE)),
+    "MJCF weld": mjcf.from_text(linkage('<weld body1="b" body2="c"/>', LOOSE)),
 }
 
 

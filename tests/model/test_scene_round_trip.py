@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import stat
 from pathlib import Path
@@ -19,6 +20,7 @@ from cardan.model.files.scene.words import Words
 from cardan.pipeline import fingerprint
 from external.robots import FILES, ROBOTS
 from mechanisms import ZOO, Mechanism
+from mechanisms.closed import CLOSED, Closed, four_bar
 
 
 def again(scene: cd.Model, folder: Path) -> cd.Model:
@@ -40,6 +42,26 @@ def assert_same(one: cd.Model, other: cd.Model) -> None:
 def test_zoo(mechanism: Mechanism, tmp_path: Path) -> None:
     scene = mechanism.build()
     assert_same(scene, again(scene, tmp_path))
+
+
+@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+def test_circuits(mechanism: Closed, tmp_path: Path) -> None:
+    scene = mechanism.build()
+    assert_same(scene, again(scene, tmp_path))
+
+
+def test_cut_joints_and_constraints(tmp_path: Path) -> None:
+    scene = four_bar()
+    scene.joints["B"] = dataclasses.replace(scene.joints["B"], cut=True)
+    x = scene.bodies["rocker"].at(0.2, 0, 0, name="tip").position()[0]
+    scene.constraint("path", x - 0.1 * sympy.sin(cd.t), unit="m")
+    scene.constraint("steady", scene.u("A") - scene.u("D") / 3)
+    loaded = again(scene, tmp_path)
+    text = (tmp_path / "first.yaml").read_text(encoding="utf-8")
+    assert "path: {expression: position(tip).x - 0.1*sin(t), unit: m}" in text
+    assert [name for name, joint in loaded.joints.items() if joint.cut] == ["B"]
+    assert loaded.constraints == scene.constraints
+    assert_same(scene, loaded)
 
 
 @pytest.mark.filterwarnings("ignore")

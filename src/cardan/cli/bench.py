@@ -50,17 +50,21 @@ def run(options: argparse.Namespace) -> int:
     """Compile, compare, print."""
     from ..peers import processor
     from ..peers.comparison import compare
-    from ..pipeline import compile
+    from ..pipeline import STANDARD, compile, derive
     from .terminal import progress
 
     scene = reading.read(options)
     with progress() as show:
         show("deriving and compiling")
-        model = compile(scene, functions=(*USUAL, "applied", "derivative"))
+        equations = derive(scene)
+        # states of a closed system have to be found first, which may need anything
+        closed = bool(equations.multipliers)
+        functions = STANDARD if closed else (*USUAL, "applied", "derivative")
+        model = compile(equations, functions=functions)
         model.prepare("mass_matrix", *(set(options.functions) & set(USUAL)))
         found = compare(model, options.functions, options.peers, show=show)
         show("comparing what Pinocchio reads from the file")
-        own = own_reading(options)
+        own = None if closed else own_reading(options)
         peak = processor.peak()
     if options.json:
         print(json.dumps(summary(found, own, peak, model.operations), indent=1))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the file and how it is read."""
     parser.add_argument(
-        "file", metavar="FILE", type=Path, help="a scene (.yaml) or a robot (.urdf)"
+        "file", metavar="FILE", type=Path, help="a scene (.yaml), robot (.urdf) or MJCF (.xml)"
     )
     file = parser.add_argument_group("reading a robot")
     file.add_argument("--base", choices=("fixed", "free"), default="fixed",

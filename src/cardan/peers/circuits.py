@@ -19,7 +19,7 @@ from ..runtime.compiled import CompiledModel
 from ..runtime.joint_motion import cross, joint_motion, times
 from ..runtime.newton_euler import Scene, own
 from ..runtime.verify import scene_of
-from .peer import Array
+from .peer import Array, States
 
 # what can hang on a joint of a split body: coordinates and speeds
 SPLIT = {"revolute": 1, "prismatic": 1, "universal": 2}
@@ -66,21 +66,19 @@ class Circuits:
     nu: int
     seats: tuple[tuple[int, Array, Array], ...] = field(repr=False)
 
-    def states(self, q: Array, u: Array, third: Array) -> tuple[Array, Array, Array]:
+    def states(self, states: States) -> States:
         """The states with coordinates and speeds of the parts; no force acts along their joints."""
-        poses = _motions(self.scene, self.bodies, q, u)
-        more_q, more_u = [q], [u]
+        motions = _motions(self.scene, self.bodies, states.q, states.u)
+        n, q, u = self.scene.numbers, [states.q], [states.u]
         for part, (body, rotation, position) in enumerate(self.seats, self.bodies):
-            n, kind = self.scene.numbers, self.scene.kinds[part]
-            parent = poses[self.scene.parents[part] + 1].frame(
-                n["rotation"][part], n["position"][part]
-            )
-            relative = parent.seen(poses[body + 1].frame(rotation, position))
+            kind, parent = self.scene.kinds[part], motions[self.scene.parents[part] + 1]
+            outer = parent.frame(n["rotation"][part], n["position"][part])
+            relative = outer.seen(motions[body + 1].frame(rotation, position))
             axes = np.stack([n["axis"][part], n["axis2"][part]])
-            more_q.append(_coordinates(kind, axes, relative))
-            more_u.append(_speeds(kind, axes, relative))
-        nothing = np.zeros((len(q), sum(block.shape[1] for block in more_u[1:])))
-        return (*(np.concatenate(x, axis=1) for x in (more_q, more_u, [third, nothing])),)
+            q.append(_coordinates(kind, axes, relative))
+            u.append(_speeds(kind, axes, relative))
+        third = [states.third, *map(np.zeros_like, u[1:])]
+        return States(*(np.concatenate(blocks, axis=1) for blocks in (q, u, third)))
 
 
 @dataclass(frozen=True)

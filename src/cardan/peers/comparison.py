@@ -11,6 +11,7 @@ from ..errors import CardanError
 from ..runtime.compiled import CompiledModel
 from ..runtime.verify import scene_of
 from . import PEERS, peer
+from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative
 from .ours import Ours
 from .peer import Array, Contender, States
@@ -20,6 +21,9 @@ SEED = 3
 LOOP, BATCH, JUDGED = 64, 2048, 3
 OURS, LANES = "cardan", "cardan, batch"
 JUDGE = "pinocchio"
+# states of closed systems: how far from the start [rad or m], steps back onto the constraints, and
+# the residual that they must reach [m or 1]
+NEAR, NEWTON, CLOSED = 0.2, 8, 1e-12
 Show = Callable[[str], None]
 
 
@@ -140,16 +144,24 @@ def _difference(values: Array | None, expected: Array | None) -> float | None:
 def taking_part(
     model: CompiledModel, chosen: Sequence[str], show: Show = lambda text: None
 ) -> tuple[dict[str, Contender], dict[str, str]]:
-    """Peers made ready for the tree of a model, and why the others are not."""
+    """Peers made ready for the mechanism of a model, and why the others are not."""
     scene, joints = scene_of(model), [row["name"] for row in model.manifest["joints"]]
+    closed = circuits(model) if model.manifest["multipliers"] else None
     contenders, absent = {}, {}
     for name in chosen:
         found = peer(name)
         why = found.missing() or found.refusal(scene, joints)
+        if not why and closed is not None:
+            why = (
+                closed if isinstance(closed, str) else "" if found.closed else "there are circuits"
+            )
         if not why:
             show(f"preparing {found.name}")
             try:
-                contenders[name] = found.contender(scene)
+                if found.closed and isinstance(closed, Circuits):
+                    contenders[name] = found.closed(closed)
+                else:
+                    contenders[name] = found.contender(scene)
             except (CardanError, ValueError, ImportError) as problem:
                 why = str(problem).splitlines()[0]
         if why:
@@ -158,10 +170,31 @@ def taking_part(
 
 
 def drawn(model: CompiledModel, count: int) -> States:
-    """Random states inside limits, the same first ones for every count."""
-    q, u = model.split(model.random_state(SEED, (BATCH,)))
-    third = np.random.default_rng(SEED).uniform(-1, 1, (BATCH, model.nu))
+    """Random states inside limits, the same first ones for every count.
+
+    Those of a closed system are on its constraints, around the position next to its initial one.
+    """
+    rng = np.random.default_rng(SEED)
+    if model.manifest["multipliers"]:
+        q, u = _on_constraints(model, rng)
+    else:
+        q, u = model.split(model.random_state(SEED, (BATCH,)))
+    third = rng.uniform(-1, 1, (BATCH, model.nu))
     return States(*(np.ascontiguousarray(block[:count]) for block in (q, u, third)))
+
+
+def _on_constraints(model: CompiledModel, rng: np.random.Generator) -> tuple[Array, Array]:
+    """States near an assembled position (BATCH, nq), (BATCH, nu)."""
+    start = model.assemble().q
+    away, u = rng.uniform(-1, 1, (2, BATCH, model.nu))
+    # along the motions that are allowed, then back onto the constraints
+    along = model.close_velocity(start, NEAR * away)[:, : model.nu]
+    q = model.integrate(np.broadcast_to(start, (BATCH, model.nq)), along)
+    for _ in range(NEWTON):
+        q = model.close_position(q)[:, : model.nq]
+    lost = ~(np.abs(model.constraints(q)) < CLOSED).all(axis=1)
+    q[lost] = start
+    return q, model.close_velocity(q, u)[:, : model.nu]
 
 
 def pushed(model: CompiledModel, function: str, states: States) -> States:

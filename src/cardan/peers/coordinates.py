@@ -37,7 +37,7 @@ def refusal(scene: Scene, joints: Sequence[str], kinds: Container[str] = COMMON)
     for i, (name, kind) in enumerate(zip(joints, scene.kinds, strict=True)):
         if kind not in kinds:
             return f"joint '{name}' is {kind}"
-        if SIZES[kind][0] > 1 and scene.rotations[i] != "quaternion":
+        if kind in ("spherical", "free") and scene.rotations[i] != "quaternion":
             return f"joint '{name}' turns without a quaternion"
         if scene.leaders[i] >= 0:
             return f"joint '{name}' is coupled"

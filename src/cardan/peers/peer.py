@@ -65,6 +65,7 @@ class Peer:
         missing: Why it cannot take part here, "" if it can.
         refusal: Why it cannot take part on a tree with joints of these names, "" if it can.
         contender: Makes the program for a mechanism.
+        closed: Makes it for a mechanism with circuits; None where it has none.
     """
 
     name: str
@@ -72,6 +73,7 @@ class Peer:
     missing: Callable[[], str] = field(repr=False)
     refusal: Callable[[Scene, Sequence[str]], str] = field(repr=False)
     contender: Callable[[Scene], Contender] = field(repr=False)
+    closed: Callable[[Any], Contender] | None = field(repr=False, default=None)
 
 
 def installed(module: str, package: str) -> str:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib.metadata
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
@@ -16,16 +17,17 @@ import numpy as np
 from ..runtime.cache import build
 from ..runtime.newton_euler import Scene
 from ..runtime.toolchain import Compiler
-from . import cplusplus
-from .coordinates import Convention, after_each_other, coordinates, refusal
+from . import coordinates, cplusplus
+from .circuits import Circuits
+from .coordinates import Convention, Coordinates
 from .loop import HERE, Loop, address, peer_loop
-from .peer import FUNCTIONS, Contender, Peer
+from .peer import FUNCTIONS, Array, Contender, Peer, States
 from .tree import central, depth_first, directions
 
 CONVENTION = Convention(
     scalar_last=True, position_first=True, linear_first=True, body_axes=True
 )  # fmt: skip
-KIND = {"revolute": 0, "prismatic": 1, "spherical": 2, "free": 3}
+KIND = {"revolute": 0, "prismatic": 1, "spherical": 2, "free": 3, "universal": 4}
 # what its own build defines; Boost's lists are too short for its joints otherwise
 OPTIONS = (
     "-std=c++17", "-O3", "-march=native", "-DNDEBUG", "-g0", "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
@@ -73,11 +75,11 @@ def _compilers() -> list[Compiler]:
 
 
 @cache
-def _library() -> tuple[ctypes.CDLL, Compiler]:
-    """The fastest build: tried once on a chain of seven hinges."""
-    compilers, source = _compilers(), HERE / "pinocchio.cpp"
+def _library(source: str) -> tuple[ctypes.CDLL, Compiler]:
+    """The fastest build of a file: tried once on a chain of seven hinges."""
+    compilers = _compilers()
     with ThreadPoolExecutor() as pool:
-        built = list(pool.map(lambda by: build([source], by=by).load(), compilers))
+        built = list(pool.map(lambda by: build([HERE / source], [HERE], by=by).load(), compilers))
     if len(built) == 1:
         return built[0], compilers[0]
     times = [_tried(library) for library in built]
@@ -92,7 +94,7 @@ def _tried(library: ctypes.CDLL) -> float:
     inertia = np.broadcast_to(np.diag([0.1, 1.0, 1.0]), (n, 3, 3)) / 12
     turns = np.broadcast_to(np.eye(3), (n, 3, 3))
     rods = np.full((n, 3), [1.0, 0, 0])
-    numbers = (axes, turns, rods, np.ones(n), rods / 2, inertia, np.array([0, 0, -9.81]))
+    numbers = (axes, axes, turns, rods, np.ones(n), rods / 2, inertia, np.array([0, 0, -9.81]))
     self = _model(library, [-1, *range(n - 1)], [0] * n, numbers)
     x = np.random.default_rng(1).uniform(-1, 1, (4, 50, n))
     blocks = [address(block) for block in x]
@@ -111,26 +113,65 @@ def _model(
     return ctypes.c_void_p(make(len(parents), *places))
 
 
+def refusal(scene: Scene, joints: Sequence[str]) -> str:
+    """Why a tree cannot be handed over, "" if it can."""
+    return coordinates.refusal(scene, joints, KIND)
+
+
+def _tree(
+    library: ctypes.CDLL, scene: Scene
+) -> tuple[ctypes.c_void_p, Coordinates, dict[int, int]]:
+    """A tree, the map of its states, and its number of every body of ours."""
+    com, inertia = central(scene)
+    n, order = scene.numbers, depth_first(scene)
+    axes = (directions(scene), directions(scene, "axis2"))
+    rows = (*axes, n["rotation"], n["position"], n["mass"], com, inertia)
+    numbers = (*(row[order] for row in rows), n["gravity"])
+    place = {-1: -1, **{body: k for k, body in enumerate(order)}}
+    parents = [place[scene.parents[body]] for body in order]
+    self = _model(library, parents, [KIND[scene.kinds[body]] for body in order], numbers)
+    places = coordinates.after_each_other(scene, order)
+    return self, coordinates.coordinates(scene, CONVENTION, places), place
+
+
 def contender(scene: Scene) -> Contender:
     """Pinocchio on a tree.
 
     Raises:
         BuildError: the compiler does not take its headers.
     """
-    library, by = _library()
-    com, inertia = central(scene)
-    n, order = scene.numbers, depth_first(scene)
-    rows = (directions(scene), n["rotation"], n["position"], n["mass"], com, inertia)
-    numbers = (*(row[order] for row in rows), n["gravity"])
-    place = {-1: -1, **{body: k for k, body in enumerate(order)}}
-    parents = [place[scene.parents[body]] for body in order]
-    self = _model(library, parents, [KIND[scene.kinds[body]] for body in order], numbers)
-    loop = Loop(
-        peer_loop(library), self, coordinates(scene, CONVENTION, after_each_other(scene, order))
-    )
-    version = importlib.metadata.version("libpinocchio")
-    title = f"Pinocchio {version}, {cplusplus.version(by)}"
-    return Contender(title, FUNCTIONS, loop.start, loop.results, (library,))
+    library, by = _library("pinocchio.cpp")
+    self, own_map, _ = _tree(library, scene)
+    loop = Loop(peer_loop(library), self, own_map)
+    return Contender(_title(by), FUNCTIONS, loop.start, loop.results, (library,))
 
 
-PEER = Peer("Pinocchio", "pin", missing, refusal, contender)
+def closed_contender(circuits: Circuits) -> Contender:
+    """Pinocchio's constrained dynamics, without feedback of residuals.
+
+    Raises:
+        BuildError: the compiler does not take its headers.
+    """
+    library, by = _library("pinocchio_closed.cpp")
+    self, own_map, place = _tree(library, circuits.scene)
+    for held in circuits.held:
+        bodies = np.array([place[body] for body in held.bodies], dtype=np.int32)
+        rotations, positions = map(np.ascontiguousarray, (held.rotations, held.positions))
+        places = (address(bodies), address(rotations), address(positions))
+        library.peer_hold(self, int(held.whole), *places)
+    loop = Loop(peer_loop(library), self, own_map)
+
+    def results(function: str, states: States) -> Array:
+        return loop.results(function, circuits.states(states))[:, : circuits.nu]
+
+    def start(function: str, states: States) -> Callable[[int], float]:
+        return loop.start(function, circuits.states(states))
+
+    return Contender(_title(by), FUNCTIONS[:1], start, results, (library,))
+
+
+def _title(by: Compiler) -> str:
+    return f"Pinocchio {importlib.metadata.version('libpinocchio')}, {cplusplus.version(by)}"
+
+
+PEER = Peer("Pinocchio", "pin", missing, refusal, contender, closed_contender)

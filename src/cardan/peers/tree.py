@@ -31,8 +31,12 @@ def central(scene: Scene) -> tuple[Array, Array]:
     return com, scene.numbers["inertia"] - shift
 
 
-def directions(scene: Scene) -> Array:
-    """Unit vectors of the axes of joints (nb, 3), 0 where there is none."""
-    axis = scene.numbers["axis"]
+def directions(scene: Scene, which: str = "axis") -> Array:
+    """Unit vectors of the axes of joints (nb, 3), 0 where there is none.
+
+    Args:
+        which: ``axis2`` for the second ones.
+    """
+    axis = scene.numbers[which]
     length = np.linalg.norm(axis, axis=1, keepdims=True)
     return np.asarray(axis / np.where(length > 0, length, 1.0))

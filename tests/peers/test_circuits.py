@@ -1,0 +1,66 @@
+"""Closed systems for other programs: frames held together, bodies split where that is needed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan.peers.circuits import Circuits, circuits
+from cardan.peers.comparison import OURS, compare, drawn, taking_part
+from cardan.runtime.newton_euler import mass_matrix
+from mechanisms.closed import CLOSED, Closed, four_bar
+
+
+def found(scene: cd.Model) -> tuple[cd.CompiledModel, Circuits]:
+    model = cd.compile(scene)
+    closed = circuits(model)
+    assert isinstance(closed, Circuits), closed
+    return model, closed
+
+
+@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+def test_parts_of_bodies_add_up(mechanism: Closed) -> None:
+    model, closed = found(mechanism.build())
+    own = drawn(model, 5)
+    states = closed.states(own)
+    whole = mass_matrix(closed.scene, states.q)
+    # at speeds that keep the parts together the kinetic energy is that of the whole bodies
+    energy = np.einsum("ni,nij,nj->n", states.u, whole, states.u) / 2
+    np.testing.assert_allclose(energy, model.energy(own.q, own.u)[0], rtol=1e-9)
+    assert states.third.shape == states.u.shape
+
+
+def test_what_is_held() -> None:
+    kinds = {name: found(CLOSED[name].build())[1] for name in ("four_bar", "bricard", "stewart")}
+    # planar circuits close by points, a spatial hinge by a split body, ball joints by points
+    assert [(held.whole, len(kinds["four_bar"].seats)) for held in kinds["four_bar"].held] == [
+        (False, 0)
+    ]
+    assert [held.whole for held in kinds["bricard"].held] == [True]
+    assert len(kinds["bricard"].seats) == 1
+    assert [held.whole for held in kinds["stewart"].held] == [False] * 5
+
+
+def test_relations_that_are_no_joints_are_refused_by_name() -> None:
+    scene = four_bar()
+    scene.constraint("law", scene.u("A") - scene.u("D") / 3)
+    assert circuits(cd.compile(scene)) == "'law' is no closing condition of a joint"
+
+
+def test_trees_alone_are_not_compared_with_circuits() -> None:
+    model = cd.compile(four_bar())
+    absent = taking_part(model, ("casadi", "mujoco", "pydy"))[1]
+    assert set(absent) == {"casadi", "mujoco", "pydy"}
+    row = compare(model, ("forward_dynamics",), (), rounds=1).row("forward_dynamics", OURS)
+    assert row is not None
+    assert row.error is not None
+    assert row.error < 1e-12
+
+
+def test_drawn_states_are_on_the_constraints() -> None:
+    model = cd.compile(CLOSED["delta"].build())
+    states = drawn(model, 20)
+    assert np.abs(model.constraints(states.q)).max() < 1e-12
+    assert np.abs(model.constraint_rates(states.q, states.u)).max() < 1e-12
+    assert np.ptp(states.q, axis=0).max() > 0.05
