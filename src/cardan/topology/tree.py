@@ -6,7 +6,7 @@ the tree of fewest freedoms.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Container, Mapping
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
@@ -54,16 +54,36 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     Returns:
         The branches, every inner body before its outer one, and the cut joints.
     """
-    joints = list(model.joints.values())
+    joints, kept = list(model.joints.values()), keep(model)
     asked = {joint.name for joint in joints if joint.cut}
     branches, closing = _grow(model, [joint for joint in joints if not joint.cut])
     if closing:
-        branches, closing = _grow(model, _fewest_freedoms(model, asked))
+        branches, closing = _grow(model, _fewest_freedoms(model, asked, kept))
         closing += [j for j in joints if j not in closing and _closes(branches, j)]
     closing += [j for j in joints if j.cut and j not in closing and _reached(model, branches, j)]
     order = {joint.name: k for k, joint in enumerate(joints)}
     closing.sort(key=lambda joint: order[joint.name])
-    return branches, [_closing(branches, joint) for joint in closing]
+    return branches, [_closing(branches, joint, kept) for joint in closing]
+
+
+def keep(model: Model) -> dict[str, str]:
+    """Joints whose coordinates are wanted, and so are not cut: name -> why."""
+    found: dict[str, str] = {}
+    for joint in model.joints.values():
+        if joint.motion is not None:
+            found[joint.name] = "it is prescribed"
+        elif joint.couple is not None:
+            found[joint.name] = f"it follows '{joint.couple.leader}'"
+            found.setdefault(joint.couple.leader, f"joint '{joint.name}' follows it")
+        elif not joint.kind.cuttable:
+            found[joint.name] = "a joint of this kind has no closing condition of its own"
+    for force in model.forces.values():
+        for name in force.element.joints().values():
+            found.setdefault(name, f"force '{force.name}' acts on its coordinate")
+    for text, atom in model.atoms.items():
+        if atom.quantity in ("q", "u"):
+            found.setdefault(str(atom.place), f"'{text}' stands in an expression")
+    return found
 
 
 def _grow(model: Model, joints: Collection[Joint]) -> tuple[list[Branch], list[Joint]]:
@@ -99,14 +119,12 @@ def _grow(model: Model, joints: Collection[Joint]) -> tuple[list[Branch], list[J
     return branches, closing
 
 
-def freedoms(joint: Joint) -> int:
+def freedoms(joint: Joint, kept: Container[str]) -> int:
     """Speeds that a joint adds to the tree; -1 where it must not be cut."""
-    if joint.motion is not None or joint.couple is not None or not joint.kind.cuttable:
-        return -1
-    return len(joint.kind.speeds)
+    return -1 if joint.name in kept else len(joint.kind.speeds)
 
 
-def _fewest_freedoms(model: Model, asked: Collection[str]) -> list[Joint]:
+def _fewest_freedoms(model: Model, asked: Collection[str], kept: Container[str]) -> list[Joint]:
     """The joints of the tree of fewest speeds; among those, of the shallowest, declared first."""
     joints = list(model.joints.values())
     at: dict[Body, list[int]] = {}
@@ -119,7 +137,7 @@ def _fewest_freedoms(model: Model, asked: Collection[str]) -> list[Joint]:
 
     def offer(body: Body) -> None:
         for k in at.get(body, []):
-            heappush(open_joints, (freedoms(joints[k]), depth[body], k))
+            heappush(open_joints, (freedoms(joints[k], kept), depth[body], k))
 
     offer(model.ground)
     taken: set[int] = set()
@@ -156,21 +174,30 @@ def _closes(branches: list[Branch], joint: Joint) -> bool:
     return not joint.cut and all(branch.joint is not joint for branch in branches)
 
 
-def _closing(branches: list[Branch], joint: Joint) -> Closing:
+def _closing(branches: list[Branch], joint: Joint, kept: Mapping[str, str]) -> Closing:
+    """What a joint closes, and why it was cut.
+
+    Raises:
+        TopologyError: it must not be cut.
+    """
     ring = tuple(loop(branches, joint))
+    who = f"joint '{joint.name}' ({joint.kind.kind})"
+    if joint.cut and joint.name in kept:
+        raise TopologyError(
+            f"{who}: cut=True, but {kept[joint.name]}; a cut joint has no coordinate. Cut another "
+            f"joint of its circuit: {', '.join(repr(j.name) for j in ring if j is not joint)}"
+        )
     if joint.cut:
         return Closing(joint, ring, "cut=True asks for it")
-    if freedoms(joint) < 0:
-        held = "it is prescribed or follows another joint"
-        if not joint.kind.cuttable:
-            held = "a joint of this kind has no closing condition of its own"
+    if joint.name in kept:
+        held = "; ".join(f"'{j.name}': {kept[j.name]}" for j in ring)
         raise TopologyError(
-            f"joint '{joint.name}' ({joint.kind.kind}) closes a circuit of joints of which none "
-            f"can be cut: {', '.join(repr(j.name) for j in ring)}; {held}. Make another joint of "
-            "the circuit one that can, such as Revolute or Spherical"
+            f"{who} closes a circuit of joints of which none can be cut: {held}. Make another "
+            "joint of the circuit one that can, such as a Revolute or Spherical without force or "
+            "prescribed motion"
         )
-    count = freedoms(joint)
-    others = [j for j in ring if j is not joint and freedoms(j) >= count]
+    count = freedoms(joint, kept)
+    others = [j for j in ring if j is not joint and freedoms(j, kept) >= count]
     freest = f"its {count} freedom{'s' if count != 1 else ''} leave the tree the fewest speeds"
     if others:
         freest += f", as those of '{others[0].name}' would, and so the tree is shallower"

@@ -1,0 +1,203 @@
+"""Closed mechanisms in the coordinates of all their bodies: an independent road to accelerations.
+
+Newton's and Euler's equations of free bodies, joints as equations between their poses written
+here, their Jacobian by complex steps, one linear system for accelerations and multipliers. Of the
+package only what the user wrote is used: the scene.
+
+Source: E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, chapter 11.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+import cardan as cd
+
+Array = np.ndarray
+Poses = Mapping[str, tuple[Array, Array]]
+COMPLEX = 1e-30
+# weights of the central difference of sixth order
+DIFFERENCE = {1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
+STEP = 1e-2
+
+
+def unit(axis: Any) -> Array:
+    """A direction as written."""
+    if isinstance(axis, str):
+        sign = -1.0 if axis.startswith("-") else 1.0
+        return sign * np.eye(3)["xyz".index(axis[-1])]
+    vector = np.asarray(axis, float)
+    return vector / np.linalg.norm(vector)
+
+
+def across(axis: Array) -> tuple[Array, Array]:
+    """Two directions perpendicular to an axis and to each other."""
+    first = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    first /= np.linalg.norm(first)
+    return first, np.cross(axis, first)
+
+
+def skew(v: Array) -> Array:
+    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+
+class Maximal:
+    """A scene of rigid bodies, joints, gravity, springs and joint forces as one linear system."""
+
+    def __init__(self, scene: cd.Model) -> None:
+        self.scene = scene
+        self.bodies = list(scene.bodies.values())
+        self.slot = {body.name: 6 * k for k, body in enumerate(self.bodies)}
+
+    def frame(self, poses: Poses, place: Any) -> tuple[Array, Array]:
+        """R and p of a frame or body in the ground."""
+        fixed = (np.eye(3), np.zeros(3))
+        R, p = poses.get(place.body.name, fixed)
+        if place is place.body:
+            return R, p
+        turn = place.orientation
+        if turn is None:
+            own = np.eye(3)
+        elif isinstance(turn[0], str):
+            own = Rotation.from_euler(turn[0], turn[1:]).as_matrix()
+        else:
+            own = np.asarray(turn, float)
+        return R @ own, p + R @ np.asarray(place.coordinates, float)
+
+    def residuals(self, poses: Poses) -> Array:
+        """What vanishes where all joints hold together."""
+        found: list[Any] = []
+        for joint in self.scene.joints.values():
+            kind = joint.kind
+            (R_P, p_P), (R_C, p_C) = (self.frame(poses, x) for x in (joint.parent, joint.child))
+            if kind.kind == "prismatic":
+                axis = unit(kind.axis)
+                found += [(R_P @ b) @ (p_C - p_P) for b in across(axis)]
+                x, y, z = np.eye(3)
+                found += [(R_P @ a) @ (R_C @ b) for a, b in ((x, y), (y, z), (z, x))]
+                continue
+            found += list(p_C - p_P)
+            if kind.kind == "revolute":
+                axis = unit(kind.axis)
+                found += [(R_P @ b) @ (R_C @ axis) for b in across(axis)]
+            elif kind.kind == "universal":
+                found.append((R_P @ unit(kind.axis1)) @ (R_C @ unit(kind.axis2)))
+            else:
+                assert kind.kind == "spherical"
+        return np.array(found)
+
+    def moved(self, poses: Poses, twists: Array) -> dict[str, tuple[Array, Array]]:
+        """Poses after twists (6 n): angular in ground axes, velocity of the center of mass."""
+        found = {}
+        for body in self.bodies:
+            w, v = np.split(twists[self.slot[body.name] : self.slot[body.name] + 6], 2)
+            R, p = poses[body.name]
+            c = np.asarray(body.com, float)
+            # Cayley's map: exact in the first two orders, which is all that is differentiated
+            W = skew(w / 2)
+            turn = np.linalg.solve(np.eye(3) - W, np.eye(3) + W)
+            found[body.name] = turn @ R, p + R @ c + v - turn @ (R @ c)
+        return found
+
+    def jacobian(self, poses: Poses) -> Array:
+        """Of the residuals along the twists (m, 6 n)."""
+        columns = []
+        for k in range(6 * len(self.bodies)):
+            step = np.zeros(6 * len(self.bodies), complex)
+            step[k] = 1j * COMPLEX
+            columns.append(self.residuals(self.moved(poses, step)).imag / COMPLEX)
+        return np.stack(columns, axis=1)
+
+    def bent(self, poses: Poses, twists: Array) -> Array:
+        """Second derivative of the residuals along a motion with constant twists (m)."""
+
+        def rate(t: float) -> Array:
+            step = twists * (t + 1j * COMPLEX)
+            return self.residuals(self.moved(poses, step)).imag / COMPLEX
+
+        return sum(w * (rate(k * STEP) - rate(-k * STEP)) for k, w in DIFFERENCE.items()) / STEP
+
+    def loads(self, poses: Poses, twists: Array) -> tuple[Array, Array]:
+        """Mass matrix (6 n, 6 n) and what it is balanced by (6 n), gravity included."""
+        n = 6 * len(self.bodies)
+        mass, load = np.zeros((n, n)), np.zeros(n)
+        for body in self.bodies:
+            at = slice(self.slot[body.name], self.slot[body.name] + 3)
+            by = slice(at.stop, at.stop + 3)
+            R, w = poses[body.name][0], twists[at]
+            xx, xy, xz, yy, yz, zz = map(float, body.inertia)
+            J = R @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ R.T
+            mass[at, at], mass[by, by] = J, float(body.mass) * np.eye(3)
+            load[at] = -np.cross(w, J @ w)
+            load[by] = float(body.mass) * np.asarray(self.scene.gravity, float)
+        for force in self.scene.forces.values():
+            self._add(load, force.element, poses)
+        return mass, load
+
+    def _add(self, load: Array, element: Any, poses: Poses) -> None:
+        if element.kind == "spring_damper":
+            a, b = element.frame_a, element.frame_b
+            p_a, p_b = (self.frame(poses, x)[1] for x in (a, b))
+            length = np.linalg.norm(p_b - p_a)
+            assert element.damping == 0
+            pull = element.stiffness * (length - element.length) * (p_b - p_a) / length
+            for place, point, force in ((a, p_a, pull), (b, p_b, -pull)):
+                self._push(load, place, poses, np.zeros(3), point, force)
+            return
+        assert element.kind == "joint_force"
+        joint = self.scene.joints[element.joint]
+        assert joint.kind.kind == "revolute"
+        R, point = self.frame(poses, joint.parent)
+        moment = R @ unit(joint.kind.axis) * element.force
+        self._push(load, joint.parent, poses, -moment, point, np.zeros(3))
+        self._push(load, joint.child, poses, moment, point, np.zeros(3))
+
+    def _push(
+        self, load: Array, place: Any, poses: Poses, moment: Array, point: Array, force: Array
+    ) -> None:
+        body = place.body
+        if body.name not in self.slot:
+            return
+        R, p = poses[body.name]
+        k, center = self.slot[body.name], p + R @ np.asarray(body.com, float)
+        load[k : k + 3] += moment + np.cross(point - center, force)
+        load[k + 3 : k + 6] += force
+
+    def accelerations(self, poses: Poses, twists: Array) -> dict[str, Array]:
+        """Angular and linear acceleration of the center of mass (6,) by body, in ground axes.
+
+        Args:
+            poses: R (3, 3) and p (3) of every body, on the constraints.
+            twists: Of every body (6 n), angular first; of the center of mass.
+        """
+        G = self.jacobian(poses)
+        mass, load = self.loads(poses, twists)
+        # redundant rows and needles without inertia about their axis: least squares, scaled
+        scale = np.abs(mass).max()
+        system = np.block([[mass / scale, G.T], [G, np.zeros((len(G), len(G)))]])
+        right = np.concatenate([load / scale, -self.bent(poses, twists)])
+        solution = np.linalg.lstsq(system, right, rcond=1e-13)[0]
+        assert np.abs(system @ solution - right).max() < 1e-9 * max(1.0, np.abs(right).max())
+        return {body.name: solution[self.slot[body.name] :][:6] for body in self.bodies}
+
+    def centers(self, poses: Poses) -> dict[str, Array]:
+        """Center of mass of every body from its origin (3), in ground axes."""
+        return {
+            body.name: poses[body.name][0] @ np.asarray(body.com, float) for body in self.bodies
+        }
+
+    def origins(
+        self, poses: Poses, twists: Array, of_centers: Mapping[str, Array]
+    ) -> dict[str, Array]:
+        """Accelerations (6,) of the origins of the bodies from those of their centers of mass."""
+        found = {}
+        for name, back in self.centers(poses).items():
+            angular, linear = np.split(of_centers[name], 2)
+            w = twists[self.slot[name] :][:3]
+            turned = np.cross(angular, -back) + np.cross(w, np.cross(w, -back))
+            found[name] = np.concatenate([angular, linear + turned])
+        return found
