@@ -6,6 +6,7 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from ..ir.function import Function, count
+from .circuits_told import circuits_told
 
 if TYPE_CHECKING:
     from .record import Equations
@@ -68,6 +69,7 @@ def overview(equations: Equations) -> str:
         f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
         "  q: " + _row(equations.coordinates),
         "  u: " + _row(equations.speeds),
+        *circuits_told(equations),
         f"  {'':18}  mul   add   div  trig  all",
     ]
     for name, counts in equations.operations.items():

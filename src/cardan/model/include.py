@@ -70,6 +70,10 @@ def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
         name = copy.name(output.name)
         checks.new("output", name, model.outputs)
         model.outputs[name] = Output(name, copy.value(output.expression), output.unit)
+    for constraint in other.constraints.values():
+        model.constraint(
+            copy.name(constraint.name), copy.value(constraint.expression), constraint.unit
+        )
     copy.motions()
     model.notes += [f"{prefix}: {note}" for note in other.notes]
     model.snaps += [f"{prefix}: {snap}" for snap in other.snaps]

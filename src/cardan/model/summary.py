@@ -24,6 +24,7 @@ def summary(model: Model) -> str:
             ("parameter", model.parameters),
             ("input", model.inputs),
             ("output", model.outputs),
+            ("constraint", model.constraints),
         )
         if items
     )

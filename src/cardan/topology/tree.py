@@ -198,9 +198,10 @@ def _closing(branches: list[Branch], joint: Joint, kept: Mapping[str, str]) -> C
         )
     count = freedoms(joint, kept)
     others = [j for j in ring if j is not joint and freedoms(j, kept) >= count]
-    freest = f"its {count} freedom{'s' if count != 1 else ''} leave the tree the fewest speeds"
+    freest = f"{count} freedoms less" if count != 1 else "1 freedom less"
+    freest += " in the tree is the most that a joint of the circuit gives"
     if others:
-        freest += f", as those of '{others[0].name}' would, and so the tree is shallower"
+        freest += f"; '{others[0].name}' would give as much, but a deeper tree"
     return Closing(joint, ring, freest)
 
 

@@ -1,0 +1,57 @@
+"""What is said about the circuits and constraints of a system: what was cut, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ..topology.system import Closure, Cut, System
+
+if TYPE_CHECKING:
+    from .record import Equations
+
+GROUPS = {"planar": "in a plane", "spherical": "about a point"}
+MOST = 12
+
+
+def circuits_told(equations: Equations) -> list[str]:
+    """One line for every circuit, and one on how the constraints are treated."""
+    system = equations.system
+    lines = [_solved(system, closure) for closure in system.closures[:MOST]]
+    lines += [_cut(system, cut) for cut in system.cuts[:MOST]]
+    hidden = max(0, len(system.closures) - MOST) + max(0, len(system.cuts) - MOST)
+    if hidden:
+        lines.append(f"  ... and {hidden} more circuits")
+    if system.closed:
+        names, treatment = equations.multipliers, equations.treatment
+        shown = _some(names)
+        lines.append(f"  {len(names)} constraints by {treatment.name}: {shown}")
+    return lines
+
+
+def _solved(system: System, closure: Closure) -> str:
+    names = ", ".join(system.joints[i].name for i in closure.unknown)
+    sign = "+" if closure.branch > 0 else "-"
+    return (
+        f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow (branch {sign})"
+    )
+
+
+def _cut(system: System, cut: Cut) -> str:
+    """A circuit that constraints close."""
+    rows, all_rows = len(cut.rows), len(cut.element.held)
+    where = GROUPS.get(cut.group, "")
+    if rows == all_rows:
+        count = f"{rows} conditions"
+    else:
+        count = f"moves {where or 'in a group'}, so that {rows} of {all_rows} conditions close it"
+    at = f"cut at {cut.name} ({cut.element.kind}), as {cut.reason}"
+    return f"  circuit of {_ring(system, cut)}: {at}; {count}"
+
+
+def _ring(system: System, cut: Cut) -> str:
+    return _some([*(system.joints[i].name for i, _ in cut.path), cut.name])
+
+
+def _some(names: Sequence[str]) -> str:
+    return ", ".join(names[:MOST]) + (f", ... ({len(names)})" if len(names) > MOST else "")
