@@ -60,6 +60,18 @@ _PUBLIC: dict[str, str] = {
         ),
         "elements.forces",
     ),
+    **dict.fromkeys(
+        (
+            "Multipliers",
+            "Elimination",
+            "NullSpace",
+            "Baumgarte",
+            "Penalty",
+            "Augmented",
+            "Perturbed",
+        ),
+        "equations.treatments",
+    ),
     "derive": "pipeline",
     "compile": "pipeline",
     "Equations": "equations.record",

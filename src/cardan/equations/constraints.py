@@ -162,6 +162,11 @@ class Constraints:
             DerivationError: a relation is not linear in the speeds.
         """
         g, nu = self.k.graph, self.k.system.nu
+        if self.k.chosen:
+            # the columns of the joints belong to their own speeds
+            nodes = self.rates.nodes
+            columns = [forward(g, nodes, {g.var("u", s): ONE}) for s in range(nu)]
+            return Matrix(g, len(nodes), nu, [c[i] for i in range(len(nodes)) for c in columns])
         held, slipping = list[list[int]](), list[list[int]]()
         for n, cut in enumerate(self.k.system.cuts):
             with g.made_by(cut.name, "G"):

@@ -1,0 +1,149 @@
+"""Constraints that users write, their powers, chosen speeds, massless bodies, derivatives."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy
+
+import cardan as cd
+from cardan.errors import DerivationError, ModelError
+from mechanisms.closed import CLOSED
+
+
+def pendulum_in_coordinates() -> cd.Model:
+    """A point mass on two slides, held on a circle by a relation."""
+    scene = cd.Model("relation", gravity=(0, -9.81, 0))
+    slider = scene.body("slider")
+    bob = scene.body("bob", mass=2.0)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, slider)
+    scene.joint("y", cd.Prismatic("y"), slider, bob)
+    x, y = scene.q("x"), scene.q("y")
+    scene.constraint("rod", (x**2 + y**2 - 1) / 2, unit="m^2")
+    return scene
+
+
+def test_a_relation_makes_a_pendulum() -> None:
+    """The angle of a pendulum of length 1: phi'' = -g sin phi, tension m (g cos phi + phi'^2)."""
+    model = cd.compile(pendulum_in_coordinates())
+    phi, rate = 0.4, 1.3
+    q = [np.sin(phi), -np.cos(phi)]
+    u = [rate * np.cos(phi), rate * np.sin(phi)]
+    tangent, inward = np.array([np.cos(phi), np.sin(phi)]), -np.array(q)
+    udot = model.forward_dynamics(q, u)
+    np.testing.assert_allclose(udot @ tangent, -9.81 * np.sin(phi), rtol=1e-13)
+    np.testing.assert_allclose(udot @ inward, rate**2, rtol=1e-13)
+    tension = 2.0 * (9.81 * np.cos(phi) + rate**2)
+    np.testing.assert_allclose(model.multipliers(q, u), [-tension], rtol=1e-13)
+    assert model.manifest["multipliers"][0]["name"] == "rod"
+
+
+def test_a_rheonomic_relation_does_work() -> None:
+    """A bead on a rod that turns as prescribed: what the rod gives is the change of energy."""
+    scene = cd.Model("bead", gravity=(0, 0, 0))
+    slider, bead = scene.body("slider"), scene.body("bead", mass=0.7)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, slider)
+    scene.joint("y", cd.Prismatic("y"), slider, bead)
+    angle = 0.9 * cd.t
+    across = -scene.q("x") * sympy.sin(angle) + scene.q("y") * sympy.cos(angle)
+    scene.constraint("turning", across, unit="m")
+    motion = cd.compile(scene).simulate(2.0, q={"x": 1.0}, u={"x": 0.0, "y": 0.9}, rtol=1e-11)
+    # r'' = w^2 r from r = 1 at rest
+    radius = np.hypot(motion["x"][-1], motion["y"][-1])
+    assert radius == pytest.approx(np.cosh(0.9 * 2.0), rel=1e-9)
+    kinetic = motion.energy.kinetic
+    given = motion.work["turning.motion"][-1]
+    assert kinetic[-1] - kinetic[0] == pytest.approx(given, rel=1e-8)
+
+
+def test_levels_are_found() -> None:
+    scene = pendulum_in_coordinates()
+    scene.constraint("skate", scene.u("x") * sympy.sin(scene.q("y")) - scene.u("y"))
+    levels = [row["level"] for row in cd.compile(scene).manifest["multipliers"]]
+    assert levels == ["position", "velocity"]
+
+
+def test_relations_that_cannot_be() -> None:
+    scene = pendulum_in_coordinates()
+    scene.constraint("square", scene.u("x") ** 2 - 1)
+    with pytest.raises(DerivationError, match="constraint 'square' is not linear in the speeds"):
+        cd.compile(scene).constraint_jacobian([0.0, -1.0])
+    with pytest.raises(ModelError, match="the name is taken"):
+        scene.constraint("rod", 1)
+    with pytest.raises(ModelError, match="a joint has this name"):
+        scene.constraint("x", 1)
+    empty = pendulum_in_coordinates()
+    empty.constraint("nothing", sympy.Integer(0))
+    with pytest.raises(ModelError, match="constraint 'nothing' is 0 always"):
+        cd.derive(empty)
+
+
+def test_trees_have_no_multipliers() -> None:
+    scene = cd.Model("tree")
+    scene.joint("j", cd.Revolute("y"), scene.ground, scene.body("b", mass=1.0, com=(0, 0, 1)))
+    with pytest.raises(DerivationError, match="nothing binds the speeds"):
+        cd.compile(scene, functions=("multipliers",))
+    with pytest.raises(DerivationError, match="is no way to treat them"):
+        cd.derive(scene, constraints="lagrange")
+
+
+def test_massless_links() -> None:
+    """A rod without mass between two sliders: M is singular, the circuit is not."""
+    scene = cd.Model("rod", gravity=(0, -9.81, 0))
+    left = scene.body("left", mass=1.5)
+    right = scene.body("right", mass=0.5)
+    rod = scene.body("rod")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, left)
+    scene.joint("y", cd.Prismatic("y"), scene.ground, right)
+    scene.joint("a", cd.Revolute("z"), left, rod)
+    scene.joint("b", cd.Revolute("z"), rod.at(1, 0, 0), right)
+    model = cd.compile(scene)
+    phi = 0.7
+    # right slides down the y axis, left along x: x = -cos phi, y = sin phi
+    q = model.split(model.initial({"x": -np.cos(phi), "a": phi, "y": np.sin(phi)}))[0]
+    udot = model.forward_dynamics(q, np.zeros(model.nu))
+    # at rest: (1.5 sin^2 + 0.5 cos^2) phi'' = -0.5 g cos
+    wanted = -0.5 * 9.81 * np.cos(phi) / (1.5 * np.sin(phi) ** 2 + 0.5 * np.cos(phi) ** 2)
+    assert udot[model.speeds.index("a.u")] == pytest.approx(wanted, rel=1e-12)
+
+
+@pytest.mark.parametrize("function", ["forward_dynamics", "multipliers"])
+@pytest.mark.parametrize("treatment", ["multipliers", "elimination"])
+def test_derivatives(treatment: str, function: str) -> None:
+    mechanism = CLOSED["slider_crank"]
+    model = cd.compile(mechanism.build(), constraints=treatment)
+    names = [j["name"] for j in model.manifest["joints"]]
+    state = mechanism.state(0.3, 1.0, names)
+    q, u = model.split(model.initial(state.q, state.u))
+    call = getattr(model, function)
+    by_q, by_u, by_tau = (model.derivative(function, wrt=(w,)) for w in ("q", "u", "tau"))
+    step = 1e-6
+    for k in range(model.nu):
+        e = np.eye(model.nu)[k] * step
+        for found, plus, minus in (
+            (by_q(q, u), call(q + e, u), call(q - e, u)),
+            (by_u(q, u), call(q, u + e), call(q, u - e)),
+            (by_tau(q, u), call(q, u, tau=e), call(q, u, tau=-e)),
+        ):
+            slope = (plus - minus) / (2 * step)
+            size = max(1.0, np.abs(slope).max())
+            # h^2 of the difference and eps/h of the values
+            np.testing.assert_allclose(found[0][:, k], slope, rtol=0, atol=2e-7 * size)
+
+
+def test_chosen_speeds_of_a_closed_system() -> None:
+    mechanism = CLOSED["four_bar"]
+    scene = mechanism.build()
+    speeds = {"one": scene.u("A") + scene.u("B"), "two": scene.u("B"), "three": 2 * scene.u("D")}
+    chosen, plain = cd.compile(scene, speeds=speeds), cd.compile(scene)
+    state = mechanism.state(0.3)
+    q = [state.q[n] for n in ("A", "B", "D")]
+    u = plain.close_velocity(q, [1.0, 0.0, 0.0])[:3]
+    own = [u[0] + u[1], u[1], 2 * u[2]]
+    a, wanted = chosen.forward_dynamics(q, own), plain.forward_dynamics(q, u)
+    np.testing.assert_allclose([a[0] - a[1], a[1], a[2] / 2], wanted, rtol=1e-11)
+    np.testing.assert_allclose(chosen.multipliers(q, own), plain.multipliers(q, u), rtol=1e-11)
+    q_off = np.array(q) + [1e-3, 0, 0]
+    np.testing.assert_allclose(
+        chosen.close_position(q_off), plain.close_position(q_off), rtol=0, atol=1e-13
+    )
