@@ -110,6 +110,28 @@ def test_every_joint_is_tested() -> None:
     assert {kind.kind for kind in INSTANCES.values()} == set(JOINTS) - APART
 
 
+def gears(relation: bool) -> cd.Model:
+    """Two unbalanced wheels that mesh, by a gear or by a relation between two hinges."""
+    scene = cd.Model("gears", gravity=(0.5, 0, -9.81))
+    one = scene.body("one", mass=1.0, com=(0.1, 0, 0.03), inertia=(0.1, 0.2, 0.1))
+    other = scene.body("other", mass=2.0, com=(0.1, 0.1, 0.3), inertia=INERTIA)
+    lead = scene.joint("lead", cd.Revolute("y"), scene.ground, one)
+    wheel = cd.Revolute((0, 3, 4)) if relation else cd.Gear(lead, -0.7, (0, 3, 4), 0.2)
+    scene.joint("wheel", wheel, one.at(0.4, 0, 0), other)
+    if relation:
+        scene.constraint("mesh", scene.q("wheel") + 0.7 * scene.q("lead") - 0.2, unit="rad")
+    return scene
+
+
+def test_a_gear_is_a_relation_between_two_joints() -> None:
+    one, two = cd.derive(gears(False)), cd.derive(gears(True))
+    q, u = 0.4, 1.3
+    (udot,) = call(one, "forward_dynamics", q=np.array([q]), u=np.array([u])).values()
+    given = {"q": np.array([q, -0.7 * q + 0.2]), "u": np.array([u, -0.7 * u])}
+    (both,) = call(two, "forward_dynamics", **given).values()
+    np.testing.assert_allclose(both, [udot[0], -0.7 * udot[0]], rtol=1e-12)
+
+
 def test_the_state_is_on_the_constraints(pair: Pair) -> None:
     q, u = pair.floating
     (g,) = call(pair.cut, "constraints", q=q).values()

@@ -108,3 +108,11 @@ def test_the_plane_acts_at_the_point_of_contact(case: Case) -> None:
     lam = dict(zip([c.name for c in case.kind.slips], case.model.multipliers(q, u), strict=True))
     for name, value in along.items():
         assert abs(value - lam.get(name, 0.0)) < 1e4 * EPS * size
+
+
+def test_random_states_are_regular(case: Case) -> None:
+    """No wheel lies flat."""
+    q, _ = case.model.split(case.model.random_state(1, (500,)))
+    lean = q[:, case.model.coordinates.index("rolls.lean")]
+    assert 1.3 < np.abs(lean).max() < 0.9 * np.pi / 2
+    assert np.abs(q[:, case.model.coordinates.index("rolls.yaw")]).max() > 3

@@ -138,10 +138,15 @@ def _owners(system: System) -> tuple[list[str], list[str]]:
 
 def _coordinates(system: System) -> list[dict[str, Any]]:
     rows = zip(blocks.coordinates(system), _owners(system)[0], strict=True)
-    return [
+    made: list[dict[str, Any]] = [
         {"name": name, "unit": unit, "default": default, "joint": joint}
         for (name, unit, default), joint in rows
     ]
+    components = [c for j in system.joints if j.q >= 0 for c in j.element.coordinates]
+    for row, component in zip(made, components, strict=True):
+        if component.reach is not None:
+            row["reach"] = component.reach
+    return made
 
 
 def _speeds(equations: Equations) -> list[dict[str, Any]]:

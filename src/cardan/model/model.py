@@ -182,8 +182,10 @@ class Model(Vocabulary):
             name: Its name.
             kind: A joint element such as ``Revolute("y")``; its axis is given in the parent frame.
             parent, child: Frames, bodies (their origin frames) or their names; they coincide at
-                q = 0. Where the child has ``pose=`` and the parent is a body, the frame on the
-                parent follows from the poses.
+                q = 0 unless the kind says otherwise (:class:`Distance`, :class:`Wheel`,
+                :class:`RollingDisk`, :class:`PointOnCurve`). Where the child has ``pose=`` and the
+                parent is a body, the frame on the parent follows from the poses. The child may be
+                nearer to the ground than the parent.
             motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed.
             cut: Ask for this joint to close a circuit; without it circuits are cut where that
                 leaves the fewest speeds.

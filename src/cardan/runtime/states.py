@@ -14,6 +14,8 @@ SPEED = 1.0
 TURN = math.pi
 MOVE = 1.0
 OTHER = 0.3
+# part of the way to where a joint is no longer regular
+INSIDE = 0.9
 
 
 def random_state(
@@ -22,7 +24,8 @@ def random_state(
     """States x = [q, u] (*shape, nx).
 
     Angles fill their limits or +-pi, displacements their limits or +-1 m, rotations every
-    direction up to an angle at which the parametrization is still regular; speeds +-1.
+    direction up to an angle at which the parametrization is still regular; speeds +-1. Other
+    coordinates stay where their joint is regular.
     """
     rows = manifest["coordinates"]
     q = np.zeros((*shape, len(rows)))
@@ -53,6 +56,8 @@ def _rotations(manifest: dict[str, Any]) -> list[tuple[int, str]]:
 def _range(row: dict[str, Any], limits: dict[str, Any]) -> tuple[float, float]:
     """Where to draw a coordinate from."""
     reach = {"rad": TURN, "m": MOVE}.get(row["unit"], OTHER)
+    if "reach" in row:
+        reach = min(reach, INSIDE * float(row["reach"]))
     middle = row["default"] or 0.0
     lower, upper = limits.get("lower"), limits.get("upper")
     if row["unit"] == "rad":

@@ -92,7 +92,7 @@ def _independent(
             if sample == 0:
                 at[i] = moved
     algebra = closure(twists)
-    if len(algebra) == 6:
+    if len(algebra) == 6 or not cut.rows:
         return cut
     # the group as the cut joint sees it: about the origin and in the axes of its child frame
     frame = frames[cut.parent_frame]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -40,7 +41,7 @@ class ConstantVelocity(Joint):
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
-        return Component("angle1", "rad"), Component("angle2", "rad")
+        return Component("angle1", "rad"), Component("angle2", "rad", reach=math.pi)
 
     def quantities(self) -> dict[str, Quantity]:
         return {"axis": Quantity(self.axis, ratio=True)}

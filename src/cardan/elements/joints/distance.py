@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -51,7 +52,7 @@ class Distance(Guided):
 
     @property
     def guides(self) -> tuple[Component, ...]:
-        return Component("rod1", "rad"), Component("rod2", "rad")
+        return Component("rod1", "rad"), Component("rod2", "rad", reach=math.pi / 2)
 
     def quantities(self) -> dict[str, Quantity]:
         return {"length": Quantity(self.length, "m"), "axis": Quantity(self.axis, ratio=True)}

@@ -15,7 +15,8 @@ class Gear(Hinge):
     """A wheel whose angle is ratio times the coordinate of another joint plus an offset.
 
     It has no coordinate of its own: the equations are those of the leader, which carries the
-    torque of the teeth.
+    torque of the teeth. Between two joints that both have coordinates, :meth:`Model.constraint`
+    says the same as a relation, with the torque of the teeth as its multiplier.
 
     Args:
         leader: The joint it follows, or its name; one coordinate.

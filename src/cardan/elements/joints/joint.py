@@ -18,11 +18,14 @@ class Component:
         name: "" where the joint has only one, else such as "w", "px", "angle".
         unit: SI unit.
         default: Value where the user names none (1 for the scalar part of a quaternion).
+        reach: The joint is regular where the coordinate is smaller in size; None without such a
+            bound.
     """
 
     name: str
     unit: str
     default: float = 0.0
+    reach: float | None = None
 
 
 ROTATIONS = tuple(Component(name, "rad") for name in ("rx", "ry", "rz"))

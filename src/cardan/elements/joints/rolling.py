@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 
 from ...ir.arithmetic import Scalar, cos, sin, sqrt
@@ -33,8 +34,9 @@ class Rolling(Joint):
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
-        lengths = Component("x", "m"), Component("y", "m")
-        return (*lengths, *(Component(name, "rad") for name in ("yaw", "lean", "spin")))
+        lean = Component("lean", "rad", reach=math.pi / 2)
+        place = Component("x", "m"), Component("y", "m")
+        return (*place, Component("yaw", "rad"), lean, Component("spin", "rad"))
 
     @property
     def coincident(self) -> bool:
