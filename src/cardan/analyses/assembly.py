@@ -9,6 +9,8 @@ from typing import final
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import ModelError, near
+
 Array = NDArray[np.float64]
 LISTED = 24
 
@@ -48,10 +50,17 @@ class Assembly:
         return np.concatenate([self.q, self.u])
 
     def __getitem__(self, name: str) -> float:
-        """A coordinate, or a speed as ``elbow.u``, by name."""
-        if name in self.coordinates:
-            return float(self.q[self.coordinates.index(name)])
-        return float(self.u[self.speeds.index(name.removesuffix(".u"))])
+        """A coordinate, or a speed such as ``elbow.u``, by name.
+
+        Raises:
+            ModelError: no such name.
+        """
+        for names, values in ((self.coordinates, self.q), (self.speeds, self.u)):
+            for wanted in (name, name.removesuffix(".u")):
+                if wanted in names and (wanted == name or names is self.speeds):
+                    return float(values[names.index(wanted)])
+        known = [*self.coordinates, *self.speeds]
+        raise ModelError(f"assembly['{name}']: there is no such entry.{near(name, known)}")
 
     def __repr__(self) -> str:
         found = {None: "one of many positions", 1: "the only position found"}

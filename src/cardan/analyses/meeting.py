@@ -119,7 +119,7 @@ def _step(
     rank = int(np.sum(s > RANK * max(top, 1.0)))
     # damped by the residual itself: bounded where the rank drops, quadratic at the end
     distance = float(np.linalg.norm(hard)) * 0.1
-    inverse = s[:rank] / (s[:rank] ** 2 + distance**2 * (s[:rank] < 1e-2))
+    inverse = s[:rank] / (s[:rank] ** 2 + distance**2)
     across = -Vt[:rank].T @ (inverse * (U[:, :rank].T @ hard))
     if not len(soft):
         return across, np.zeros_like(across), rank, 1.0

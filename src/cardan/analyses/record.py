@@ -30,10 +30,8 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment"),
     (COUNT, "in_segment"),
-    (
-        REAL,
-        "rtol atol max_step h correction left_open carried magnified magnified_here first_h best_h best_error allowed",
-    ),
+    (REAL, "rtol atol max_step h correction left_open carried magnified magnified_here"),
+    (REAL, "first_h best_h best_error allowed"),
     (COUNT, "fresh is_dense rejected near_singular"),
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),

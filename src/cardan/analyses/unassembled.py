@@ -76,8 +76,11 @@ def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found], r
 
 def _open(m: Mechanism, found: Sequence[Found]) -> str:
     """The circuit with the largest gap where the search came nearest."""
-    q = min(found, key=lambda one: one.open).q
-    gaps = m.gaps(q)
+
+    def gap_of(one: Found) -> float:
+        return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
+
+    gaps = m.gaps(min(found, key=gap_of).q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
     gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"

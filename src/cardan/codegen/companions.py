@@ -47,7 +47,9 @@ def prototypes(manifest: dict[str, Any]) -> str:
 
 def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the first function at the start, and one second of motion if it can."""
-    name = next(iter(manifest["functions"]))
+    name = min(manifest["functions"], key=CLOSING.__contains__)
+    fields = _fields(manifest["functions"][name]["inputs"])
+    zero = f"zero[{_zeros(manifest)}], " if "zero" in fields else ""
     lines = [
         f"/* Try it:  {compile_line} */",
         '#include "functions.h"',
@@ -60,9 +62,9 @@ def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: 
         *(_simulation(integrators[0], manifest) if integrators else []),
         "int main(void)",
         "{",
-        f"    static real zero[{_zeros(manifest)}], out[{name}_out_size + 1];",
+        f"    static real {zero}out[{name}_out_size + 1];",
         f"    static real work[{name}_work_size + 1], w[{name}_w_size + 1];",
-        f"    const cardan_in in = {{{_fields(manifest['functions'][name]['inputs'])}}};",
+        f"    const cardan_in in = {{{fields}}};",
         "",
         f"    prepare_{name}(cardan_default_p, w);",
         f"    int status = {name}(&in, out, work);",
