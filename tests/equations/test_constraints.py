@@ -143,7 +143,7 @@ def test_chosen_speeds_of_a_closed_system() -> None:
     a, wanted = chosen.forward_dynamics(q, own), plain.forward_dynamics(q, u)
     np.testing.assert_allclose([a[0] - a[1], a[1], a[2] / 2], wanted, rtol=1e-11)
     np.testing.assert_allclose(chosen.multipliers(q, own), plain.multipliers(q, u), rtol=1e-11)
-    q_off = np.array(q) + [1e-3, 0, 0]
+    q_off = [q[0] + 1e-3, *q[1:]]
     np.testing.assert_allclose(
         chosen.close_position(q_off), plain.close_position(q_off), rtol=0, atol=1e-13
     )
