@@ -187,6 +187,31 @@ def test_a_motor_is_an_input() -> None:
     assert "not read: actuator velocity" in model.notes
 
 
+def test_a_motor_with_the_name_of_its_joint() -> None:
+    motor = '<actuator><motor name="hip" joint="hip"/></actuator></mujoco>'
+    model = from_text(one('<joint name="hip"/>' + SOLID).replace("</mujoco>", motor))
+    assert list(model.inputs) == list(model.forces) == ["hip.motor"]
+    assert cd.compile(model, functions=("forward_dynamics",)).nr == 1
+
+
+def test_masses_are_scaled_to_their_total() -> None:
+    bodies = f'<body name="a"><joint/>{SOLID}<body><joint/>{SOLID}</body></body>'
+    system = build(from_text(mujoco(bodies, '<compiler settotalmass="6"/>')))
+    for body in range(2):
+        mass, _, inertia = body_mass(system, body)
+        np.testing.assert_allclose(mass, 3, rtol=1e-15)
+        np.testing.assert_allclose(inertia, np.diag([0.13, 0.10, 0.05]), atol=1e-15)
+
+
+def test_names_do_not_clash() -> None:
+    inside = (
+        f'<site name="b"/><joint name="x"/><joint name="y"/>{SOLID}<body name="a.x">{SOLID}</body>'
+    )
+    model = from_text(mujoco(f'<body name="a">{inside}</body><body name="b">{SOLID}</body>'))
+    assert set(model.bodies) == {"a", "a.x", "a.x_", "b"}
+    assert "b_" in model.frames
+
+
 def test_classes_hand_on_what_they_say() -> None:
     more = """
     <default><joint damping="1"/><default class="b"><joint axis="1 0 0"/>

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 import cardan as cd
 from cardan.model.files.mjcf import from_text
+from cardan.model.files.options import Options
 from model.fuzzing import FUZZ
 from model.mjcf_texts import SOLID, linkage, mujoco, one
 
@@ -49,6 +50,15 @@ REFUSED = {
     "site": (linkage('<weld site1="sa" site2="sd"/>'), "site2 'sd' is no site"),
     "joint": (linkage('<joint joint1="jc"/>'), "joint1 'jc' is no joint"),
     "same": (linkage('<weld body1="a" body2="a"/>'), "same body"),
+    "negative mass": (
+        one('\n<joint/><inertial pos="0 0 0" mass="-1" diaginertia="1 1 1"/>'),
+        "text:1: body 'a': mass is -1.0",
+    ),
+    "twice named": (
+        one(f'{SOLID}<joint name="j"/>\n<body>{SOLID}<joint name="j"/></body>'),
+        "text:2: joint 'j': the name is taken",
+    ),
+    "endless name": (one(f'{SOLID}<joint name="{"j" * 300}"/>'), "at most 200"),
     "nan": (one(f'{SOLID}<joint pos="nan 0 0"/>'), "no number"),
     "include": (mujoco('<include file="../x.xml"/>'), "leads out of the declared folders"),
     "include nothing": (mujoco('<include file="x.xml"/>'), "there is no file 'x.xml'"),
@@ -62,6 +72,12 @@ def test_refused(case: str, tmp_path: Path) -> None:
         from_text(text, folder=tmp_path)
     assert words in str(caught.value)
     assert len(str(caught.value)) < 700
+
+
+@pytest.mark.parametrize("options", [Options(base="free"), Options(mimic="free")])
+def test_options_of_urdf_are_refused(options: Options) -> None:
+    with pytest.raises(cd.ModelError, match="base= and mimic= are for URDF"):
+        from_text(one(SOLID), options)
 
 
 def test_errors_have_file_and_line(tmp_path: Path) -> None:

@@ -68,7 +68,18 @@ JOINT = tag(
         tag("mimic", {"joint": NAMES, "multiplier": WORDS, "offset": WORDS}),
     ),
 )
-ROBOT = tag("robot", {"name": NAMES}, st.lists(st.one_of(LINK, JOINT), max_size=10).map("".join))
+LOOP = tag(
+    "loop_joint",
+    {"name": NAMES, "type": TYPES},
+    several(
+        tag("link1", {"link": NAMES}),
+        tag("link2", {"link": NAMES}, several(ORIGIN)),
+        ORIGIN,
+        tag("axis", {"xyz": TRIPLES}),
+    ),
+)
+PARTS = st.lists(st.one_of(LINK, JOINT, LOOP), max_size=10)
+ROBOT = tag("robot", {"name": NAMES}, PARTS.map("".join))
 
 
 @st.composite
@@ -84,6 +95,9 @@ def sound(draw):
             f'<joint name="j{k}" type="{draw(TYPES)}"><parent link="l{inner}"/>'
             f'<child link="l{k + 1}"/><axis xyz="{axis}"/>{draw(ORIGIN)}</joint>'
         )
+    if draw(st.booleans()):
+        ends = f'<link1 link="l0"/><link2 link="l{k + 1}"/>{draw(ORIGIN)}'
+        parts.append(f'<loop_joint name="loop" type="{draw(TYPES)}">{ends}</loop_joint>')
     return f'<robot name="r">{"".join(parts)}</robot>'
 
 

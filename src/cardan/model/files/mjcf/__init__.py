@@ -22,6 +22,11 @@ def of_root(root: Any, options: Options, file: str, folder: Path | None) -> Mode
     """The model of a parsed document, see :func:`from_text`."""
     if root.tag != "mujoco":
         raise ModelError(f"file '{file}': the root is <{root.tag}>, not <mujoco>")
+    if options.base != "fixed" or options.mimic != "couple":
+        raise ModelError(
+            f"file '{file}': base= and mimic= are for URDF; MJCF says it by <freejoint/> and "
+            "<equality>"
+        )
     return Reader(root, options, file, folder).scene
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from ....elements.forces.joint_force import JointForce
 from ....errors import ModelError, near
@@ -12,28 +12,33 @@ from .joints import Hinge
 from .unread import Unread
 
 
-def motors(
-    scene: Model, actuators: Sequence[Element], hinges: Mapping[str, Hinge], unread: Unread
+def add(
+    scene: Model, element: Element, name: str, hinges: Mapping[str, Hinge], unread: Unread
 ) -> None:
-    """Every <motor> on a joint with one coordinate becomes an input times its gear.
+    """A <motor> on a joint with one coordinate becomes an input times its gear.
+
+    Args:
+        name: Where it has none. An input is not called like a joint, whose coordinate has the
+            name: ``hip`` is ``hip.motor`` then.
 
     Raises:
         ModelError: its joint does not exist.
     """
-    for number, element in enumerate(actuators):
-        raw = element.raw
-        joint = raw.get("joint")
-        if raw.tag != "motor" or joint is None:
-            unread.element(raw, "actuator")
-            continue
-        if joint not in hinges:
-            listed = near(joint, hinges).replace(" Known:", " Joints:")
-            raise ModelError(f"{element.where}: joint '{joint[:80]}' does not exist.{listed}")
-        if not hinges[joint].single:
-            unread.element(raw, f"{hinges[joint].kind} joint")
-            continue
-        unread.attributes(raw)
-        name = raw.get("name") or f"motor{number}"
-        gear = element.several("gear", 1, 6, "1")[0]
-        control = scene.input(name)
-        scene.force(name, JointForce(joint, gear * control if gear != 1 else control))
+    raw = element.raw
+    joint = raw.get("joint")
+    if raw.tag != "motor" or joint is None:
+        unread.element(raw, "actuator")
+        return
+    if joint not in hinges:
+        listed = near(joint, hinges).replace(" Known:", " Joints:")
+        raise ModelError(f"{element.where}: joint '{joint[:80]}' does not exist.{listed}")
+    if not hinges[joint].single:
+        unread.element(raw, f"{hinges[joint].kind} joint")
+        return
+    unread.attributes(raw)
+    name = raw.get("name") or name
+    if name in scene.joints or name == "t":
+        name += ".motor"
+    gear = element.several("gear", 1, 6, "1")[0]
+    control = scene.input(name)
+    scene.force(name, JointForce(joint, gear * control if gear != 1 else control))

@@ -11,9 +11,6 @@ from ..document import Element
 from ..pose import UPRIGHT, Pose, about, of_quaternion, unit, upright_to
 
 ORIENTATIONS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
-READ = frozenset(
-    {"angle", "eulerseq", "coordinate", "autolimits", "inertiafromgeom", "inertiagrouprange"}
-)
 
 
 @dataclass(frozen=True)
@@ -27,6 +24,7 @@ class Compiler:
         masses: ``auto``: from geoms where a body has no <inertial>; ``true``: always; ``false``:
             never.
         groups: First and last group of geoms that have mass.
+        total: Mass that all bodies together are scaled to [kg], negative for none.
     """
 
     degree: float = math.pi / 180
@@ -34,6 +32,7 @@ class Compiler:
     limited: bool = True
     masses: str = "auto"
     groups: tuple[float, float] = (0, 5)
+    total: float = -1.0
 
     @staticmethod
     def read(element: Element) -> Compiler:
@@ -60,6 +59,7 @@ class Compiler:
             chosen(element, "autolimits", ("true", "false"), "true") == "true",
             chosen(element, "inertiafromgeom", ("auto", "true", "false"), "auto"),
             (low, high),
+            element.number("settotalmass", "-1"),
         )
 
     def pose(self, element: Element) -> Pose:

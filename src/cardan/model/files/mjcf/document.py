@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ....errors import ModelError
+from ....errors import ModelError, TopologyError
 from ..document import Element, content, parse
 from ..meshes import Meshes
 from ..options import Options
@@ -17,6 +19,8 @@ from .defaults import TOP
 from .unread import Unread
 
 MOST_BODIES = 100_000
+# how a message begins that says where it is
+PLACE = re.compile(r"^[^:]+:\d+: ")
 # they make bodies by rules of their own; without them the model would be another
 REFUSED = ("replicate", "composite", "flexcomp", "attach")
 
@@ -63,6 +67,16 @@ class Document:
         name = raw.get("name")
         named = f" '{name[:80]}'" if name else ""
         return f"{self.place(raw)}: <{raw.tag}>{named}"
+
+    @contextmanager
+    def placed(self, raw: Any) -> Iterator[None]:
+        """Errors that do not say where they are say that they are here."""
+        try:
+            yield
+        except (ModelError, TopologyError) as problem:
+            if PLACE.match(str(problem)):
+                raise
+            raise type(problem)(f"{self.place(raw)}: {problem}") from problem
 
     def section(self, name: str) -> Element:
         """All elements of the root of a name as one: their attributes, later ones count."""

@@ -43,6 +43,18 @@ class Mass:
     inertia: Rows
 
 
+def scaled(masses: Sequence[Mass], total: float) -> list[Mass]:
+    """Bodies scaled so that their masses add up; as they are where the total is negative."""
+    present = sum(part.mass for part in masses)
+    factor = total / present if total >= 0 and present > 0 else 1.0
+    if factor == 1.0:
+        return list(masses)
+    return [
+        Mass(factor * m.mass, m.com, [[factor * x for x in row] for row in m.inertia])
+        for m in masses
+    ]
+
+
 NOTHING = Mass(0.0, (0.0, 0.0, 0.0), [[0.0] * 3] * 3)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -45,7 +46,9 @@ class Reader:
         self._equalities()
         self._build(found, hinges)
         self._close()
-        actuators.motors(self.scene, self._children("actuator"), self.hinges, self.unread)
+        for number, element in enumerate(self._children("actuator")):
+            with self.document.placed(element.raw):
+                actuators.add(self.scene, element, f"motor{number}", self.hinges, self.unread)
         self._announce()
 
     # the document
@@ -134,48 +137,60 @@ class Reader:
         couples = {name: law.couple for name, law in followers.items() if law.couple is not None}
         self.laws = [law for law in self.laws if law not in followers.values()]
         self.chain = Chain(scene, self.compiler, couples, self._free, self._origin)
+        self.names = {one.name for one in found}
+        weights = masses.scaled([self._weight(one) for one in found], self.compiler.total)
         made: list[Body] = []
-        for one, own in zip(found, hinges, strict=True):
-            body = scene.ground if one.parent < 0 else self._body(one)
-            made.append(body)
-            if one.parent >= 0:
-                parent = made[one.parent]
-                self.parts.bodies[one.raw.get("name") or one.name] = body
-                self.parts.drawn[body] = self.parts.drawn[parent].then(one.pose)
-                self.chain.join(parent, one.pose, body, own, f"{one.name}.weld")
+        for one, own, weight in zip(found, hinges, weights, strict=True):
+            with self.document.placed(one.raw):
+                body = scene.ground if one.parent < 0 else self._body(one, weight)
+                made.append(body)
+                if one.parent >= 0:
+                    parent = made[one.parent]
+                    self.parts.bodies[one.raw.get("name") or one.name] = body
+                    self.parts.drawn[body] = self.parts.drawn[parent].then(one.pose)
+                    self.chain.join(parent, one.pose, body, own, f"{one.name}.weld")
             for raw, around, style in one.parts:
-                self._part(body, raw, around, style)
+                with self.document.placed(raw):
+                    self._part(body, raw, around, style)
 
     def _origin(self, kind: str, name: str, element: Element) -> None:
         self.scene.origins[kind, name] = self.document.place(element.raw)
 
     def _free(self, name: str) -> str:
-        """A name that no body or frame has."""
-        while name in self.scene.bodies or name in self.scene.frames or name == "ground":
+        """A name that no body or frame has, or will have."""
+        scene = self.scene
+        while name in self.names or name in scene.bodies or name in scene.frames:
             name += "_"
         return name
 
-    def _body(self, found: Found) -> Body:
-        """A body with its mass and what is drawn of it."""
-        own: list[masses.Mass] = []
-        drawn: list[Shape] = []
+    def _weight(self, found: Found) -> masses.Mass:
+        """Mass and inertia of a body: as written, or of its geoms."""
         inertial = None
         for raw, around, style in found.parts:
             if raw.tag == "inertial":
                 element = self._element(raw, style)
                 inertial = masses.written(element, self.compiler, around)
         # geoms say the mass where nothing else does, or where the file wants it
-        from_geoms = self.compiler.masses
-        weighed = from_geoms == "true" or (from_geoms == "auto" and inertial is None)
+        wanted = self.compiler.masses
+        if found.parent < 0 or (wanted != "true" and (inertial is not None or wanted == "false")):
+            return inertial or masses.NOTHING
+        compiler = self.compiler
+        own = [masses.of_geom(g, kind, compiler, around) for g, kind, around in self._geoms(found)]
+        return masses.together([part for part in own if part is not None])
+
+    def _geoms(self, found: Found) -> Iterator[tuple[Element, str, Pose]]:
+        """The geoms of a body, their types and the poses of the frames around them."""
         for raw, around, style in found.parts:
-            if raw.tag != "geom":
-                continue
-            geom = self._element(raw, style)
-            kind = masses.kind_of(geom)
-            part = masses.of_geom(geom, kind, self.compiler, around) if weighed else None
-            own += [part] if part is not None else []
+            if raw.tag == "geom":
+                geom = self.defaults.of(raw, self.document.where(raw), style)
+                yield geom, masses.kind_of(geom), around
+
+    def _body(self, found: Found, mass: masses.Mass) -> Body:
+        """A body with its mass and what is drawn of it."""
+        drawn: list[Shape] = []
+        for geom, kind, around in self._geoms(found):
+            self.unread.attributes(geom.raw)
             drawn += pictures.of_geom(geom, kind, self.compiler, around)
-        mass = inertial if inertial is not None and not weighed else masses.together(own)
         rows = mass.inertia
         tensor = [rows[i][j] for i in range(3) for j in range(i, 3)]
         body = self.scene.body(
@@ -200,10 +215,12 @@ class Reader:
     def _close(self) -> None:
         """Circuits, and the laws that are no couplings."""
         for element, name in self.closing:
-            self.parts.close(element, name)
+            with self.document.placed(element.raw):
+                self.parts.close(element, name)
             self._origin("joint", name, element)
         for law in self.laws:
-            self.scene.constraint(law.name, law.expression(self.scene))
+            with self.document.placed(law.element.raw):
+                self.scene.constraint(law.name, law.expression(self.scene))
             self._origin("constraint", law.name, law.element)
 
     def _announce(self) -> None:

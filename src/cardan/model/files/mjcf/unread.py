@@ -11,7 +11,7 @@ READ = {
     "option": {"gravity"},
     "compiler": {
         *("angle", "eulerseq", "coordinate", "autolimits", "inertiafromgeom"),
-        "inertiagrouprange",
+        *("inertiagrouprange", "settotalmass"),
     },
     "body": {"childclass"},
     "frame": {"childclass"},
