@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -15,7 +16,7 @@ from .equations.branches import with_branches
 from .equations.choice import chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
-from .errors import BuildError, DerivationError
+from .errors import BuildError, DerivationError, SolveWarning
 from .runtime import folder as cache
 from .runtime.compiled import CompiledModel
 
@@ -164,6 +165,7 @@ def compile(
             equations.function(name)  # raises, with the near name
     base = manifest.base(equations, tuple(functions))
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
+    _say_what_stays_open(equations, folder)
     try:
         layout.write_model(folder, base)
     except OSError as error:
@@ -192,6 +194,16 @@ def compile(
         return c_name
 
     return CompiledModel(folder, provide, threads=threads)
+
+
+def _say_what_stays_open(equations: Equations, folder: Path) -> None:
+    """Warn of circuits that cannot close, when their code is written for the first time."""
+    if not equations.system.closed or (folder / "manifest.json").exists():
+        return
+    found = equations.feasibility()
+    if not found.closes:
+        name = equations.system.name
+        warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
 def _derived(scene: Model | Equations, **options: Any) -> Equations:

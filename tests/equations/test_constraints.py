@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 import sympy
 
 import cardan as cd
 from cardan.errors import DerivationError, ModelError
-from mechanisms.closed import CLOSED
+from mechanisms.closed import CLOSED, four_bar
 
 
 def pendulum_in_coordinates() -> cd.Model:
@@ -85,6 +87,26 @@ def test_trees_have_no_multipliers() -> None:
         cd.compile(scene, functions=("multipliers",))
     with pytest.raises(DerivationError, match="is no way to treat them"):
         cd.derive(scene, constraints="lagrange")
+
+
+def test_circuits_that_cannot_close_are_announced() -> None:
+    scene = four_bar(ground=0.9)
+    found = cd.derive(scene).feasibility()
+    assert not found.closes
+    # 0.9 m between the pivots, 0.55 m of links
+    assert found.gaps["C"] == (pytest.approx(0.35, rel=0.15), "m")
+    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes stays open by about 0.3"):
+        cd.compile(scene)
+    assert cd.derive(four_bar()).feasibility().closes
+
+
+def test_conditions_that_follow_must_hold_too() -> None:
+    """A planar circuit whose links do not lie in one plane."""
+    scene = four_bar()
+    place = scene.ground.at(0.3, 0, 0.05)
+    scene.joints["D"] = dataclasses.replace(scene.joints["D"], parent=place)
+    found = cd.derive(scene).feasibility()
+    assert found.gaps["C"] == (pytest.approx(0.05), "m")
 
 
 def test_massless_links() -> None:

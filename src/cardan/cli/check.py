@@ -80,8 +80,16 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     except DerivationError as problem:
         found.append(Complaint("warning", f"no forward dynamics: {problem}"))
     else:
-        found += _tried(equations)
+        found += _open_circuits(equations) or _tried(equations)
     return found + [Complaint("note", str(snap)) for snap in equations.system.snaps]
+
+
+def _open_circuits(equations: Equations) -> list[Complaint]:
+    """Circuits that do not close, found before code is written."""
+    if not equations.system.closed:
+        return []
+    found = equations.feasibility()
+    return [] if found.closes else [Complaint("error", str(found))]
 
 
 def _tried(equations: Equations) -> list[Complaint]:

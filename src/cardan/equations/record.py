@@ -20,6 +20,7 @@ from .base import BaseParameters, base_parameters
 from .constraints import Row, rows
 from .counts import Counts, overview
 from .dynamics import Dynamics
+from .feasibility import Feasibility, feasibility
 from .functions import Context
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
@@ -304,6 +305,10 @@ class Equations(Readable):
     def as_described(self) -> Equations:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
         return self if self.rewrites == () else self.told(())
+
+    def feasibility(self) -> Feasibility:
+        """Whether the circuits can close at the default parameters, found without code."""
+        return feasibility(self)
 
     def base_parameters(self) -> BaseParameters:
         """What of masses and inertias the motion depends on, and what not at all."""

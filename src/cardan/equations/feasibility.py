@@ -1,0 +1,133 @@
+"""Whether the circuits of a system can close at all, found before any code is written.
+
+Residuals and Jacobian are evaluated as expressions, for several starts at once; every start goes
+towards the constraints by steps of least length (Gauss and Newton).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..ir.function import Function
+from ..ir.interpreter import evaluate
+from . import blocks
+
+if TYPE_CHECKING:
+    from .record import Equations
+
+Array = NDArray[np.float64]
+STARTS, STEPS = 12, 60
+LONGEST = 0.5  # of a step [rad, m]
+# residuals that count as closed, in the size of what is closed
+CLOSED = 1e-9
+
+
+@dataclass(frozen=True)
+class Feasibility:
+    """How far the circuits of a system can be closed at its default parameters.
+
+    Attributes:
+        q: The coordinates that come nearest (nq,).
+        gaps: Joint or relation -> the largest residual that is left there, and its unit.
+    """
+
+    q: Array
+    gaps: dict[str, tuple[float, str]]
+
+    @property
+    def closes(self) -> bool:
+        """Whether everything closes."""
+        return all(gap <= CLOSED for gap, _ in self.gaps.values())
+
+    def __str__(self) -> str:
+        if self.closes:
+            return "all circuits close"
+        worst = max(self.gaps, key=lambda name: self.gaps[name][0])
+        gap, unit = self.gaps[worst]
+        return (
+            f"the circuit that '{worst}' closes stays open by about {gap:.2g} {unit}, from "
+            f"{STARTS} starts. Look at the lengths and axes of its joints, or at what is held"
+        )
+
+
+def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
+    """Try to close all circuits at the default parameters.
+
+    Args:
+        equations: Of a system with constraints.
+        seed: Of the starts beside the initial values.
+    """
+    system = equations.system
+    functions = {
+        name: equations.function(name)
+        for name in ("constraints", "constraint_jacobian", "integrate", "closure")
+    }
+    start = np.array([default for _, _, default in blocks.coordinates(system)])
+    for joint in system.joints:
+        if joint.q >= 0 and joint.q0 is not None:
+            start[joint.q : joint.q + len(joint.q0)] = joint.q0
+    given: dict[str, Any] = {
+        "t": np.zeros(1),
+        "p": np.array([p.value for p in system.parameters]),
+        "r": np.array([i.default for i in system.inputs]),
+    }
+    first = _search(functions, given, start[np.newaxis])
+    found = _gaps(equations, functions, given, first)
+    if found.closes or not system.nu:
+        return found
+    spread = np.random.default_rng(seed).normal(0.0, 1.0, (STARTS - 1, system.nu))
+    moved = evaluate(functions["integrate"], {**given, "q": start, "du": spread}, "numpy")["q"]
+    others = _search(functions, given, np.atleast_2d(moved))
+    return min(
+        (_gaps(equations, functions, given, q[np.newaxis]) for q in (*others, first[0])),
+        key=lambda one: max(gap for gap, _ in one.gaps.values()),
+    )
+
+
+def _search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> Array:
+    """Coordinates (n, nq) after steps towards the constraints."""
+    for _ in range(STEPS):
+        values = {**given, "q": q}
+        g = _value(functions["constraints"], values, len(q))
+        if g.shape[-1] == 0 or np.abs(g).max() <= 0.01 * CLOSED:
+            break
+        G = _value(functions["constraint_jacobian"], values, len(q))[:, : g.shape[-1]]
+        step = -(np.linalg.pinv(G, rcond=1e-6) @ g[..., np.newaxis])[..., 0]
+        size = np.abs(step).max(axis=-1, keepdims=True)
+        step *= np.minimum(1.0, LONGEST / np.maximum(size, LONGEST))
+        moved = evaluate(functions["integrate"], {**given, "q": q, "du": step}, "numpy")["q"]
+        q = np.broadcast_to(moved, q.shape).astype(np.float64)
+    return q
+
+
+def _value(function: Function, values: dict[str, Any], count: int) -> Array:
+    """The only result of a function for all starts."""
+    (found,) = evaluate(function, values, "numpy").values()
+    shape = function.outputs[0].shape
+    return np.broadcast_to(np.asarray(found, dtype=np.float64), (count, *shape))
+
+
+def _gaps(
+    equations: Equations, functions: dict[str, Function], given: dict[str, Any], q: Array
+) -> Feasibility:
+    """What is left open at one place; conditions that follow from others are looked at too."""
+    values, gaps = {**given, "q": q}, dict[str, tuple[float, str]]()
+    for name in ("closure", "constraints"):
+        output = functions[name].outputs[0]
+        residuals = _value(functions[name], values, 1)[0]
+        for entry, unit, residual in zip(output.entries, output.units, residuals, strict=True):
+            owner = _owner(equations, entry)
+            size = abs(float(residual)) if np.isfinite(residual) else np.inf
+            if size >= gaps.get(owner, (0.0, ""))[0]:
+                gaps[owner] = (size, unit or "")
+    return Feasibility(q[0].copy(), gaps)
+
+
+def _owner(equations: Equations, entry: str) -> str:
+    """The cut joint or relation that a residual belongs to."""
+    cuts = [cut.name for cut in equations.system.cuts]
+    return next((name for name in cuts if entry.startswith(f"{name}.")), entry)
