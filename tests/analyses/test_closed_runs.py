@@ -128,6 +128,19 @@ def test_without_a_compiler(bars: cd.CompiledModel, bare, options: dict, t) -> N
     assert [*plain.ledger.position] == ["C.px", "C.py"]
 
 
+def test_penalties_give_way() -> None:
+    """Such a system is not projected: what holds it together is that its constraints are open."""
+    model = cd.compile(cd.derive(four_bar(), constraints="penalty"))
+    motion = model.simulate(0.5, q={"A": 1.0}, u={"A": 5.0}, rtol=1e-8)
+    exact = cd.compile(four_bar()).simulate(0.5, q={"A": 1.0}, u={"A": 5.0}, rtol=1e-8)
+    worst = max(np.abs(values).max() for values in motion.constraints.values())
+    # forces of some N at 1e7 kg (20 rad/s)^2
+    assert 1e-13 < worst < 1e-6
+    assert motion.ledger is None
+    assert "not projected" in repr(motion)
+    np.testing.assert_allclose(motion.x[-1], exact.x[-1], rtol=0, atol=1e-4)
+
+
 def test_files_and_pickles_keep_the_ledger(bars: cd.CompiledModel, tmp_path: Path) -> None:
     motion = bars.simulate(0.2, q={"A": 1.0})
     history = motion.constraints

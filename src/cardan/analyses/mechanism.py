@@ -46,8 +46,9 @@ class Mechanism:
 
     @cached_property
     def closing(self) -> Closing:
-        """The constraints."""
-        return Closing.of(self.model)
+        """The constraints, whether or not runs keep to them."""
+        rows = tuple(self.model.manifest.get("multipliers", ()))
+        return Closing(rows, self.size)
 
     @cached_property
     def rows(self) -> Array:

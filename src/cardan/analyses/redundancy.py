@@ -57,7 +57,8 @@ class Redundancy:
     def __repr__(self) -> str:
         lines = [
             f"'{self.name}': {self.constraints} constraints, {self.rank} independent, "
-            f"{self.redundant} redundant; {self.freedoms} degrees of freedom"
+            f"{self.redundant} redundant; {self.freedoms} "
+            f"degree{'s' if self.freedoms != 1 else ''} of freedom"
         ]
         lines += [f"  held twice: {words}" for words in self.directions]
         loose = [name for name, unique in self.joints.items() if not unique]
@@ -156,15 +157,24 @@ def _plain(vectors: Array) -> Array:
 
 def _words(vector: Array, rows: Sequence[Mapping[str, Any]]) -> str:
     """A combination of constraints in words: ``translation along y of joint 'J3'``."""
-    told: dict[str, list[str]] = {}
-    for k in np.argsort(-np.abs(vector), kind="stable"):
-        if abs(vector[k]) < SHARE * np.abs(vector).max():
-            break
+    told: list[tuple[str, str]] = []
+    sizes = np.abs(vector).round(9) / np.abs(vector).max()
+
+    # a translation first, if it has much of it
+    def order(k: int) -> tuple[bool, float]:
+        return sizes[k] < 0.5 or rows[k]["unit"] != "N", -float(sizes[k])
+
+    for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
         joint, name = str(rows[k]["joint"]), str(rows[k]["name"])
         part = name.removeprefix(f"{joint}.")
         form = WORDS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
-        told.setdefault(joint, []).append(form.format(part[1]) if form else f"'{part}'")
-    return " and ".join(f"{', '.join(parts)} of joint '{joint}'" for joint, parts in told.items())
+        told.append((form.format(part[1]) if form else f"'{part}'", joint))
+    first, joint = told[0]
+    others = [
+        words if owner == joint else f"{words} of joint '{owner}'" for words, owner in told[1:]
+    ]
+    rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""
+    return f"{first} of joint '{joint}'{rest}"
 
 
 def _joints(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, bool]:

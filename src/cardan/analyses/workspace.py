@@ -19,6 +19,7 @@ from .targets import read
 
 Array = NDArray[np.float64]
 SAMPLES = 1000
+AGAIN = 3
 
 
 @final
@@ -109,10 +110,13 @@ def workspace(
     places = [model.coordinates.index(name) for name in ranges]
     for _ in range(samples):
         values = {name: float(rng.uniform(*ends)) for name, ends in ranges.items()}
-        near_by = drawn(m, first, rng) if not ranges else _nearest(kept or [first], places, values)
-        found = search_from(m, read(m, values), near_by)
-        if found.met and all(one.holds(found.q) for one in wanted) and not outside(m, found.q):
-            kept.append(found.q)
+        near_by = [_nearest(kept or [first], places, values), first] if ranges else []
+        # from a neighbor, else from where that does not lead to the branch
+        for begin in (*near_by, *(drawn(m, first, rng) for _ in range(AGAIN if ranges else 1))):
+            found = search_from(m, read(m, values), begin)
+            if found.met and all(one.holds(found.q) for one in wanted) and not outside(m, found.q):
+                kept.append(found.q)
+                break
     q = np.array(kept).reshape(-1, model.nq)
     points = model.pose(frame, q, t=t, r=m.r)[:, :3, 3] if len(q) else np.zeros((0, 3))
     return Workspace(model.name, frame, points, q, samples)

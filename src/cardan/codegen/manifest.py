@@ -88,6 +88,9 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         "functions": {},
         "sha256": {},
     }
+    if data["multipliers"] and not equations.treatment.exact:
+        # what holds such a system together is that its constraints give way
+        data["projected"] = False
     return Base(data, lambda: _saved(equations))
 
 

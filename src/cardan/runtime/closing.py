@@ -35,8 +35,10 @@ class Closing:
 
     @classmethod
     def of(cls, model: CompiledModel) -> Closing:
-        """Constraints of a model; none for a tree."""
+        """Constraints of a model that states are projected onto; none for a tree."""
         rows = tuple(model.manifest.get("multipliers", ()))
+        if not model.manifest.get("projected", True):
+            rows = ()
         return cls(rows, size_of(model) if rows else 1.0)
 
     @property

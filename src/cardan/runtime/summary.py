@@ -81,9 +81,22 @@ def _energy(motion: Trajectory) -> list[str]:
 def _constraints(motion: Trajectory) -> list[str]:
     """The worst residuals of a system with circuits, and where they were."""
     lines: list[str] = []
+    if motion.ledger is None and len(motion):
+        return _open(motion)
     for level in ("position", "velocity"):
         found = motion.ledger.worst(level) if motion.ledger is not None else None
         if found is not None:
             name, worst = found
             lines.append(f"  {'closed' if not lines else '':<9} {level} of '{name}' to {worst}")
     return lines
+
+
+def _open(motion: Trajectory) -> list[str]:
+    """The worst residual of a system whose constraints give way, as penalties do."""
+    try:
+        worst = {name: float(np.abs(r).max()) for name, r in motion.constraints.items()}
+    except CardanError:
+        # a file, or a model without that function, does not say
+        return []
+    name = max(worst, key=worst.__getitem__, default=None)
+    return [f"  open      '{name}' up to {worst[name]:.1e}: not projected"] if name else []
