@@ -25,6 +25,8 @@ from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
 from .functions import RECIPES, Context
 from .newton_euler_derivatives import Derivatives
+from .treatments import Bound
+from .treatments.treatment import by_multipliers
 
 # they move along speeds: what they give is no function of entries of a vector space
 UNSUITED = ("integrate", "difference")
@@ -92,18 +94,20 @@ def _columns(
     if function == "inverse_dynamics":
         return inverse_columns(c, along)
     seeds = [dict(d.seeds) for d in along]
-    for tau, udot in c.d.solutions:
-        for own, column in zip(seeds, forward_columns(c, tau, udot, along), strict=True):
-            pairs = zip(udot.nodes, column, strict=True)
+    for tau, udot, multipliers in c.d.solutions:
+        known = (*udot.nodes, *multipliers.nodes)
+        columns = forward_columns(c, tau, udot, multipliers, along)
+        for own, column in zip(seeds, columns, strict=True):
+            pairs = zip(known, column, strict=True)
             own |= {node: change for node, change in pairs if c.k.graph.value(node) is None}
     roots = [node for output in outputs for node in output.nodes]
     return directional(c.k.graph, roots, seeds)
 
 
 def forward_columns(
-    c: Context, tau: Matrix, udot: Matrix, along: Sequence[Direction]
+    c: Context, tau: Matrix, udot: Matrix, multipliers: Matrix, along: Sequence[Direction]
 ) -> list[list[int]]:
-    """Changes of udot under tau."""
+    """Changes of udot under tau, and of the multipliers."""
     g, nu = c.k.graph, c.k.system.nu
     forces = directional(g, tau.nodes, [d.seeds for d in along])
     # udot is an argument of others, and tau none of inverse dynamics
@@ -121,9 +125,38 @@ def forward_columns(
     if not columns or not nu:
         return columns
     right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
+    if multipliers.rows:
+        return _bound_columns(c, udot, multipliers, right, along)
     with g.made_by("M", "factor"):
         found = solve("spd", c.d.mass_matrix, right)
     return [list(found.column(n).nodes) for n in range(len(columns))]
+
+
+def _bound_columns(
+    c: Context, udot: Matrix, multipliers: Matrix, right: Matrix, along: Sequence[Direction]
+) -> list[list[int]]:
+    """Changes of udot and the multipliers of a system with constraints.
+
+    M udot' - Gᵀ lam' = right + (Gᵀ)' lam and G udot' = gamma' - G' udot.
+    """
+    g, own = c.k.graph, c.d.constraints
+    count, G = len(along), own.jacobian
+    held = Matrix(g, G.rows, 1, [g.atom(f"multiplier {i}") for i in range(G.rows)])
+    # udot and multipliers are leaves while the rest is differentiated
+    force, missing = G.T @ held, own.gamma - G @ c.udot
+    seeds = [d.seeds if d.block not in ("tau", "udot") else {} for d in along]
+    changes = directional(g, (*force.nodes, *missing.nodes), seeds)
+    flat = [changes[n][i] for i in range(force.rows + missing.rows) for n in range(count)]
+    values = zip((*c.udot.nodes, *held.nodes), (*udot.nodes, *multipliers.nodes), strict=True)
+    flat = list(rebuild(g, flat, dict(values), into=g)[1])
+    size = force.rows * count
+    drive = right + Matrix(g, force.rows, count, flat[:size])
+    gamma = Matrix(g, missing.rows, count, flat[size:])
+    nothing = Matrix.zeros(g, 0)
+    with g.made_by("constraints", "derivative"):
+        problem = Bound(c.d.mass_matrix, drive, G, gamma, nothing, nothing)
+        found = Matrix.vstack(*by_multipliers(problem, gamma))
+    return [list(found.column(n).nodes) for n in range(count)]
 
 
 def inverse_columns(c: Context, along: Sequence[Direction]) -> list[list[int]]:

@@ -36,8 +36,8 @@ class Dynamics:
         self.k = k
         self.method = method
         self.treatment = treatment
-        # (tau, udot) of everything that was solved for
-        self.solutions: list[tuple[Matrix, Matrix]] = []
+        # (tau, udot, multipliers) of everything that was solved for
+        self.solutions: list[tuple[Matrix, Matrix, Matrix]] = []
         self._bound: dict[tuple[object, ...], tuple[Matrix, Matrix]] = {}
 
     @cached_property
@@ -97,7 +97,7 @@ class Dynamics:
         if self.k.system.closed:
             return self.bound(tau)[0]
         udot = self._free(tau)
-        self.solutions.append((tau, udot))
+        self.solutions.append((tau, udot, Matrix.zeros(self.k.graph, 0)))
         return udot
 
     def _free(self, tau: Matrix) -> Matrix:
@@ -142,12 +142,14 @@ class Dynamics:
             none = Matrix.zeros(self.k.graph, len(self.constraints.rows))
             return Matrix.zeros(self.k.graph, 0), none
         c = self.constraints
-        given = self._regular(self.mass_matrix, self._drive(tau))
+        mass, drive = self._regular(self.mass_matrix, self._drive(tau))
         with self.k.graph.made_by("constraints", "multipliers"):
-            problem = Bound(*given, c.jacobian, c.gamma, c.position, c.rates)
+            problem = Bound(mass, drive, c.jacobian, c.gamma, c.position, c.rates)
             udot, lam = self.treatment.accelerations(problem)
             for row, node in zip(c.rows, lam.nodes, strict=True):
                 self.k.graph.label(node, row.owner, f"multiplier_{row.name.rpartition('.')[2]}")
+        if isinstance(self.treatment, Multipliers) and mass is self.mass_matrix:
+            self.solutions.append((tau, udot, lam))
         return self._label(udot, "udot"), lam
 
     def _owners(self) -> list[str]:

@@ -46,13 +46,14 @@ class Treatment(ABC):
 
 
 def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tuple[Matrix, Matrix]:
-    """udot and lam with G udot + compliance lam = gamma.
+    """udot and lam with G udot + compliance lam = gamma, column by column of drive and gamma.
 
     M is eliminated in static order; what is left for the multipliers is factored with pivoting.
     """
-    G = bound.jacobian
+    G, count = bound.jacobian, bound.drive.columns
     both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T))
-    free, answers = both.column(0), both.block(slice(0, both.rows), slice(1, both.columns))
+    rows = slice(0, both.rows)
+    free, answers = both.block(rows, slice(0, count)), both.block(rows, slice(count, both.columns))
     circuit, right = symmetric(G @ answers), gamma - G @ free
     if compliance:
         circuit = circuit + Matrix.identity(G.graph, G.rows) * compliance
