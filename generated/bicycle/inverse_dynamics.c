@@ -6,7 +6,7 @@
  * passes: reassociate
  *
  * Sizes: out 8, work 0, w 23
- * Operations per call: 484 = 274 mul, 119 add, 79 sub, 6 cos, 6 sin
+ * Operations per call: 405 = 228 mul, 100 add, 65 sub, 6 cos, 6 sin
  * Operations of prepare: 188 = 83 mul, 48 add, 34 sub, 6 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
  *     2 lt, 1 cos, 1 sin
  *
@@ -281,9 +281,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_hub_cos = cosine_2[5];
     const real front_hub_sin = sine_2[5];
 
-    /* rear_contact: R, S, velocity, drift */
-    const real rear_contact_u_x = u[0]; /* m/s */
-    const real rear_contact_u_y = u[1]; /* m/s */
+    /* rear_contact: R, S, drift */
     const real rear_contact_u_yaw = u[2]; /* rad/s */
     const real rear_contact_u_lean = u[3]; /* rad/s */
     const real rear_contact_u_spin = u[4]; /* rad/s */
@@ -305,45 +303,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_contact_S = rear_radius * rear_contact_sin;
     const real rear_contact_S_2 = rear_contact_R_4 * rear_contact_S;
     const real rear_contact_S_3 = rear_contact_R_5 * rear_contact_S;
-    const real rear_contact_velocity = rear_contact_u_x * rear_contact_R_xx
-        + rear_contact_u_yaw * rear_contact_S_2 + rear_contact_u_y * rear_contact_R_yx;
-    const real rear_contact_velocity_2 = rear_contact_u_y * rear_contact_R_yy
-        - rear_radius * rear_contact_u_lean - rear_contact_u_x * rear_contact_R_6;
-    const real rear_contact_velocity_3 = rear_contact_u_x * rear_contact_R_xz
-        + rear_contact_u_yaw * rear_contact_S_3 + rear_contact_u_y * rear_contact_R_yz;
-    const real rear_contact_drift = rear_contact_u_yaw * rear_contact_R_2;
-    const real rear_contact_drift_2 = rear_contact_u_yaw * rear_contact_R;
-    const real rear_contact_drift_3 = rear_contact_u_lean * rear_contact_sin;
-    const real rear_contact_drift_4 = rear_contact_u_lean * rear_contact_R_3;
-    const real rear_contact_drift_5 = rear_contact_sin * rear_contact_drift_2
-        + rear_contact_R_2 * rear_contact_drift_4;
-    const real rear_contact_drift_6 = rear_contact_R * rear_contact_drift_4
-        - rear_contact_sin * rear_contact_drift;
-    const real rear_contact_drift_7 = rear_contact_u_spin * rear_contact_R_5;
-    const real rear_contact_drift_8 = rear_contact_u_spin * rear_contact_R_4;
-    const real rear_contact_drift_9 = rear_contact_R_4 * rear_contact_drift
-        + rear_contact_R * rear_contact_drift_7 + rear_contact_R_7 * rear_contact_drift_8;
-    const real rear_contact_drift_10 = rear_contact_R * rear_contact_drift_8
-        - rear_contact_R_5 * rear_contact_drift - rear_contact_R_7 * rear_contact_drift_7;
-    const real rear_contact_drift_11 = rear_contact_R_4 * rear_contact_drift_2
-        - rear_contact_R_2 * rear_contact_drift_7 + rear_contact_R_8 * rear_contact_drift_8;
-    const real rear_contact_drift_12 = rear_contact_R_5 * rear_contact_drift_2
-        + rear_contact_R_2 * rear_contact_drift_8 + rear_contact_R_8 * rear_contact_drift_7;
-    const real rear_contact_drift_13 = rear_radius * rear_contact_drift_4;
-    const real rear_contact_drift_14 = rear_contact_u_yaw * (rear_contact_R_3 * rear_contact_drift_8
-        - rear_contact_R_5 * rear_contact_drift_3);
-    const real rear_contact_drift_15 = rear_contact_u_yaw * (rear_contact_R_4 * rear_contact_drift_3
-        + rear_contact_R_3 * rear_contact_drift_7);
-    const real rear_contact_drift_16 = rear_contact_u_y * (rear_contact_R_5 * rear_contact_drift_6 +
-        rear_contact_drift_11);
-    const real rear_contact_drift_17 = rear_contact_u_yaw * (rear_contact_R_4 *
-        rear_contact_drift_13 - rear_contact_S * rear_contact_drift_7);
-    const real rear_contact_drift_18 = rear_contact_u_x * (rear_contact_R_3 * rear_contact_drift_2 -
-        rear_contact_R_2 * rear_contact_drift_3);
-    const real rear_contact_drift_19 = rear_contact_u_x * (rear_contact_R_4 * rear_contact_drift_5 +
-        rear_contact_drift_10);
-    const real rear_contact_drift_20 = rear_contact_u_yaw * (rear_contact_S * rear_contact_drift_8 +
-        rear_contact_R_5 * rear_contact_drift_13);
+    const real rear_contact_drift = rear_contact_u_yaw * rear_contact_sin;
+    const real rear_contact_drift_2 = rear_contact_u_yaw * rear_contact_R_3;
+    const real rear_contact_drift_3 = rear_contact_u_spin * rear_contact_drift_2;
+    const real rear_contact_drift_4 = rear_contact_u_lean * rear_contact_u_spin
+        - rear_contact_u_lean * rear_contact_drift;
+    const real rear_contact_drift_5 = 2.0 * rear_contact_u_lean * rear_contact_drift_2 *
+        rear_radius;
+    const real rear_contact_drift_6 = rear_radius * (rear_contact_u_lean * rear_contact_u_lean
+        + rear_contact_drift * rear_contact_drift);
 
     /* rear_wheel: omega, alpha, a, U, n */
     const real rear_contact_u_xdot = udot[0]; /* m/s^2 */
@@ -357,44 +325,32 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rear_wheel_base_second_moment_yy = w[22];
     const real rear_wheel_omega_x = rear_contact_u_lean * rear_contact_R_4
         - rear_contact_u_yaw * rear_contact_R_9;
-    const real rear_wheel_omega_y = rear_contact_u_spin + rear_contact_u_yaw * rear_contact_sin;
+    const real rear_wheel_omega_y = rear_contact_u_spin + rear_contact_drift;
     const real rear_wheel_omega_z = rear_contact_u_yaw * rear_contact_R_zz
         + rear_contact_u_lean * rear_contact_R_5;
     const real rear_wheel_alpha = rear_contact_u_leandot * rear_contact_R_4
-        - rear_contact_u_yawdot * rear_contact_R_9;
-    const real rear_wheel_alpha_x = rear_wheel_alpha - rear_contact_u_lean * rear_contact_drift_7
-        - rear_contact_drift_14;
+        - rear_contact_u_yawdot * rear_contact_R_9 - rear_contact_R_4 * rear_contact_drift_3;
+    const real rear_wheel_alpha_x = rear_wheel_alpha - rear_contact_R_5 * rear_contact_drift_4;
     const real rear_wheel_alpha_y = rear_contact_u_spindot
-        + rear_contact_u_yawdot * rear_contact_sin + rear_contact_u_yaw * rear_contact_drift_4;
-    const real rear_wheel_alpha_2 = rear_contact_u_lean * rear_contact_drift_8
+        + rear_contact_u_yawdot * rear_contact_sin + rear_contact_u_lean * rear_contact_drift_2;
+    const real rear_wheel_alpha_2 = rear_contact_u_yawdot * rear_contact_R_zz
         + rear_contact_u_leandot * rear_contact_R_5;
-    const real rear_wheel_alpha_z = rear_contact_u_yawdot * rear_contact_R_zz
-        + rear_wheel_alpha_2 - rear_contact_drift_15;
+    const real rear_wheel_alpha_z = rear_wheel_alpha_2 - rear_contact_R_5 * rear_contact_drift_3
+        + rear_contact_R_4 * rear_contact_drift_4;
     const real rear_wheel_a = rear_contact_u_yawdot * rear_contact_S_2
-        + gravity_z * rear_contact_R_9 - rear_wheel_omega_z * rear_contact_velocity_2;
-    const real rear_wheel_a_2 = rear_contact_drift_16
-        - rear_contact_u_x * (rear_contact_R_5 * rear_contact_drift_5 + rear_contact_drift_9);
-    const real rear_wheel_a_3 = rear_contact_u_xdot * rear_contact_R_xx
-        + rear_contact_u_ydot * rear_contact_R_yx + rear_contact_drift_17 + rear_wheel_a;
-    const real rear_wheel_a_x = rear_wheel_omega_y * rear_contact_velocity_3 + rear_wheel_a_2
-        + rear_wheel_a_3;
-    const real rear_wheel_a_4 = rear_contact_u_ydot * rear_contact_R_yy
-        - rear_contact_u_xdot * rear_contact_R_6;
-    const real rear_wheel_a_5 = rear_contact_drift_18
-        + rear_contact_u_y * (rear_contact_R_3 * rear_contact_drift
-        + rear_contact_R * rear_contact_drift_3);
-    const real rear_wheel_a_6 = rear_wheel_a_4 - (rear_radius * rear_contact_u_leandot
-        + gravity_z * rear_contact_sin) - rear_wheel_a_5;
-    const real rear_wheel_a_y = rear_wheel_omega_z * rear_contact_velocity + rear_wheel_a_6
-        - rear_wheel_omega_x * rear_contact_velocity_3;
-    const real rear_wheel_a_7 = rear_contact_u_yawdot * rear_contact_S_3
-        - gravity_z * rear_contact_R_zz + rear_wheel_omega_x * rear_contact_velocity_2;
-    const real rear_wheel_a_8 = rear_contact_drift_19 + rear_contact_u_y * (rear_contact_drift_12
-        - rear_contact_R_4 * rear_contact_drift_6);
-    const real rear_wheel_a_9 = rear_contact_u_xdot * rear_contact_R_xz
-        + rear_contact_u_ydot * rear_contact_R_yz + rear_contact_drift_20 + rear_wheel_a_7;
-    const real rear_wheel_a_z = rear_wheel_a_8 - rear_wheel_omega_y * rear_contact_velocity
-        + rear_wheel_a_9;
+        + gravity_z * rear_contact_R_9 + rear_contact_u_ydot * rear_contact_R_yx;
+    const real rear_wheel_a_2 = rear_contact_R_4 * rear_contact_drift_5
+        + rear_contact_u_xdot * rear_contact_R_xx + rear_contact_R_5 * rear_contact_drift_6;
+    const real rear_wheel_a_x = rear_wheel_a + rear_wheel_a_2;
+    const real rear_wheel_a_3 = rear_contact_drift * rear_contact_drift_2 * rear_radius
+        - (rear_radius * rear_contact_u_leandot + gravity_z * rear_contact_sin);
+    const real rear_wheel_a_y = rear_contact_u_ydot * rear_contact_R_yy
+        - rear_contact_u_xdot * rear_contact_R_6 + rear_wheel_a_3;
+    const real rear_wheel_a_4 = rear_contact_u_yawdot * rear_contact_S_3
+        - gravity_z * rear_contact_R_zz + rear_contact_u_ydot * rear_contact_R_yz;
+    const real rear_wheel_a_5 = rear_contact_R_5 * rear_contact_drift_5
+        + rear_contact_u_xdot * rear_contact_R_xz - rear_contact_R_4 * rear_contact_drift_6;
+    const real rear_wheel_a_z = rear_wheel_a_4 + rear_wheel_a_5;
     const real rear_wheel_U = rear_wheel_omega_x * rear_wheel_omega_y;
     const real rear_wheel_U_2 = rear_wheel_omega_x * rear_wheel_omega_z;
     const real rear_wheel_U_3 = rear_wheel_omega_y * rear_wheel_omega_z;
@@ -409,19 +365,6 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_wheel_n_2 = rear_wheel_base_second_moment_xx * rear_wheel_U_yx
         - rear_wheel_base_second_moment_yy * rear_wheel_U_xy;
 
-    /* steer: R */
-    const wreal div_1 = w[3];
-    const wreal steer_R_zz = w[4];
-    const real steer_R_2 = steer_R_zz * steer_sin;
-    const real steer_R_3 = steer_R_zz * steer_cos;
-    const real steer_R_4 = div_1 * steer_sin;
-    const real steer_R_5 = div_1 * steer_cos;
-
-    /* front_hub: R */
-    const wreal front_hub_R_yy = w[5];
-    const real front_hub_R_2 = front_hub_R_yy * front_hub_cos;
-    const real front_hub_R_3 = front_hub_R_yy * front_hub_sin;
-
     /* frame: omega, alpha, a, U, n */
     const real rear_hub_u = u[5]; /* rad/s */
     const real rear_hub_udot = udot[5]; /* rad/s^2 */
@@ -435,13 +378,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real frame_omega_z = rear_wheel_omega_x * rear_hub_sin
         + rear_wheel_omega_z * rear_hub_cos;
     const real frame_omega_y = rear_hub_u + rear_wheel_omega_y;
-    const real frame_alpha_x = rear_hub_cos * rear_wheel_alpha_x
-        - rear_hub_sin * rear_wheel_alpha_z - rear_hub_u * frame_omega_z;
+    const real frame_alpha_x = rear_wheel_alpha_x * rear_hub_cos
+        - rear_wheel_alpha_z * rear_hub_sin - rear_hub_u * frame_omega_z;
     const real frame_alpha_y = rear_hub_udot + rear_wheel_alpha_y;
-    const real frame_alpha_z = rear_hub_u * frame_omega_x + rear_hub_sin * rear_wheel_alpha_x
-        + rear_hub_cos * rear_wheel_alpha_z;
-    const real frame_a_x = rear_hub_cos * rear_wheel_a_x - rear_hub_sin * rear_wheel_a_z;
-    const real frame_a_z = rear_hub_sin * rear_wheel_a_x + rear_hub_cos * rear_wheel_a_z;
+    const real frame_alpha_z = rear_hub_u * frame_omega_x + rear_wheel_alpha_x * rear_hub_sin
+        + rear_wheel_alpha_z * rear_hub_cos;
+    const real frame_a_x = rear_wheel_a_x * rear_hub_cos - rear_wheel_a_z * rear_hub_sin;
+    const real frame_a_z = rear_wheel_a_x * rear_hub_sin + rear_wheel_a_z * rear_hub_cos;
     const real frame_U = frame_omega_y * frame_omega_y;
     const real frame_U_2 = frame_omega_x * frame_omega_z;
     const real frame_U_3 = frame_U + frame_omega_z * frame_omega_z;
@@ -451,13 +394,21 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real frame_U_zx = frame_U_2 - frame_alpha_y;
     const real frame_U_4 = frame_omega_x * frame_omega_x + frame_U;
     const real frame_n = frame_base_second_moment_zz * frame_U_yz
-        + frame_base_second_moment_xz * frame_U_yx + frame_base_moment_z * rear_wheel_a_y;
+        + frame_base_moment_z * rear_wheel_a_y + frame_base_second_moment_xz * frame_U_yx;
     const real frame_n_2 = frame_base_second_moment_zz * frame_U_xz
         - frame_base_second_moment_xx * frame_U_zx;
     const real frame_n_3 = frame_base_second_moment_xz * (frame_U_4 - frame_U_3) + frame_n_2
-        + frame_base_moment_z * frame_a_x - frame_base_moment_x * frame_a_z;
+        + (frame_base_moment_z * frame_a_x - frame_base_moment_x * frame_a_z);
     const real frame_n_4 = frame_base_second_moment_xx * frame_U_yx
-        + frame_base_second_moment_xz * frame_U_yz + frame_base_moment_x * rear_wheel_a_y;
+        + frame_base_moment_x * rear_wheel_a_y + frame_base_second_moment_xz * frame_U_yz;
+
+    /* steer: R */
+    const wreal div_1 = w[3];
+    const wreal steer_R_zz = w[4];
+    const real steer_R_2 = steer_R_zz * steer_sin;
+    const real steer_R_3 = steer_R_zz * steer_cos;
+    const real steer_R_4 = div_1 * steer_sin;
+    const real steer_R_5 = div_1 * steer_cos;
 
     /* fork: omega, alpha, a, U, inertia force, f, n */
     const real steer_u = u[6]; /* rad/s */
@@ -467,10 +418,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal fork_base_inertia_xz = w[9];
     const wreal fork_base_second_moment_xx = w[17];
     const wreal fork_base_second_moment_yy = w[18];
-    const real fork_omega_x = steer_cos * frame_omega_y - steer_R_2 * frame_omega_x
-        - steer_R_4 * frame_omega_z;
-    const real fork_alpha = steer_R_3 * frame_omega_x + steer_sin * frame_omega_y
-        + steer_R_5 * frame_omega_z;
+    const real fork_omega_x = frame_omega_y * steer_cos - frame_omega_x * steer_R_2
+        - frame_omega_z * steer_R_4;
+    const real fork_alpha = frame_omega_x * steer_R_3 + frame_omega_y * steer_sin
+        + frame_omega_z * steer_R_5;
     const real fork_omega_z = steer_u + steer_R_zz * frame_omega_z - div_1 * frame_omega_x;
     const real fork_alpha_x = steer_cos * frame_alpha_y - steer_R_2 * frame_alpha_x
         - (steer_u * fork_alpha + steer_R_4 * frame_alpha_z);
@@ -479,8 +430,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real fork_alpha_z = steer_udot + steer_R_zz * frame_alpha_z - div_1 * frame_alpha_x;
     const real fork_a = frame_a_x - (steer_place_x * frame_U_3 + rear_radius * frame_U_xz);
     const real fork_a_2 = steer_place_x * frame_U_zx + rear_radius * frame_U_4 + frame_a_z;
-    const real fork_a_3 = steer_R_3 * fork_a + steer_sin * (rear_wheel_a_y
-        + steer_place_x * frame_U_yx - rear_radius * frame_U_yz);
+    const real fork_a_3 = steer_sin * (rear_wheel_a_y + steer_place_x * frame_U_yx
+        - rear_radius * frame_U_yz);
     const real fork_a_z = steer_R_zz * fork_a_2 - div_1 * fork_a;
     const real fork_U = fork_alpha * fork_alpha;
     const real fork_U_2 = fork_omega_x * fork_alpha;
@@ -489,27 +440,32 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real fork_U_yx = fork_alpha_z - fork_U_2;
     const real fork_U_zx = fork_alpha_2 + fork_omega_x * fork_omega_z;
     const real fork_U_zy = fork_alpha_x - fork_U_3;
-    const real fork_inertia_force = fork_base_moment_x * fork_U_4;
+    const real fork_inertia_force = fork_base_moment_x * (steer_R_3 * fork_a
+        + steer_R_5 * fork_a_2 + fork_a_3);
+    const real fork_inertia_force_2 = fork_base_moment_x * fork_U_4;
     const real fork_f_y = fork_base_moment_x * fork_U_yx;
     const real fork_f_z = fork_base_moment_x * fork_U_zx;
     const real fork_n = fork_base_second_moment_xx * fork_U_zx
         + fork_base_inertia_xz * (fork_omega_x * fork_omega_x + fork_U - fork_U_4);
     const real fork_n_2 = fork_base_second_moment_xx * fork_U_yx
         + fork_base_second_moment_yy * (fork_alpha_z + fork_U_2);
-    const real fork_n_3 = fork_base_inertia_xz * (fork_alpha_x + fork_U_3) + fork_n_2
-        - fork_base_moment_x * (steer_R_5 * fork_a_2 + fork_a_3);
-    const real fork_f = steer_R_2 * fork_inertia_force - steer_R_3 * fork_f_y - div_1 * fork_f_z;
-    const real fork_f_2 = steer_cos * fork_inertia_force + steer_sin * fork_f_y;
-    const real fork_f_3 = steer_R_4 * fork_inertia_force - steer_R_5 * fork_f_y
+    const real fork_f = steer_R_2 * fork_inertia_force_2 - steer_R_3 * fork_f_y - div_1 * fork_f_z;
+    const real fork_f_2 = steer_cos * fork_inertia_force_2 + steer_sin * fork_f_y;
+    const real fork_f_3 = steer_R_4 * fork_inertia_force_2 - steer_R_5 * fork_f_y
         + steer_R_zz * fork_f_z;
+
+    /* front_hub: R */
+    const wreal front_hub_R_yy = w[5];
+    const real front_hub_R_2 = front_hub_R_yy * front_hub_cos;
+    const real front_hub_R_3 = front_hub_R_yy * front_hub_sin;
 
     /* front_wheel: alpha, omega, U, inertia force, n */
     const real front_hub_u = u[7]; /* rad/s */
     const real front_hub_udot = udot[7]; /* rad/s^2 */
     const wreal front_wheel_base_second_moment_xx = w[15];
     const wreal front_wheel_base_second_moment_zz = w[16];
-    const real front_wheel_alpha = front_hub_sin * fork_omega_x + front_hub_R_2 * fork_omega_z;
-    const real front_wheel_omega_z = front_hub_cos * fork_omega_x - front_hub_R_3 * fork_omega_z;
+    const real front_wheel_alpha = fork_omega_x * front_hub_sin + fork_omega_z * front_hub_R_2;
+    const real front_wheel_omega_z = fork_omega_x * front_hub_cos - fork_omega_z * front_hub_R_3;
     const real front_wheel_omega_y = front_hub_u - front_hub_R_yy * fork_alpha;
     const real front_wheel_alpha_y = front_hub_udot - front_hub_R_yy * fork_alpha_2;
     const real front_wheel_alpha_z = front_hub_cos * fork_alpha_x
@@ -530,13 +486,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[7] = front_wheel_n_y; /* tau: front_hub.u.tau [N*m] */
 
     /* fork: n */
-    const real fork_n_4 = fork_base_second_moment_yy * fork_U_zy
+    const real fork_n_3 = fork_base_second_moment_yy * fork_U_zy
         + fork_base_inertia_xz * fork_U_yx + front_hub_sin * front_wheel_inertia_force;
-    const real fork_n_x = front_hub_cos * front_wheel_n_z + fork_n_4;
+    const real fork_n_x = front_hub_cos * front_wheel_n_z + fork_n_3;
     const real fork_n_y = front_hub_R_yy * front_wheel_n_y - (fork_base_moment_x * fork_a_z
         + fork_n);
-    const real fork_n_z = front_hub_R_2 * front_wheel_inertia_force
-        - front_hub_R_3 * front_wheel_n_z + fork_n_3;
+    const real fork_n_4 = fork_base_inertia_xz * (fork_alpha_x + fork_U_3) + fork_n_2
+        - fork_inertia_force + front_hub_R_2 * front_wheel_inertia_force;
+    const real fork_n_z = fork_n_4 - front_hub_R_3 * front_wheel_n_z;
     out[6] = fork_n_z; /* tau: steer.u.tau [N*m] */
 
     /* frame: n, f */
@@ -544,8 +501,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + (steer_R_3 * fork_n_y + div_1 * fork_n_z);
     const real frame_n_y = frame_n_3 - rear_radius * fork_f - steer_place_x * fork_f_3
         + (steer_cos * fork_n_x - steer_sin * fork_n_y);
-    const real frame_n_z = frame_n_4 - steer_place_x * fork_f_2 - steer_R_4 * fork_n_x
-        + (steer_R_zz * fork_n_z - steer_R_5 * fork_n_y);
+    const real frame_n_z = frame_n_4 - steer_place_x * fork_f_2 + steer_R_zz * fork_n_z
+        - (steer_R_4 * fork_n_x + steer_R_5 * fork_n_y);
     const real frame_f_x = frame_base_moment_z * frame_U_xz - frame_base_moment_x * frame_U_3
         + fork_f;
     const real frame_f_y = frame_base_moment_x * frame_U_yx + frame_base_moment_z * frame_U_yz

@@ -216,7 +216,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shared by several: R, sin, cos */
+    /* shared by several: R, cos, sin */
     const real rear_contact_yaw = q[2]; /* rad */
     const real rear_contact_lean = q[3]; /* rad */
     const real rear_contact_spin = q[4]; /* rad */
@@ -225,64 +225,24 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_hub_q = q[7]; /* rad */
     const wreal steer_place = w[7];
     const wreal front_hub_place = w[8];
-    const real steer_R = steer_q + steer_place;
     const real front_hub_R = front_hub_q + front_hub_place;
-    const real angle_2[CARDAN_PADDED(6)] = {rear_contact_yaw, rear_contact_lean, rear_contact_spin,
-        rear_hub_q, steer_R, front_hub_R};
+    const real steer_R = steer_q + steer_place;
+    const real angle_2[CARDAN_PADDED(6)] = {front_hub_R, steer_R, rear_hub_q, rear_contact_yaw,
+        rear_contact_lean, rear_contact_spin};
     real sine_2[CARDAN_PADDED(6)], cosine_2[CARDAN_PADDED(6)];
     cardan_sincos(6, angle_2, sine_2, cosine_2);
-    const real rear_contact_R = cosine_2[0];
-    const real rear_contact_R_2 = sine_2[0];
-    const real rear_contact_R_3 = cosine_2[1];
-    const real rear_contact_sin = sine_2[1];
-    const real rear_contact_R_4 = cosine_2[2];
-    const real rear_contact_R_5 = sine_2[2];
-    const real rear_hub_cos = cosine_2[3];
-    const real rear_hub_sin = sine_2[3];
-    const real steer_cos = cosine_2[4];
-    const real steer_sin = sine_2[4];
-    const real front_hub_cos = cosine_2[5];
-    const real front_hub_sin = sine_2[5];
-
-    /* rear_contact: R, S, momentum fx, momentum fz, M, momentum fy */
-    const wreal rear_radius = w[0]; /* m */
-    const wreal rear_wheel_base_mass = w[18];
-    const real rear_contact_R_6 = rear_contact_R_2 * rear_contact_R_3;
-    const real rear_contact_R_7 = rear_contact_R_2 * rear_contact_sin;
-    const real rear_contact_R_yy = rear_contact_R * rear_contact_R_3;
-    const real rear_contact_R_8 = rear_contact_R * rear_contact_sin;
-    const real rear_contact_R_xx = rear_contact_R * rear_contact_R_4
-        - rear_contact_R_7 * rear_contact_R_5;
-    const real rear_contact_R_xz = rear_contact_R * rear_contact_R_5
-        + rear_contact_R_7 * rear_contact_R_4;
-    const real rear_contact_R_yx = rear_contact_R_2 * rear_contact_R_4
-        + rear_contact_R_8 * rear_contact_R_5;
-    const real rear_contact_R_yz = rear_contact_R_2 * rear_contact_R_5
-        - rear_contact_R_8 * rear_contact_R_4;
-    const real rear_contact_R_9 = rear_contact_R_3 * rear_contact_R_5;
-    const real rear_contact_R_zz = rear_contact_R_3 * rear_contact_R_4;
-    const real rear_contact_S = rear_radius * rear_contact_sin;
-    const real rear_contact_S_2 = rear_contact_R_4 * rear_contact_S;
-    const real rear_contact_S_3 = rear_contact_R_5 * rear_contact_S;
-    const real rear_contact_momentum_fx = rear_wheel_base_mass * rear_contact_R_xx;
-    const real rear_contact_momentum_fz = rear_wheel_base_mass * rear_contact_R_xz;
-    const real rear_contact_M_2 = rear_contact_R_xx * rear_contact_momentum_fx
-        + rear_wheel_base_mass * rear_contact_R_6 * rear_contact_R_6;
-    const real rear_contact_momentum_fx_2 = rear_wheel_base_mass * rear_contact_R_yx;
-    const real rear_contact_momentum_fy = rear_wheel_base_mass * rear_contact_R_yy;
-    const real rear_contact_momentum_fz_2 = rear_wheel_base_mass * rear_contact_R_yz;
-    const real rear_contact_M_3 = rear_contact_R_xx * rear_contact_momentum_fx_2
-        - rear_contact_R_6 * rear_contact_momentum_fy;
-    const real rear_contact_M_4 = rear_contact_R_yx * rear_contact_momentum_fx_2
-        + rear_contact_R_yy * rear_contact_momentum_fy;
-
-    /* steer: R */
-    const wreal div_1 = w[4];
-    const wreal steer_R_zz = w[5];
-    const real steer_R_2 = steer_R_zz * steer_sin;
-    const real steer_R_3 = steer_R_zz * steer_cos;
-    const real steer_R_4 = div_1 * steer_sin;
-    const real steer_R_5 = div_1 * steer_cos;
+    const real front_hub_cos = cosine_2[0];
+    const real front_hub_sin = sine_2[0];
+    const real steer_cos = cosine_2[1];
+    const real steer_sin = sine_2[1];
+    const real rear_hub_cos = cosine_2[2];
+    const real rear_hub_sin = sine_2[2];
+    const real rear_contact_R = cosine_2[3];
+    const real rear_contact_R_2 = sine_2[3];
+    const real rear_contact_R_3 = cosine_2[4];
+    const real rear_contact_sin = sine_2[4];
+    const real rear_contact_R_4 = cosine_2[5];
+    const real rear_contact_R_5 = sine_2[5];
 
     /* fork: inertia, composite inertia, momentum */
     const wreal front_hub_R_yy = w[6];
@@ -298,15 +258,20 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         - front_hub_cos * fork_inertia_2 * front_hub_R_yy;
     const real fork_composite_inertia_zz = fork_base_inertia_zz
         + front_hub_R_yy * fork_inertia_3 * front_hub_R_yy;
-    const real fork_momentum = steer_R_3 * fork_inertia;
-    const real fork_momentum_2 = steer_sin * fork_inertia;
-    const real fork_momentum_3 = steer_R_5 * fork_inertia;
-    const real fork_momentum_4 = fork_base_moment_x * steer_R_3;
-    const real fork_momentum_5 = fork_base_moment_x * steer_sin;
-    const real fork_momentum_6 = fork_base_moment_x * steer_R_5;
+    const real fork_momentum = fork_inertia * steer_sin;
+    const real fork_momentum_2 = fork_base_moment_x * steer_sin;
     out[54] = fork_composite_inertia_zz; /* M: steer.u,steer.u */
 
-    /* frame: inertia, composite moment, composite inertia, momentum */
+    /* steer: R */
+    const wreal div_1 = w[4];
+    const wreal steer_R_zz = w[5];
+    const real steer_R_2 = steer_R_zz * steer_sin;
+    const real steer_R_3 = steer_R_zz * steer_cos;
+    const real steer_R_4 = div_1 * steer_sin;
+    const real steer_R_5 = div_1 * steer_cos;
+
+    /* frame: inertia, composite moment, composite inertia */
+    const wreal rear_radius = w[0]; /* m */
     const wreal steer_place_x = w[2];
     const wreal frame_base_moment_x = w[13];
     const wreal frame_base_moment_z = w[14];
@@ -316,7 +281,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real frame_inertia_2 = steer_sin * frame_inertia;
     const real frame_inertia_3 = fork_composite_inertia_yy + frame_inertia_2;
     const real frame_inertia_4 = steer_cos * frame_inertia;
-    const real frame_inertia_5 = steer_sin * fork_composite_inertia_xz;
+    const real frame_inertia_5 = fork_composite_inertia_xz * steer_sin;
     const real frame_inertia_6 = div_1 * frame_inertia_5;
     const real frame_inertia_7 = steer_R_zz * frame_inertia_3 + frame_inertia_6;
     const real frame_inertia_8 = steer_R_zz * frame_inertia_5;
@@ -330,19 +295,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real frame_composite_moment_z = frame_base_moment_z - frame_inertia_10;
     const real frame_composite_inertia_yy = frame_base_inertia_yy + fork_composite_inertia_xx
         + frame_inertia_13 - frame_inertia_2;
-    const real frame_momentum = rear_hub_cos * fork_momentum + rear_hub_sin * fork_momentum_3;
-    const real frame_momentum_2 = rear_hub_sin * fork_momentum - rear_hub_cos * fork_momentum_3;
-    const real frame_momentum_3 = rear_hub_cos * fork_momentum_4 + rear_hub_sin * fork_momentum_6;
-    const real frame_momentum_4 = rear_hub_sin * fork_momentum_4 - rear_hub_cos * fork_momentum_6;
     out[37] = frame_composite_inertia_yy; /* M: rear_contact.u.spin,rear_hub.u */
     out[44] = frame_composite_inertia_yy; /* M: rear_hub.u,rear_contact.u.spin */
     out[45] = frame_composite_inertia_yy; /* M: rear_hub.u,rear_hub.u */
 
     /* shared by several: inertia, M */
-    const real frame_inertia_14 = steer_cos * fork_composite_inertia_xz;
+    const real frame_inertia_14 = fork_composite_inertia_xz * steer_cos;
     const real frame_inertia_15 = div_1 * fork_composite_inertia_zz;
     const real frame_inertia_16 = steer_R_zz * fork_composite_inertia_zz;
-    const real steer_M = rear_radius * fork_momentum_5;
+    const real steer_M = rear_radius * fork_momentum_2;
 
     /* frame: inertia, composite inertia */
     const wreal frame_base_inertia_xz = w[15];
@@ -373,12 +334,12 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_wheel_inertia_3 = rear_hub_sin * rear_wheel_inertia_2;
     const real rear_wheel_composite_inertia_xz = rear_hub_cos * rear_wheel_inertia_2
         - frame_composite_inertia_xz;
-    const real rear_wheel_composite_inertia_xy = rear_hub_sin * frame_composite_inertia_yz
-        - rear_hub_cos * frame_inertia_18;
-    const real rear_wheel_composite_moment_x = rear_hub_cos * frame_composite_moment_x
-        + rear_hub_sin * frame_composite_moment_z;
-    const real rear_wheel_composite_moment_z = rear_hub_cos * frame_composite_moment_z
-        - rear_hub_sin * frame_composite_moment_x;
+    const real rear_wheel_composite_inertia_xy = frame_composite_inertia_yz * rear_hub_sin
+        - frame_inertia_18 * rear_hub_cos;
+    const real rear_wheel_composite_moment_x = frame_composite_moment_x * rear_hub_cos
+        + frame_composite_moment_z * rear_hub_sin;
+    const real rear_wheel_composite_moment_z = frame_composite_moment_z * rear_hub_cos
+        - frame_composite_moment_x * rear_hub_sin;
     const real rear_wheel_composite_inertia_xx = rear_wheel_base_inertia_xx
         + frame_composite_inertia_xx + rear_wheel_inertia_3;
     const real rear_wheel_composite_inertia_yy = rear_wheel_inertia_yy + frame_composite_inertia_yy;
@@ -387,135 +348,129 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[36] = rear_wheel_composite_inertia_yy; /* M: rear_contact.u.spin,rear_contact.u.spin */
 
     /* shared by several: inertia, M */
-    const real rear_wheel_inertia_4 = rear_hub_cos * frame_composite_inertia_yz
-        + rear_hub_sin * frame_inertia_18;
-    const real rear_contact_M_5 = rear_contact_R_9 * rear_wheel_composite_inertia_xy;
-    const real rear_contact_M_6 = rear_contact_S_2 * rear_wheel_composite_moment_z
-        - rear_contact_S_3 * rear_wheel_composite_moment_x;
-    const real rear_contact_M_7 = rear_contact_R_4 * rear_wheel_composite_inertia_xy;
+    const real rear_wheel_inertia_4 = frame_composite_inertia_yz * rear_hub_cos
+        + frame_inertia_18 * rear_hub_sin;
+    const real rear_contact_M_2 = rear_wheel_composite_inertia_xy * rear_contact_R_4;
 
     /* rear_wheel: composite inertia */
     const real rear_wheel_composite_inertia_yz = rear_wheel_inertia_4 + rear_wheel_inertia_4
         - rear_wheel_inertia_4;
 
+    /* fork: momentum */
+    const real fork_momentum_3 = fork_inertia * steer_R_3;
+    const real fork_momentum_4 = fork_inertia * steer_R_5;
+    const real fork_momentum_5 = fork_base_moment_x * steer_R_3;
+    const real fork_momentum_6 = fork_base_moment_x * steer_R_5;
+    const real fork_momentum_7 = fork_composite_inertia_xz * steer_R_2 + steer_M + frame_inertia_15;
+    const real fork_momentum_8 = frame_inertia_16 - (fork_composite_inertia_xz * steer_R_4
+        + steer_place_x * fork_momentum_2);
+
     /* M */
-    const real M_8_5 = -fork_momentum_2;
-    const real M_8_3 = rear_contact_R_9 * frame_momentum - rear_contact_sin * fork_momentum_2
-        + rear_contact_R_zz * frame_momentum_2;
-    const real M_8_4 = rear_contact_R_5 * frame_momentum_2 - rear_contact_R_4 * frame_momentum;
-    const real M_7_5 = rear_radius * fork_momentum_4 + steer_place_x * fork_momentum_6
+    const real M_8_5 = -fork_momentum;
+    const real M_7_5 = rear_radius * fork_momentum_5 + steer_place_x * fork_momentum_6
         + frame_inertia_14;
-    const real M_7_1 = rear_contact_R_6 * fork_momentum_5 - rear_contact_R_xx * frame_momentum_3
-        + rear_contact_R_xz * frame_momentum_4;
-    const real M_7_2 = rear_contact_R_yz * frame_momentum_4 - rear_contact_R_yy * fork_momentum_5
-        - rear_contact_R_yx * frame_momentum_3;
-    const real M_6_3 = rear_contact_sin * frame_composite_inertia_yy + rear_contact_M_6
-        - rear_contact_M_5 + rear_contact_R_zz * rear_wheel_inertia_4;
-    const real M_6_4 = rear_contact_M_7 + rear_contact_R_5 * rear_wheel_inertia_4;
-    const real M_2_1 = rear_contact_R_xz * rear_contact_momentum_fz_2 + rear_contact_M_3;
+    const real M_6_4 = rear_contact_M_2 + rear_wheel_inertia_4 * rear_contact_R_5;
     out[39] = M_8_5; /* M: rear_contact.u.spin,front_hub.u */
     out[47] = M_8_5; /* M: rear_hub.u,front_hub.u */
     out[60] = M_8_5; /* M: front_hub.u,rear_contact.u.spin */
     out[61] = M_8_5; /* M: front_hub.u,rear_hub.u */
-    out[23] = M_8_3; /* M: rear_contact.u.yaw,front_hub.u */
-    out[58] = M_8_3; /* M: front_hub.u,rear_contact.u.yaw */
-    out[31] = M_8_4; /* M: rear_contact.u.lean,front_hub.u */
-    out[59] = M_8_4; /* M: front_hub.u,rear_contact.u.lean */
     out[38] = M_7_5; /* M: rear_contact.u.spin,steer.u */
     out[46] = M_7_5; /* M: rear_hub.u,steer.u */
     out[52] = M_7_5; /* M: steer.u,rear_contact.u.spin */
     out[53] = M_7_5; /* M: steer.u,rear_hub.u */
-    out[6] = M_7_1; /* M: rear_contact.u.x,steer.u */
-    out[48] = M_7_1; /* M: steer.u,rear_contact.u.x */
-    out[14] = M_7_2; /* M: rear_contact.u.y,steer.u */
-    out[49] = M_7_2; /* M: steer.u,rear_contact.u.y */
-    out[21] = M_6_3; /* M: rear_contact.u.yaw,rear_hub.u */
-    out[42] = M_6_3; /* M: rear_hub.u,rear_contact.u.yaw */
     out[29] = M_6_4; /* M: rear_contact.u.lean,rear_hub.u */
     out[43] = M_6_4; /* M: rear_hub.u,rear_contact.u.lean */
-    /* M: rear_contact.u.x,rear_contact.u.x */
-    out[0] = rear_contact_R_xz * rear_contact_momentum_fz + rear_contact_M_2;
-    out[1] = M_2_1; /* M: rear_contact.u.x,rear_contact.u.y */
-    out[8] = M_2_1; /* M: rear_contact.u.y,rear_contact.u.x */
-    /* M: rear_contact.u.y,rear_contact.u.y */
-    out[9] = rear_contact_R_yz * rear_contact_momentum_fz_2 + rear_contact_M_4;
-
-    /* fork: momentum */
-    const real fork_momentum_7 = steer_R_2 * fork_composite_inertia_xz + steer_M + frame_inertia_15;
-    const real fork_momentum_8 = frame_inertia_16 - (steer_R_4 * fork_composite_inertia_xz
-        + steer_place_x * fork_momentum_5);
 
     /* frame: momentum */
+    const real frame_momentum = rear_hub_cos * fork_momentum_3 + rear_hub_sin * fork_momentum_4;
+    const real frame_momentum_2 = rear_hub_sin * fork_momentum_3 - rear_hub_cos * fork_momentum_4;
+    const real frame_momentum_3 = rear_hub_cos * fork_momentum_5 + rear_hub_sin * fork_momentum_6;
+    const real frame_momentum_4 = rear_hub_sin * fork_momentum_5 - rear_hub_cos * fork_momentum_6;
     const real frame_momentum_5 = rear_hub_sin * fork_momentum_8 - rear_hub_cos * fork_momentum_7;
     const real frame_momentum_6 = rear_hub_sin * fork_momentum_7 + rear_hub_cos * fork_momentum_8;
 
-    /* steer: M */
-    const real steer_M_2 = rear_contact_S_3 * frame_momentum_4
-        - rear_contact_S_2 * frame_momentum_3 + rear_contact_sin * M_7_5;
-
-    /* M */
-    const real M_7_3 = steer_M_2 - rear_contact_R_9 * frame_momentum_5
-        + rear_contact_R_zz * frame_momentum_6;
-    const real M_7_4 = steer_M + rear_contact_R_4 * frame_momentum_5
-        + rear_contact_R_5 * frame_momentum_6;
-    out[22] = M_7_3; /* M: rear_contact.u.yaw,steer.u */
-    out[50] = M_7_3; /* M: steer.u,rear_contact.u.yaw */
-    out[30] = M_7_4; /* M: rear_contact.u.lean,steer.u */
-    out[51] = M_7_4; /* M: steer.u,rear_contact.u.lean */
-
-    /* rear_contact: momentum my, momentum fy, M, momentum mx, momentum mz, momentum fx, ... */
+    /* rear_contact: R, S, momentum my, momentum fy, momentum fx, momentum fz, M, ... */
+    const wreal rear_wheel_base_mass = w[18];
     const wreal rear_contact_M = w[23];
-    const real rear_contact_momentum_my = rear_contact_R_xx * rear_wheel_composite_moment_z
-        - rear_contact_R_xz * rear_wheel_composite_moment_x;
-    const real rear_contact_momentum_my_2 = rear_contact_R_yx * rear_wheel_composite_moment_z
-        - rear_contact_R_yz * rear_wheel_composite_moment_x;
-    const real rear_contact_momentum_fy_2 = rear_contact_R_9 * rear_wheel_composite_moment_z
-        + rear_contact_R_zz * rear_wheel_composite_moment_x;
-    const real rear_contact_M_8 = rear_contact_sin * rear_wheel_composite_inertia_xy
-        + rear_contact_S_3 * frame_composite_moment_y;
-    const real rear_contact_M_9 = rear_contact_M_8
-        - rear_contact_R_9 * rear_wheel_composite_inertia_xx;
-    const real rear_contact_momentum_mx = rear_contact_R_zz * rear_wheel_composite_inertia_xz
-        + rear_contact_M_9;
-    const real rear_contact_M_10 = rear_contact_sin * rear_wheel_composite_inertia_yz
-        - rear_contact_S_2 * frame_composite_moment_y;
-    const real rear_contact_M_11 = rear_contact_M_10
-        - rear_contact_R_9 * rear_wheel_composite_inertia_xz;
-    const real rear_contact_momentum_mz = rear_contact_R_zz * rear_wheel_composite_inertia_zz
-        + rear_contact_M_11;
-    const real rear_contact_M_12 = rear_wheel_base_mass * rear_contact_S_2
-        - rear_contact_R_zz * frame_composite_moment_y;
-    const real rear_contact_momentum_fx_3 = rear_contact_sin * rear_wheel_composite_moment_z
-        + rear_contact_M_12;
-    const real rear_contact_M_13 = rear_wheel_base_mass * rear_contact_S_3
-        - rear_contact_R_9 * frame_composite_moment_y;
-    const real rear_contact_momentum_fz_3 = rear_contact_M_13
-        - rear_contact_sin * rear_wheel_composite_moment_x;
-    const real rear_contact_M_14 = rear_contact_R_xx * rear_contact_momentum_fx_3
+    const real rear_contact_R_6 = rear_contact_R_2 * rear_contact_R_3;
+    const real rear_contact_R_7 = rear_contact_R_2 * rear_contact_sin;
+    const real rear_contact_R_yy = rear_contact_R * rear_contact_R_3;
+    const real rear_contact_R_8 = rear_contact_R * rear_contact_sin;
+    const real rear_contact_R_xx = rear_contact_R * rear_contact_R_4
+        - rear_contact_R_7 * rear_contact_R_5;
+    const real rear_contact_R_xz = rear_contact_R * rear_contact_R_5
+        + rear_contact_R_7 * rear_contact_R_4;
+    const real rear_contact_R_yx = rear_contact_R_2 * rear_contact_R_4
+        + rear_contact_R_8 * rear_contact_R_5;
+    const real rear_contact_R_yz = rear_contact_R_2 * rear_contact_R_5
+        - rear_contact_R_8 * rear_contact_R_4;
+    const real rear_contact_R_9 = rear_contact_R_3 * rear_contact_R_5;
+    const real rear_contact_R_zz = rear_contact_R_3 * rear_contact_R_4;
+    const real rear_contact_S = rear_radius * rear_contact_sin;
+    const real rear_contact_S_2 = rear_contact_R_4 * rear_contact_S;
+    const real rear_contact_S_3 = rear_contact_R_5 * rear_contact_S;
+    const real rear_contact_momentum_my = rear_wheel_composite_moment_z * rear_contact_R_xx
+        - rear_wheel_composite_moment_x * rear_contact_R_xz;
+    const real rear_contact_momentum_my_2 = rear_wheel_composite_moment_z * rear_contact_R_yx
+        - rear_wheel_composite_moment_x * rear_contact_R_yz;
+    const real rear_contact_momentum_fy = rear_wheel_composite_moment_z * rear_contact_R_9
+        + rear_wheel_composite_moment_x * rear_contact_R_zz;
+    const real rear_contact_momentum_fx = rear_wheel_base_mass * rear_contact_R_xx;
+    const real rear_contact_momentum_fz = rear_wheel_base_mass * rear_contact_R_xz;
+    const real rear_contact_M_3 = rear_contact_R_xx * rear_contact_momentum_fx
+        + rear_wheel_base_mass * rear_contact_R_6 * rear_contact_R_6;
+    const real rear_contact_momentum_fx_2 = rear_wheel_base_mass * rear_contact_R_yx;
+    const real rear_contact_momentum_fy_2 = rear_wheel_base_mass * rear_contact_R_yy;
+    const real rear_contact_momentum_fz_2 = rear_wheel_base_mass * rear_contact_R_yz;
+    const real rear_contact_M_4 = rear_contact_R_xx * rear_contact_momentum_fx_2
         - rear_contact_R_6 * rear_contact_momentum_fy_2;
-    const real rear_contact_M_15 = rear_contact_R_yx * rear_contact_momentum_fx_3
+    const real rear_contact_M_5 = rear_contact_R_yx * rear_contact_momentum_fx_2
         + rear_contact_R_yy * rear_contact_momentum_fy_2;
-    const real rear_contact_M_16 = rear_contact_S_2 * rear_contact_momentum_fx_3
+    const real rear_contact_M_6 = rear_wheel_composite_inertia_xy * rear_contact_sin
+        + frame_composite_moment_y * rear_contact_S_3;
+    const real rear_contact_M_7 = rear_contact_M_6
+        - rear_wheel_composite_inertia_xx * rear_contact_R_9;
+    const real rear_contact_momentum_mx = rear_wheel_composite_inertia_xz * rear_contact_R_zz
+        + rear_contact_M_7;
+    const real rear_contact_M_8 = rear_wheel_composite_inertia_yz * rear_contact_sin
+        - frame_composite_moment_y * rear_contact_S_2;
+    const real rear_contact_M_9 = rear_contact_M_8
+        - rear_wheel_composite_inertia_xz * rear_contact_R_9;
+    const real rear_contact_momentum_mz = rear_wheel_composite_inertia_zz * rear_contact_R_zz
+        + rear_contact_M_9;
+    const real rear_contact_M_10 = rear_wheel_base_mass * rear_contact_S_2
+        - frame_composite_moment_y * rear_contact_R_zz;
+    const real rear_contact_momentum_fx_3 = rear_wheel_composite_moment_z * rear_contact_sin
+        + rear_contact_M_10;
+    const real rear_contact_M_11 = rear_wheel_base_mass * rear_contact_S_3
+        - frame_composite_moment_y * rear_contact_R_9;
+    const real rear_contact_momentum_fz_3 = rear_contact_M_11
+        - rear_wheel_composite_moment_x * rear_contact_sin;
+    const real rear_contact_M_12 = rear_contact_R_xx * rear_contact_momentum_fx_3
+        - rear_contact_R_6 * rear_contact_momentum_fy;
+    const real rear_contact_M_13 = rear_contact_R_yx * rear_contact_momentum_fx_3
+        + rear_contact_R_yy * rear_contact_momentum_fy;
+    const real rear_contact_M_14 = rear_contact_S_2 * rear_contact_momentum_fx_3
         + rear_contact_S_3 * rear_contact_momentum_fz_3;
-    const real rear_contact_momentum_my_3 = rear_contact_M_7
-        + rear_contact_R_5 * rear_wheel_composite_inertia_yz;
-    const real rear_contact_M_17 = rear_contact_R_4 * rear_wheel_composite_inertia_xx
+    const real rear_contact_momentum_my_3 = rear_contact_M_2
+        + rear_wheel_composite_inertia_yz * rear_contact_R_5;
+    const real rear_contact_M_15 = rear_wheel_composite_inertia_xx * rear_contact_R_4
         + rear_radius * rear_wheel_composite_moment_z;
-    const real rear_contact_momentum_mx_2 = rear_contact_R_5 * rear_wheel_composite_inertia_xz
-        + rear_contact_M_17;
-    const real rear_contact_M_18 = rear_contact_R_4 * rear_wheel_composite_inertia_xz
+    const real rear_contact_momentum_mx_2 = rear_wheel_composite_inertia_xz * rear_contact_R_5
+        + rear_contact_M_15;
+    const real rear_contact_M_16 = rear_wheel_composite_inertia_xz * rear_contact_R_4
         - rear_radius * rear_wheel_composite_moment_x;
-    const real rear_contact_momentum_mz_2 = rear_contact_R_5 * rear_wheel_composite_inertia_zz
-        + rear_contact_M_18;
-    const real rear_contact_M_19 = rear_contact_R_5 * frame_composite_moment_y;
-    const real rear_contact_momentum_fz_4 = rear_contact_R_4 * frame_composite_moment_y;
-    const real rear_contact_M_20 = rear_contact_M
-        + rear_contact_R_4 * rear_wheel_composite_moment_z
-        - rear_contact_R_5 * rear_wheel_composite_moment_x;
-    const real rear_contact_M_21 = rear_contact_S_3 * rear_contact_momentum_fz_4
-        - rear_contact_S_2 * rear_contact_M_19;
-    const real rear_contact_M_22 = rear_contact_sin * rear_contact_momentum_my_3
-        + rear_contact_M_21 - rear_contact_R_9 * rear_contact_momentum_mx_2;
+    const real rear_contact_momentum_mz_2 = rear_wheel_composite_inertia_zz * rear_contact_R_5
+        + rear_contact_M_16;
+    const real rear_contact_M_17 = frame_composite_moment_y * rear_contact_R_5;
+    const real rear_contact_momentum_fz_4 = frame_composite_moment_y * rear_contact_R_4;
+    const real rear_contact_M_18 = rear_contact_M
+        + rear_wheel_composite_moment_z * rear_contact_R_4
+        - rear_wheel_composite_moment_x * rear_contact_R_5;
+    const real rear_contact_M_19 = rear_contact_S_3 * rear_contact_momentum_fz_4
+        - rear_contact_S_2 * rear_contact_M_17;
+    const real rear_contact_M_20 = rear_contact_sin * rear_contact_momentum_my_3
+        + rear_contact_M_19 - rear_contact_R_9 * rear_contact_momentum_mx_2;
     out[4] = rear_contact_momentum_my; /* M: rear_contact.u.x,rear_contact.u.spin */
     out[5] = rear_contact_momentum_my; /* M: rear_contact.u.x,rear_hub.u */
     out[32] = rear_contact_momentum_my; /* M: rear_contact.u.spin,rear_contact.u.x */
@@ -527,31 +482,44 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[28] = rear_contact_momentum_my_3; /* M: rear_contact.u.lean,rear_contact.u.spin */
     out[35] = rear_contact_momentum_my_3; /* M: rear_contact.u.spin,rear_contact.u.lean */
 
-    /* shared by several: M */
-    const real rear_contact_M_23 = rear_contact_sin * rear_wheel_composite_inertia_yy
-        - rear_contact_M_5 + rear_contact_R_zz * rear_wheel_composite_inertia_yz;
-
-    /* rear_contact: momentum my, M */
-    const real rear_contact_momentum_my_4 = rear_contact_M_6 + rear_contact_M_23;
-    const real rear_contact_M_24 = rear_contact_sin * rear_contact_momentum_my_4
-        + rear_contact_M_16 - rear_contact_R_9 * rear_contact_momentum_mx;
-    out[20] = rear_contact_momentum_my_4; /* M: rear_contact.u.yaw,rear_contact.u.spin */
-    out[34] = rear_contact_momentum_my_4; /* M: rear_contact.u.spin,rear_contact.u.yaw */
-
     /* M */
-    const real M_3_1 = rear_contact_R_xz * rear_contact_momentum_fz_3 + rear_contact_M_14;
-    const real M_3_2 = rear_contact_R_yz * rear_contact_momentum_fz_3 + rear_contact_M_15;
+    const real M_8_3 = frame_momentum * rear_contact_R_9 - fork_momentum * rear_contact_sin
+        + frame_momentum_2 * rear_contact_R_zz;
+    const real M_8_4 = frame_momentum_2 * rear_contact_R_5 - frame_momentum * rear_contact_R_4;
+    const real M_7_1 = rear_contact_R_6 * fork_momentum_2 - rear_contact_R_xx * frame_momentum_3
+        + rear_contact_R_xz * frame_momentum_4;
+    const real M_7_2 = rear_contact_R_yz * frame_momentum_4 - rear_contact_R_yy * fork_momentum_2
+        - rear_contact_R_yx * frame_momentum_3;
+    const real M_7_4 = steer_M + rear_contact_R_4 * frame_momentum_5
+        + rear_contact_R_5 * frame_momentum_6;
+    const real M_2_1 = rear_contact_R_xz * rear_contact_momentum_fz_2 + rear_contact_M_4;
+    const real M_3_1 = rear_contact_R_xz * rear_contact_momentum_fz_3 + rear_contact_M_12;
+    const real M_3_2 = rear_contact_R_yz * rear_contact_momentum_fz_3 + rear_contact_M_13;
     const real M_4_1 = rear_contact_R_xz * rear_contact_momentum_fz_4
-        - rear_contact_R_xx * rear_contact_M_19 + rear_contact_R_6 * rear_contact_M_20;
+        - rear_contact_R_xx * rear_contact_M_17 + rear_contact_R_6 * rear_contact_M_18;
     const real M_4_2 = rear_contact_R_yz * rear_contact_momentum_fz_4
-        - rear_contact_R_yx * rear_contact_M_19 - rear_contact_R_yy * rear_contact_M_20;
-    const real M_4_3 = rear_contact_R_zz * rear_contact_momentum_mz_2 + rear_contact_M_22;
+        - rear_contact_R_yx * rear_contact_M_17 - rear_contact_R_yy * rear_contact_M_18;
+    const real M_4_3 = rear_contact_R_zz * rear_contact_momentum_mz_2 + rear_contact_M_20;
+    out[23] = M_8_3; /* M: rear_contact.u.yaw,front_hub.u */
+    out[58] = M_8_3; /* M: front_hub.u,rear_contact.u.yaw */
+    out[31] = M_8_4; /* M: rear_contact.u.lean,front_hub.u */
+    out[59] = M_8_4; /* M: front_hub.u,rear_contact.u.lean */
+    out[6] = M_7_1; /* M: rear_contact.u.x,steer.u */
+    out[48] = M_7_1; /* M: steer.u,rear_contact.u.x */
+    out[14] = M_7_2; /* M: rear_contact.u.y,steer.u */
+    out[49] = M_7_2; /* M: steer.u,rear_contact.u.y */
+    out[30] = M_7_4; /* M: rear_contact.u.lean,steer.u */
+    out[51] = M_7_4; /* M: steer.u,rear_contact.u.lean */
+    /* M: rear_contact.u.x,rear_contact.u.x */
+    out[0] = rear_contact_R_xz * rear_contact_momentum_fz + rear_contact_M_3;
+    out[1] = M_2_1; /* M: rear_contact.u.x,rear_contact.u.y */
+    out[8] = M_2_1; /* M: rear_contact.u.y,rear_contact.u.x */
+    /* M: rear_contact.u.y,rear_contact.u.y */
+    out[9] = rear_contact_R_yz * rear_contact_momentum_fz_2 + rear_contact_M_5;
     out[2] = M_3_1; /* M: rear_contact.u.x,rear_contact.u.yaw */
     out[16] = M_3_1; /* M: rear_contact.u.yaw,rear_contact.u.x */
     out[10] = M_3_2; /* M: rear_contact.u.y,rear_contact.u.yaw */
     out[17] = M_3_2; /* M: rear_contact.u.yaw,rear_contact.u.y */
-    /* M: rear_contact.u.yaw,rear_contact.u.yaw */
-    out[18] = rear_contact_R_zz * rear_contact_momentum_mz + rear_contact_M_24;
     out[3] = M_4_1; /* M: rear_contact.u.x,rear_contact.u.lean */
     out[24] = M_4_1; /* M: rear_contact.u.lean,rear_contact.u.x */
     out[11] = M_4_2; /* M: rear_contact.u.y,rear_contact.u.lean */
@@ -559,8 +527,42 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[19] = M_4_3; /* M: rear_contact.u.yaw,rear_contact.u.lean */
     out[26] = M_4_3; /* M: rear_contact.u.lean,rear_contact.u.yaw */
     /* M: rear_contact.u.lean,rear_contact.u.lean */
-    out[27] = rear_contact_R_4 * rear_contact_momentum_mx_2 + rear_radius * rear_contact_M_20
+    out[27] = rear_contact_R_4 * rear_contact_momentum_mx_2 + rear_radius * rear_contact_M_18
         + rear_contact_R_5 * rear_contact_momentum_mz_2;
+
+    /* steer: M */
+    const real steer_M_2 = rear_contact_S_3 * frame_momentum_4
+        - rear_contact_S_2 * frame_momentum_3 + rear_contact_sin * M_7_5;
+
+    /* M */
+    const real M_7_3 = steer_M_2 - rear_contact_R_9 * frame_momentum_5
+        + rear_contact_R_zz * frame_momentum_6;
+    out[22] = M_7_3; /* M: rear_contact.u.yaw,steer.u */
+    out[50] = M_7_3; /* M: steer.u,rear_contact.u.yaw */
+
+    /* shared by several: M */
+    const real rear_contact_M_21 = rear_wheel_composite_inertia_xy * rear_contact_R_9;
+    const real rear_contact_M_22 = rear_wheel_composite_moment_z * rear_contact_S_2
+        - rear_wheel_composite_moment_x * rear_contact_S_3;
+    const real rear_contact_M_23 = rear_wheel_composite_inertia_yy * rear_contact_sin
+        - rear_contact_M_21 + rear_wheel_composite_inertia_yz * rear_contact_R_zz;
+
+    /* M */
+    const real M_6_3 = frame_composite_inertia_yy * rear_contact_sin + rear_contact_M_22
+        - rear_contact_M_21 + rear_wheel_inertia_4 * rear_contact_R_zz;
+    out[21] = M_6_3; /* M: rear_contact.u.yaw,rear_hub.u */
+    out[42] = M_6_3; /* M: rear_hub.u,rear_contact.u.yaw */
+
+    /* rear_contact: momentum my, M */
+    const real rear_contact_momentum_my_4 = rear_contact_M_22 + rear_contact_M_23;
+    const real rear_contact_M_24 = rear_contact_sin * rear_contact_momentum_my_4
+        + rear_contact_M_14 - rear_contact_R_9 * rear_contact_momentum_mx;
+    out[20] = rear_contact_momentum_my_4; /* M: rear_contact.u.yaw,rear_contact.u.spin */
+    out[34] = rear_contact_momentum_my_4; /* M: rear_contact.u.spin,rear_contact.u.yaw */
+
+    /* M */
+    /* M: rear_contact.u.yaw,rear_contact.u.yaw */
+    out[18] = rear_contact_R_zz * rear_contact_momentum_mz + rear_contact_M_24;
 
     /* results that are numbers or inputs */
     out[7] = CARDAN_REAL(0.0); /* M: rear_contact.u.x,front_hub.u */

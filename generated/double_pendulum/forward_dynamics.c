@@ -70,13 +70,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* shared by several: cos, sin */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
-    const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
+    const real angle[CARDAN_PADDED(2)] = {elbow_q, shoulder_q};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real shoulder_cos = cosine[0];
-    const real shoulder_sin = sine[0];
-    const real elbow_cos = cosine[1];
-    const real elbow_sin = sine[1];
+    const real elbow_cos = cosine[0];
+    const real elbow_sin = sine[0];
+    const real shoulder_cos = cosine[1];
+    const real shoulder_sin = sine[1];
 
     /* shared by several: inertia */
     const wreal l = w[0]; /* m */
