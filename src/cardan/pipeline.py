@@ -50,6 +50,7 @@ STANDARD = (
     "constraint_rates",
     "constraint_jacobian",
     "closure",
+    "facing",
     "multipliers",
     "close_position",
     "close_velocity",

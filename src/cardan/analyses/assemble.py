@@ -101,6 +101,7 @@ def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
             q[target.place] = target.value
     end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.model.nu)))
     q = end.q.copy()
+    end = replace(end, turned=m.turned(q) if end.closed else "")
     for target in targets if end.met else ():
         if target.kind == "coordinate" and target.weight is None and len(target.value) == 1:
             q[target.place] = target.value

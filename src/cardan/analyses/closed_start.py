@@ -18,7 +18,7 @@ from .mechanism import Mechanism
 from .meeting import Found
 from .settings import Start
 from .targets import Target, read
-from .unassembled import explain
+from .unassembled import explain, turned_round
 
 Array = NDArray[np.float64]
 NAMED = "Name fewer coordinates at the start: circuits determine the others"
@@ -61,7 +61,10 @@ def _positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array
     """Assembled coordinates."""
     open_by = float(np.abs(m.residuals(q)).max(initial=0.0))
     if named is None and open_by <= NEARLY:
-        return search_from(m, [], q).q
+        end = search_from(m, [], q)
+        if end.turned:
+            raise ModelError(turned_round(end.turned))
+        return end.q
     every = dict(zip(m.model.coordinates, q.tolist(), strict=True))
     goals = read(m, every if named is None else named)
     return _assembled(m, goals, q).q

@@ -72,6 +72,17 @@ class Mechanism:
         found: Array = self.evaluate("constraints", q) / self.rows[:count]
         return found
 
+    def turned(self, q: Array) -> str:
+        """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
+        if not self.cuts or "facing" not in self.model.manifest["available"]:
+            return ""
+        values = self.evaluate("facing", q)
+        wrong = np.flatnonzero(values <= 0)
+        if not len(wrong):
+            return ""
+        entries = self.model.manifest["functions"]["facing"]["outputs"][0]["entries"]
+        return str(entries[wrong[0]]).rpartition(".")[0]
+
     def jacobian(self, q: Array) -> Array:
         """G (m, nu), without units."""
         if not self.closing.rows:

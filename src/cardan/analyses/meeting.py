@@ -33,17 +33,24 @@ class Found:
         open: Largest residual of what must hold, without units.
         cost: Weighted sum of squares of what should hold.
         freedoms: Steps that keep what must hold, to first order.
+        turned: Cut joint of which an axis is turned round there, "" if none.
     """
 
     q: Array
     open: float
     cost: float
     freedoms: int
+    turned: str = ""
+
+    @property
+    def closed(self) -> bool:
+        """Whether all residuals that must vanish do."""
+        return self.open <= MET
 
     @property
     def met(self) -> bool:
         """Whether all that must hold does."""
-        return self.open <= MET
+        return self.closed and not self.turned
 
 
 class Conditions:

@@ -74,8 +74,19 @@ def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found], r
     return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together. {remedy}"
 
 
+def turned_round(joint: str) -> str:
+    """What to say about a joint that closes with an axis the wrong way."""
+    return (
+        f"joint '{joint}' closes its circuit here only with an axis turned round, as it is not "
+        "built: start nearer to the position that is meant, or turn the axis in the scene"
+    )
+
+
 def _open(m: Mechanism, found: Sequence[Found]) -> str:
     """The circuit with the largest gap where the search came nearest."""
+    turned = [one.turned for one in found if one.closed and one.turned]
+    if turned:
+        return turned_round(turned[0])
 
     def gap_of(one: Found) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())

@@ -135,6 +135,18 @@ class Constraints:
         return self._column([node for g, _ in self._closed for node in g.nodes])
 
     @cached_property
+    def facing(self) -> tuple[tuple[str, ...], Matrix]:
+        """Owners of numbers that are positive where cut joints are not turned round, and these."""
+        owners, nodes = list[str](), list[int]()
+        for n, cut in enumerate(self.k.system.cuts):
+            with self.k.graph.made_by(cut.name, "facing"):
+                ends = self._ends[n]
+                found = cut.element.facing(ends.rotation, ends.position, **self._data[n])
+            owners += [cut.name] * found.rows
+            nodes += found.nodes
+        return tuple(owners), self._column(nodes)
+
+    @cached_property
     def rates(self) -> Matrix:
         """G u + g_t (m, 1): derivative of g, then velocities that vanish."""
         g, held, slipping = self.k.graph, list[int](), list[int]()

@@ -209,6 +209,12 @@ def _closure(c: Context) -> tuple[Output, ...]:
     return (Output("closure", (len(names),), c.d.constraints.closure.nodes, names, units),)
 
 
+def _facing(c: Context) -> tuple[Output, ...]:
+    owners, numbers = c.d.constraints.facing
+    names = tuple(f"{owner}.facing{k}" for k, owner in enumerate(owners))
+    return (Output("facing", (len(names),), numbers.nodes, names),)
+
+
 def _multipliers(c: Context) -> tuple[Output, ...]:
     _, lam = c.d.bound(c.d.tau)
     rows = c.d.constraints.rows
@@ -366,6 +372,9 @@ RECIPES: dict[str, Recipe] = {
     "constraint_jacobian": Recipe("G: G udot = gamma", _constraint_jacobian, bound=True),
     "closure": Recipe(
         "closing conditions of all cut joints, dependent ones too", _closure, bound=True
+    ),
+    "facing": Recipe(
+        "cosines, all positive where no cut joint is turned round", _facing, bound=True
     ),
     "multipliers": Recipe(
         "lam: forces of constraint, M udot + h = f + tau + Gᵀ lam",

@@ -79,6 +79,22 @@ class Constraints(Dynamics, ABC):
         """All closing conditions of all cut joints (..., n), also those that follow from others."""
         return self._evaluate(("closure", None), (t, q, r), parameters, out)
 
+    def facing(
+        self,
+        q: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Cosines (..., n) that are positive where every cut joint is as it is built.
+
+        Closing conditions vanish too where an axis is turned round; then one of these does not
+        exceed 0. They are named in the manifest after their joints.
+        """
+        return self._evaluate(("facing", None), (t, q, r), parameters, out)
+
     def multipliers(
         self,
         q: State,

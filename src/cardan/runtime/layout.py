@@ -36,6 +36,7 @@ READS = {
     "constraint_rates": "t q u r",
     "constraint_jacobian": "t q r",
     "closure": "t q r",
+    "facing": "t q r",
     "multipliers": "t q u r tau",
     "close_position": "t q r",
     "close_velocity": "t q u r",
