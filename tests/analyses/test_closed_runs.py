@@ -14,7 +14,7 @@ from analyses.test_plain import bare  # noqa: F401
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.runtime import cache
 from mechanisms.closed import CLOSED
-from mechanisms.closed_planar import four_bar, four_bar_angles
+from mechanisms.closed_planar import four_bar, four_bar_angles, parallelogram
 
 SIZE = 0.3  # of the four-bar [m]
 BOTH = pytest.mark.parametrize(
@@ -126,6 +126,20 @@ def test_without_a_compiler(bars: cd.CompiledModel, bare, options: dict, t) -> N
     assert max(residuals(bars, plain.x)) < 1e-12
     assert plain.ledger is not None
     assert [*plain.ledger.position] == ["C.px", "C.py"]
+
+
+def test_a_singular_start_needs_all_speeds() -> None:
+    """All links on one line: every crank could turn either way."""
+    model = cd.compile(parallelogram())
+    flat = dict.fromkeys(model.coordinates, 0.0)
+    said = r"start is a singular position: 2 of 4 independent .* joint 'C\d'\. Give all speeds"
+    with pytest.raises(cd.ModelError, match=said):
+        model.simulate(1.0, q=flat, u={"A0": 1.0})
+    turning = {name: 1.0 if name.startswith(("A", "C")) else -1.0 for name in model.coordinates}
+    motion = model.simulate(1.0, q=flat, u=turning, rtol=1e-8, check=True)
+    np.testing.assert_allclose(motion["A2"], motion["A0"], rtol=0, atol=1e-9)
+    # what is redundant everywhere is not singular
+    assert cd.compile(CLOSED["bricard"].build()).simulate(0.01).success
 
 
 def test_penalties_give_way() -> None:

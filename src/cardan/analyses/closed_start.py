@@ -16,11 +16,13 @@ from .assemble import STARTS, choose, outside, search, search_from
 from .consistent import speeds
 from .mechanism import Mechanism
 from .meeting import Found
+from .redundancy import rank_of
 from .settings import Start
 from .targets import Target, read
 from .unassembled import explain, turned_round
 
 Array = NDArray[np.float64]
+BESIDE = 1e-3  # of the size, and radians
 NAMED = "Name fewer coordinates at the start: circuits determine the others"
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 
@@ -90,6 +92,7 @@ def _assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
 def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -> Array:
     """Speeds that circuits allow."""
     if named is not None:
+        _refuse_singular(m, q)
         return speeds(m, q, named, u)
     rates = m.rates(q, u)
     worst = int(np.abs(rates).argmax())
@@ -100,4 +103,29 @@ def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -
         f"u: all speeds are given, and joint '{row['joint']}' would come apart at "
         f"{abs(rates[worst]) * m.rows[worst]:.3g} in '{row['name']}'. Name only those that are to "
         "be held: the others follow"
+    )
+
+
+def _refuse_singular(m: Mechanism, q: Array) -> None:
+    """Refuse a start at which branches meet, unless all speeds say which one is meant.
+
+    Raises:
+        ModelError: constraints are fewer here than at a position beside it.
+    """
+    G = m.jacobian(q)
+    U, s, _ = np.linalg.svd(G)
+    rank = rank_of(s)
+    if rank == len(G):
+        return
+    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.model.nu)
+    beside = search_from(m, [], m.advance(q, aside)).q
+    usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
+    if usual <= rank:
+        return
+    # what is lost here, and not what is redundant everywhere
+    weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
+    raise ModelError(
+        f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
+        f"branches of the motion meet at joint '{m.closing.rows[weakest]['joint']}'. Give all "
+        "speeds, u=: they say which branch is meant; or start beside it"
     )

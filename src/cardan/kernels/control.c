@@ -174,5 +174,8 @@ int cardan_reject_step(cardan_run *run, real h, real error, int order, int statu
     run->allowed = run->near_singular ? fmax(1, NOISE / tolerance) : 1;
     run->rejected++;
     run->h = h * fmin(0.9, fmax(least_factor, factor));
-    return fabs(run->h) < least(run) ? (status == 0 ? CARDAN_TOO_SMALL : status) : 0;
+    if (fabs(run->h) >= least(run))
+        return 0;
+    run->allowed = 1;
+    return status == 0 ? CARDAN_TOO_SMALL : status;
 }
