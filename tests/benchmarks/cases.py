@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import cardan as cd
 from mechanisms.chain import chain
@@ -13,6 +14,7 @@ from mechanisms.robots import STANDARD
 FORWARD, INVERSE, MASS, DERIVATIVES = (
     "forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives",
 )  # fmt: skip
+BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
 ALL = (FORWARD, INVERSE, MASS, DERIVATIVES)
 
 
@@ -73,6 +75,7 @@ CASES = (
     _closed("bricard", "Bricard's mechanism"),
     _closed("stewart", "Stewart platform, 6-UPS", quick=True),
     _closed("delta", "Delta robot"),
+    Case("bicycle", "bicycle", lambda: cd.load(BICYCLE), (FORWARD,), closed=True),
 )
 # chains too long for anybody else here: bodies and the seconds they may take
 LONG = {1_000: 120, 10_000: 120, 100_000: 400}

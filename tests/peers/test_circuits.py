@@ -7,9 +7,12 @@ import pytest
 
 import cardan as cd
 from cardan.peers.circuits import Circuits, circuits
-from cardan.peers.comparison import OURS, compare, drawn, taking_part
+from cardan.peers.comparison import OURS, compare, drawn, pushed, taking_part
+from cardan.peers.contest import relative
 from cardan.runtime.newton_euler import mass_matrix
 from mechanisms.closed import CLOSED, Closed, four_bar
+
+FORWARD = "forward_dynamics"
 
 
 def found(scene: cd.Model) -> tuple[cd.CompiledModel, Circuits]:
@@ -29,6 +32,18 @@ def test_parts_of_bodies_add_up(mechanism: Closed) -> None:
     energy = np.einsum("ni,nij,nj->n", states.u, whole, states.u) / 2
     np.testing.assert_allclose(energy, model.energy(own.q, own.u)[0], rtol=1e-9)
     assert states.third.shape == states.u.shape
+
+
+@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+def test_pinocchio_agrees_in_c(mechanism: Closed) -> None:
+    model = cd.compile(mechanism.build())
+    contenders, absent = taking_part(model, ("pinocchio",))
+    if absent:
+        pytest.skip(absent["pinocchio"])
+    states = drawn(model, 20)
+    theirs = contenders["pinocchio"].results(FORWARD, pushed(model, FORWARD, states))
+    ours = model.forward_dynamics(states.q, states.u, tau=states.third)
+    assert relative(theirs, ours) <= 1e-9
 
 
 def test_what_is_held() -> None:

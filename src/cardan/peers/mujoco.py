@@ -31,6 +31,7 @@ STEPS = {
     "mass_matrix": (*PLACE, "mj_makeM"),
 }
 MOST = 8
+OLDEST = (3, 10)
 STEP = ctypes.c_void_p * MOST
 
 
@@ -49,7 +50,13 @@ class Program(ctypes.Structure):
 
 def missing() -> str:
     """What keeps it from being called, "" where nothing does."""
-    return installed("mujoco", "mujoco")
+    why = installed("mujoco", "mujoco")
+    if why:
+        return why
+    version = importlib.metadata.version("mujoco")
+    # mj_fullM took other arguments before
+    old = tuple(int(part) for part in version.split(".")[:2]) < OLDEST
+    return f"version {version} is called otherwise: pip install -U mujoco" if old else ""
 
 
 def refusal(scene: Scene, joints: Sequence[str]) -> str:
