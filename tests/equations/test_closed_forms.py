@@ -140,6 +140,21 @@ def test_a_run_shows_the_joints_of_its_circuits() -> None:
         solved.simulate(1.0, q={"B": 0.1})
 
 
+def test_a_driven_circuit_has_no_coordinates_left() -> None:
+    scene, q, _ = started("four_bar", 0.3)
+    crank = scene.joints["A"]
+    scene.joints["A"] = dataclasses.replace(crank, motion=q["A"] + 2 * cd.t, q0=None)
+    whole, solved = both(scene)
+    assert (solved.nq, solved.nu, whole.nu) == (0, 0, 2)
+    t = np.linspace(0, 3, 7)
+    one, two = (model.simulate(t, rtol=1e-10) for model in (whole, solved))
+    for name in ("A", "B", "D", "D.u"):
+        np.testing.assert_allclose(two[name], one[name], rtol=0, atol=1e-8)
+    # the drive that keeps the crank at its speed
+    drive = [m.outputs(x.q, x.u, t=t) for m, x in ((whole, one), (solved, two))]
+    np.testing.assert_allclose(drive[1], drive[0], rtol=1e-7, atol=1e-9)
+
+
 def test_prescribed_motion_and_forces_on_dependent_joints() -> None:
     scene, q, _ = started("four_bar", 0.3)
     scene.force("spring", cd.TorsionSpring("D", stiffness=5.0, damping=0.3))

@@ -54,7 +54,7 @@ def _from_circuit(motion: Trajectory, name: str) -> Array:
         )
     values = motion.model.dependents(motion.q, motion.u, t=motion.t, r=motion.r)
     column: Array = values[:, _solved(motion.manifest).index(name)].copy()
-    (angles, _) = motion.manifest["functions"]["dependents"]["outputs"]
+    (angles, _) = motion.model.manifest["functions"]["dependents"]["outputs"]
     if (name, "rad") in zip(angles["entries"], angles["units"], strict=True):
         column = np.unwrap(column)
     return column
