@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from analyses.test_assemble import driven_four_bar
 from analyses.test_plain import bare  # noqa: F401
+from analyses.test_sweep import input_four_bar
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.runtime import cache
 from mechanisms.closed import CLOSED
@@ -140,6 +142,24 @@ def test_a_singular_start_needs_all_speeds() -> None:
     np.testing.assert_allclose(motion["A2"], motion["A0"], rtol=0, atol=1e-9)
     # what is redundant everywhere is not singular
     assert cd.compile(CLOSED["bricard"].build()).simulate(0.01).success
+
+
+@BOTH
+def test_prescribed_motions_are_followed(options: dict) -> None:
+    """No freedom is left: the run follows the closed form, driven by time or by an input."""
+    times = np.linspace(0, 1.5, 31)
+    driven, by_input = cd.compile(driven_four_bar()), cd.compile(input_four_bar())
+    start = driven.assemble(branch={"D": "+"}).x
+    by_time = driven.simulate(times, x0=start, **options)
+    given = {"angle": (times, 1 + 2 * times)}
+    follows = by_input.simulate(1.5, x0=start, inputs=given, **options)
+    expected = np.array([four_bar_angles(1 + 2 * t)["D"] for t in times])
+    np.testing.assert_allclose(by_time["D"], expected, rtol=0, atol=1e-12)
+    q, u = by_input.split(follows.at(times))
+    np.testing.assert_allclose(q[:, by_input.coordinates.index("D")], expected, rtol=0, atol=1e-12)
+    r = follows.resample(times).r
+    assert np.abs(by_input.constraints(q, r=r)).max() < 1e-13
+    assert np.abs(by_input.constraint_rates(q, u, r=r)).max() < 1e-12
 
 
 def test_penalties_give_way() -> None:

@@ -94,6 +94,16 @@ def test_simulate_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert "<html" in (tmp_path / "run.html").read_text(encoding="utf-8").lower()
 
 
+def test_simulate_says_how_well_constraints_are_kept(capsys: pytest.CaptureFixture[str]) -> None:
+    bicycle = str(ARM.with_name("bicycle.yaml"))
+    assert status("simulate", bicycle, "--time", "0.1", "--json") == 0
+    residuals = json.loads(capsys.readouterr().out)["residuals"]
+    assert set(residuals) == {"position", "velocity"}
+    assert max(residuals.values()) < 1e-11
+    assert status("simulate", bicycle, "--time", "0.1") == 0
+    assert "largest velocity residual of the constraints" in capsys.readouterr().out
+
+
 def test_simulate_prints_a_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert status("simulate", str(ARM), "--time", "0.1") == 0
     text = capsys.readouterr().out

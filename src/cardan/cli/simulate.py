@@ -159,7 +159,16 @@ def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
         "energy_drift": float(motion.drift[-1]),
+        **_closed(motion),
     }
+
+
+def _closed(motion: Trajectory) -> dict[str, Any]:
+    """The worst residuals of a system with circuits, by level."""
+    if motion.ledger is None:
+        return {}
+    levels = {level: motion.ledger.worst(level) for level in ("position", "velocity")}
+    return {"residuals": {level: one[1].after for level, one in levels.items() if one}}
 
 
 def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
@@ -185,5 +194,7 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
     out.print(rows)
     out.print(f"{found['message']}: t = {found['time']:g} s in {found['steps']} steps")
     out.print(f"energy drift {found['energy_drift']:.1e} J")
+    for level, worst in found.get("residuals", {}).items():
+        out.print(f"largest {level} residual of the constraints {worst:.1e}")
     for path in written:
         out.print(f"wrote {path}", soft_wrap=True)
