@@ -6,6 +6,8 @@ them allow. What is compared is unique.
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -34,16 +36,40 @@ def agreement(model: cd.CompiledModel, q: np.ndarray, u: np.ndarray) -> np.ndarr
     return np.abs(ours - theirs).max(axis=1) / np.abs(theirs).max(axis=1)
 
 
+def states(mechanism: Closed, model: cd.CompiledModel) -> tuple[np.ndarray, np.ndarray]:
+    """q and u along the motion of a mechanism."""
+    moving = {joint["name"] for joint in model.manifest["joints"]}
+    found = [mechanism.state(s, 1.5, moving) for s in PLACES]
+    pairs = [model.split(model.initial(q=state.q, u=state.u)) for state in found]
+    q, u = (np.array(block) for block in zip(*pairs, strict=True))
+    return q, u
+
+
 @pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
 def test_mechanisms(mechanism: Closed) -> None:
     model = cd.compile(mechanism.build(), functions=FUNCTIONS)
-    moving = {joint["name"] for joint in model.manifest["joints"]}
-    states = [mechanism.state(s, 1.5, moving) for s in PLACES]
-    pairs = [model.split(model.initial(q=state.q, u=state.u)) for state in states]
-    q, u = (np.array(block) for block in zip(*pairs, strict=True))
-    error = agreement(model, q, u)
+    error = agreement(model, *states(mechanism, model))
     print(f"{mechanism}: {error.max():.1e}")
     assert error.max() <= TOLERANCE
+
+
+@pytest.mark.parametrize(
+    ("name", "joint"),
+    [
+        ("four_bar", "A"),
+        ("slider_crank", "guide"),
+        ("slider_crank", "B"),
+        ("bricard", "J4"),
+        ("bricard", "J2"),
+        ("stewart", "ball0"),
+        ("delta", "wrist0"),
+    ],
+)
+def test_cut_elsewhere(name: str, joint: str) -> None:
+    scene = CLOSED[name].build()
+    scene.joints[joint] = dataclasses.replace(scene.joints[joint], cut=True)
+    model = cd.compile(scene, functions=FUNCTIONS)
+    assert agreement(model, *states(CLOSED[name], model)).max() <= TOLERANCE
 
 
 def closed(model: cd.CompiledModel, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -13,6 +13,7 @@ import cardan as cd
 from cardan.model.files.mjcf import from_text
 from cardan.model.files.pose import about, of_quaternion, to_quaternion, unit, upright_to
 from cardan.topology import build
+from model.fuzzing import FUZZ
 from model.mjcf_texts import SOLID, linkage, mujoco, one
 from topology.numbers_of import body_mass, frame_pose
 
@@ -103,6 +104,7 @@ def test_small_letters_of_euler_angles_turn_with_the_body() -> None:
         np.testing.assert_allclose(found[:3, :3], turn, atol=1e-15)
 
 
+@FUZZ
 @given(st.lists(st.floats(-1, 1), min_size=4, max_size=4))
 def test_quaternions_come_back(entries: list[float]) -> None:
     size = math.hypot(*entries)
@@ -116,6 +118,7 @@ def test_quaternions_come_back(entries: list[float]) -> None:
     assert off <= 4e-15
 
 
+@FUZZ
 @given(st.lists(st.floats(-1, 1), min_size=3, max_size=3))
 def test_the_smallest_turn_takes_z_there(entries: list[float]) -> None:
     if math.hypot(*entries) > 1e-3:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from time import perf_counter
 
 import pytest
 from hypothesis import given
@@ -58,6 +59,8 @@ REFUSED = {
         one(f'{SOLID}<joint name="j"/>\n<body>{SOLID}<joint name="j"/></body>'),
         "text:2: joint 'j': the name is taken",
     ),
+    "bodies": (mujoco('<body name="a"/>\n<body name="a"/>'), "text:2: <body> 'a': another body"),
+    "sites": (mujoco('<site name="a"/>\n<site name="a"/>'), "text:2: <site> 'a': another site"),
     "endless name": (one(f'{SOLID}<joint name="{"j" * 300}"/>'), "at most 200"),
     "nan": (one(f'{SOLID}<joint pos="nan 0 0"/>'), "no number"),
     "include": (mujoco('<include file="../x.xml"/>'), "leads out of the declared folders"),
@@ -72,6 +75,17 @@ def test_refused(case: str, tmp_path: Path) -> None:
         from_text(text, folder=tmp_path)
     assert words in str(caught.value)
     assert len(str(caught.value)) < 700
+
+
+def test_many_classes_take_no_longer() -> None:
+    """Time and memory grow like the file."""
+    long = " ".join(f'a{k}="1"' for k in range(20_000))
+    classes = "".join(f'<default class="c{k}"><geom size="1"/></default>' for k in range(20_000))
+    text = one(SOLID, f"<default><geom {long}/>{classes}</default>")
+    began = perf_counter()
+    assert len(from_text(text).bodies) == 1
+    # quadratic growth would take minutes
+    assert perf_counter() - began < 20
 
 
 @pytest.mark.parametrize("options", [Options(base="free"), Options(mimic="free")])

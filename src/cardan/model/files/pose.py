@@ -103,7 +103,8 @@ def upright_to(direction: Sequence[float]) -> Rows:
     """The smallest turn that takes z to a direction."""
     x, y, z = unit(direction)
     across = math.hypot(x, y)
-    if across == 0:
+    # a smaller turn is lost in doubles, and its axis in what lies below them
+    if across < 1e-30:
         return UPRIGHT if z > 0 else about((1.0, 0.0, 0.0), math.pi)
     return about((-y / across, x / across, 0.0), math.atan2(across, z))
 

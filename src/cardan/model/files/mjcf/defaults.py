@@ -7,8 +7,11 @@ from typing import Any
 from ....errors import ModelError, near
 from ..document import Element
 from .compiler import ORIENTATIONS
+from .unread import Unread, known
 
 TOP = "main"
+# elements that have defaults -> what is read of them
+KINDS = {name: name for name in ("joint", "geom", "site", "motor")} | {"equality": "weld"}
 # of these only one may be said: the element's own word counts
 TOGETHER = (frozenset(ORIENTATIONS),)
 
@@ -18,10 +21,12 @@ class Defaults:
 
     Args:
         where: The file, for messages.
+        unread: Collects what is passed over.
     """
 
-    def __init__(self, where: str) -> None:
+    def __init__(self, where: str, unread: Unread) -> None:
         self.where = where
+        self.unread = unread
         # class -> tag -> attributes
         self.classes: dict[str, dict[str, dict[str, str]]] = {TOP: {}}
 
@@ -38,10 +43,14 @@ class Defaults:
                 raise ModelError(
                     f"{self.where}:{raw.line}: default class '{name[:80]}' is defined twice"
                 )
-            own = {tag: dict(given) for tag, given in self.classes[parent].items()}
+            own = dict(self.classes[parent])
             for child in raw:
-                if child.tag != "default":
-                    own[child.tag] = merged(own.get(child.tag, {}), child.attrib)
+                if child.tag in KINDS:
+                    self.unread.attributes(child, KINDS[child.tag])
+                    given = {k: text for k, text in child.items() if k in known(KINDS[child.tag])}
+                    own[child.tag] = merged(own.get(child.tag, {}), given)
+                elif child.tag != "default":
+                    self.unread.element(child, "default")
             self.classes[name] = own
             inner = [child for child in raw if child.tag == "default"]
             for child in reversed(inner):

@@ -92,7 +92,7 @@ class Document:
         Raises:
             ModelError: too many, or elements that make bodies by rules of their own.
         """
-        taken, count = {"", "ground"}, 0
+        taken, count = {"ground"}, 0
         # a body, the number of its parent, its pose there, the class around it
         waiting: list[tuple[Any, int, Pose, str]] = [(self.section("worldbody").raw, -1, HERE, TOP)]
         while waiting:
@@ -105,15 +105,26 @@ class Document:
                     children.append((child, count, place, own))
                 else:
                     parts.append((child, around, own))
-            name = "" if parent < 0 else raw.get("name") or f"body{count}"
-            while parent >= 0 and name in taken:
-                name += "_"
-            taken.add(name)
+            name = "" if parent < 0 else self._name(raw, count, taken)
             yield Found(raw, name, parent, pose, tuple(parts))
             count += 1
             if count > MOST_BODIES:
                 raise ModelError(f"file '{self.file}' has more than {MOST_BODIES} bodies")
             waiting += reversed(children)
+
+    def _name(self, raw: Any, count: int, taken: set[str]) -> str:
+        """The name of a body, its own or a made one.
+
+        Raises:
+            ModelError: another body has it.
+        """
+        name = raw.get("name") or f"body{count}"
+        if raw.get("name") and name in taken and name != "ground":
+            raise ModelError(f"{self.where(raw)}: another body has this name; rename one of them")
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        return str(name)
 
     def _inside(self, raw: Any, style: str, compiler: Compiler) -> Iterator[tuple[Any, Pose, str]]:
         """What a body contains, with the poses of the frames around it."""

@@ -34,7 +34,7 @@ class Reader:
         self.document = Document(expanded(root, options, file, folder), file, self.unread)
         self._sections(root)
         self.compiler = Compiler.read(self.document.section("compiler"))
-        self.defaults = Defaults(file)
+        self.defaults = Defaults(file, self.unread)
         for raw in root.findall("default"):
             self.defaults.read(raw)
         self.scene = Model(root.get("model") or Path(file).stem or "mujoco", self._gravity())
@@ -65,9 +65,8 @@ class Reader:
 
     def _element(self, raw: Any, style: str, kind: str | None = None) -> Element:
         """An element with what its default class adds."""
-        found = self.defaults.of(raw, self.document.where(raw), style)
-        self.unread.attributes(found.raw, kind)
-        return found
+        self.unread.attributes(raw, kind)
+        return self.defaults.of(raw, self.document.where(raw), style)
 
     def _children(self, section: str) -> list[Element]:
         """The items of a section with their defaults."""
@@ -205,6 +204,8 @@ class Reader:
             element = self._element(raw, style)
             pose = around.then(self.compiler.pose(element))
             name = raw.get("name")
+            if name in self.parts.sites:
+                raise ModelError(f"{element.where}: another site has this name; rename one of them")
             if name:
                 self.parts.sites[name] = body, pose
                 turn = written(pose.rotation)

@@ -33,6 +33,11 @@ PLACES = ("body", "frame", "inertial", "geom", "site")
 EVERYWHERE = {"name", "class", "pos"}
 
 
+def known(kind: str) -> set[str]:
+    """Attributes that are read of an element."""
+    return READ[kind] | EVERYWHERE | (PLACED if kind in PLACES else set())
+
+
 class Unread:
     """Counts elements and attributes that are passed over."""
 
@@ -46,9 +51,9 @@ class Unread:
     def attributes(self, raw: Any, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""
         kind = kind or raw.tag
-        known = READ[kind] | EVERYWHERE | (PLACED if kind in PLACES else set())
+        read = known(kind)
         for name in raw.attrib:
-            if name not in known:
+            if name not in read:
                 self.found[f"{kind} {name}="] += 1
 
     def notes(self) -> list[str]:
