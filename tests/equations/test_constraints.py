@@ -109,6 +109,15 @@ def test_conditions_that_follow_must_hold_too() -> None:
     assert found.gaps["C"] == (pytest.approx(0.05), "m")
 
 
+def test_equations_to_read() -> None:
+    equations = cd.derive(four_bar())
+    g, G = equations.constraints, equations.constraint_jacobian
+    q = [equations.symbols["q", k] for k in range(3)]
+    assert sympy.simplify(g.jacobian(q) - G) == sympy.zeros(2, 3)
+    assert "2 of 5 conditions close it" in str(equations)
+    assert r"G(q)^T \lambda" in equations._repr_latex_()
+
+
 def test_massless_links() -> None:
     """A rod without mass between two sliders: M is singular, the circuit is not."""
     scene = cd.Model("rod", gravity=(0, -9.81, 0))

@@ -86,7 +86,10 @@ def display(found: Sheet, out: Console) -> None:
         out.print()
         _table(out, title, head, rows)
     out.print()
-    out.print("M udot + h = f + tau", soft_wrap=True)
+    bound = any(formula.letter == "G" for formula in found.formulas)
+    general = "M udot + h = f + tau"
+    general += " + Gᵀ lam, G udot = gamma" if bound else ""
+    out.print(general, soft_wrap=True)
     for formula in found.formulas:
         for line in formula.lines:
             out.print(f"  {shorten(line, WIDTH, placeholder=' ...')}", soft_wrap=True)

@@ -28,6 +28,8 @@ UNTURNED = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 FORMULAS = (
     ("M", "mass_matrix", "mass matrix"),
     ("h", "bias", "bias: velocity products and gravity"),
+    ("g", "constraints", "what vanishes at position level"),
+    ("G", "constraint_jacobian", "constraint Jacobian: G udot = gamma"),
     ("f", "applied", "generalized applied forces"),
     ("qdot", "qdot", "kinematics: the rates of the coordinates"),
 )
@@ -38,7 +40,7 @@ class Formula:
     """One matrix of the equations.
 
     Attributes:
-        letter: M, h, f or qdot.
+        letter: M, h, g, G, f or qdot.
         about: What it is.
         math: Name of what is set -> MathML: the matrix under "", or its entries one by one.
         lines: Its entries as text, or why there are none.
@@ -178,7 +180,10 @@ def _by_owner(counts: dict[str, dict[str, int]]) -> str:
 
 
 def _formulas(equations: Equations) -> Iterable[Formula]:
+    known = equations.names()
     for letter, name, about in FORMULAS:
+        if name not in known:
+            continue
         try:
             matrix = equations.written(name)
         except DerivationError as problem:
@@ -215,6 +220,11 @@ def _entries(equations: Equations, letter: str) -> Sequence[str]:
     speeds = [name.replace(".u", "", 1) for name in equations.speeds]
     if letter == "M":
         return [f"{a}, {b}" for a in speeds for b in speeds]
+    rows = equations.constraint_rows
+    if letter == "G":
+        return [f"{row.name}, {b}" for row in rows for b in speeds]
+    if letter == "g":
+        return [row.name for row in rows if row.level == "position"]
     return equations.coordinates if letter == "qdot" else speeds
 
 

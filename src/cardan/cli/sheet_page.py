@@ -40,7 +40,7 @@ def page(found: Sheet) -> str:
         "<h2>Bodies and joints</h2>",
         f'<div class="wide">{found.graph_svg}</div>',
         "<h2>Equations of motion</h2>",
-        f"<p>{GENERAL}</p>",
+        f"<p>{BOUND if any(f.letter == 'G' for f in found.formulas) else GENERAL}</p>",
         *(part for formula in found.formulas for part in _formula(formula)),
         *(part for table in found.tables for part in _table(table)),
         "<h2>Sources</h2>",
@@ -61,12 +61,17 @@ def _math(content: str, display: str = "inline") -> str:
     return f'<math display="{display}">{content}</math>'
 
 
-GENERAL = (
-    _math(
-        "<mi>M</mi><mover><mi>u</mi><mo>.</mo></mover><mo>+</mo><mi>h</mi>"
-        "<mo>=</mo><mi>f</mi><mo>+</mo><mi>τ</mi>"
-    )
-    + " with τ what is applied from outside; where the rates of q are not given below, they are u"
+BALANCE = (
+    "<mi>M</mi><mover><mi>u</mi><mo>.</mo></mover><mo>+</mo><mi>h</mi>"
+    "<mo>=</mo><mi>f</mi><mo>+</mo><mi>τ</mi>"
+)
+FORCE = "<mo>+</mo><msup><mi>G</mi><mi>T</mi></msup><mi>λ</mi>"
+CLOSING = "<mi>G</mi><mover><mi>u</mi><mo>.</mo></mover><mo>=</mo><mi>γ</mi>"
+RATES = "where the rates of q are not given below, they are u"
+GENERAL = f"{_math(BALANCE)} with τ what is applied from outside; {RATES}"
+BOUND = (
+    f"{_math(BALANCE + FORCE)} and {_math(CLOSING)} with τ what is applied from outside and λ the "
+    f"forces of constraint; {RATES}"
 )
 
 

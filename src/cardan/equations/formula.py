@@ -13,10 +13,16 @@ if TYPE_CHECKING:
     from .record import Equations
 
 GENERAL = r"M(q)\,\dot u + h(q, u) = f + \tau"
+BOUND = GENERAL + r" + G(q)^T \lambda, \quad G(q)\,\dot u = \gamma(q, u)"
 
 
 def latex(equations: Equations) -> str:
-    """M udot + h = f + tau and, where u is not the rate of q, qdot = N u, without dollar signs."""
+    """M udot + h = f + tau and, where u is not the rate of q, qdot = N u, without dollar signs.
+
+    Systems with constraints show the general form.
+    """
+    if equations.system.closed:
+        return BOUND
     try:
         lines = _lines(equations)
     except DerivationError:
