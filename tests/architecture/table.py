@@ -45,6 +45,8 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("singular_positions", "singular"),
             ("workspace", "workspace"),
             ("redundancy", "redundancy"),
+            ("partition", "reduced"),
+            ("residual", "implicit"),
         )
     },
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any, cast
 
 from numpy.typing import ArrayLike
 
+from .calling import Array
 from .described import Described
 
 if TYPE_CHECKING:
     from ..analyses.assembly import Assembly
+    from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
     from ..analyses.sweep import Sweep
@@ -96,3 +98,52 @@ class Analyzed(Described):
         from ..analyses.redundancy import redundancy
 
         return redundancy(self._itself, q, **options)
+
+    def partition(self, q: ArrayLike, *, t: float = 0.0, r: Any = None) -> Partition:
+        """Independent coordinates and speeds, chosen at a position: the minimal form.
+
+        Args:
+            q: Coordinates (nq,) that close all circuits.
+            t, r: Time [s] and inputs.
+
+        Returns:
+            A :class:`cardan.analyses.reduced.Partition`: ``reduce(x)`` gives y, ``full(t, y)``
+            gives x.
+        """
+        from ..analyses.reduced import Partition
+
+        return Partition(self._itself, q, t, r)
+
+    def reduced_rhs(self, t: float, y: ArrayLike, partition: Partition) -> Array:
+        """Derivative (n,) of y = [independent coordinates, independent speeds] (n,).
+
+        Args:
+            t: Time [s].
+            y: Of ``partition.reduce(x)``.
+            partition: Of :meth:`partition`; chosen anew between steps where it becomes bad.
+        """
+        return partition.rhs(t, y)
+
+    def residual(
+        self,
+        t: ArrayLike,
+        q: Any,
+        u: Any,
+        udot: Any,
+        lam: ArrayLike = (),
+        *,
+        qdot: Any = None,
+        index: int = 3,
+        **options: Any,
+    ) -> Array:
+        """[qdot - N u - n, M udot + h - f - tau - Gᵀ lam, constraints] (..., nq + nu + m).
+
+        Args:
+            t, q, u, udot, lam: Time, coordinates, speeds, accelerations, multipliers.
+            qdot: Rates of the coordinates (..., nq); those of u if left out.
+            index: Constraints of positions (3), velocities (2) or accelerations (1).
+            options: ``tau``, ``r``, ``parameters``; see :func:`cardan.analyses.implicit.residual`.
+        """
+        from ..analyses.implicit import residual
+
+        return residual(self._itself, t, q, u, udot, lam, qdot=qdot, index=index, **options)
