@@ -8,14 +8,17 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import cardan as cd
 from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
 from cardan.errors import CardanError
-from cardan.peers.comparison import Comparison, compare
+from cardan.peers.comparison import BATCH, LANES, LOOP, OURS, Comparison, compare, drawn
+from cardan.peers.contest import Time, contest
+from cardan.peers.ours import Ours
+from cardan.peers.peer import States
 from cardan.peers.processor import Peak, peak
 from cardan.pipeline import STANDARD
 
@@ -34,6 +37,8 @@ class Found:
         lacking: Case or peer -> why it was left out.
         peak: Of the processor, the larger of two measurements.
         lanes: States that a batch does at once.
+        formulas: Closed case -> seconds of a call and of a state in a batch, its circuits solved
+            by formulas.
     """
 
     comparisons: dict[str, Comparison]
@@ -42,6 +47,7 @@ class Found:
     lacking: dict[str, str]
     peak: Peak
     lanes: int
+    formulas: dict[str, tuple[Time, Time]] = field(default_factory=dict)
 
 
 def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
@@ -64,6 +70,24 @@ def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Compa
         show(f"{case.title}: {text}")
 
     return compare(model, case.functions, rounds=rounds, show=told), model.lanes(FORWARD)
+
+
+def formulas(case: Case, rounds: int) -> tuple[Time, Time] | None:
+    """Forward dynamics with circuits in closed form, None where no circuit has one."""
+    whole, own = cd.compile(case.build()), cd.compile(case.build(), constraints="closed_form")
+    if own.nu == whole.nu:
+        return None
+    q, u = ([names.index(name) for name in mine] for names, mine in (
+        (whole.coordinates, own.coordinates), (whole.speeds, own.speeds)))  # fmt: skip
+
+    def states(count: int) -> States:
+        s = drawn(whole, count)
+        return States(s.q[:, q].copy(), s.u[:, u].copy(), s.third[:, u].copy())
+
+    ours = Ours(own)
+    runs = {OURS: ours.start(FORWARD, states(LOOP)), LANES: ours.batch(FORWARD, states(BATCH))}
+    times = contest(runs, rounds)
+    return times[OURS], times[LANES]
 
 
 def building(arguments: Sequence[str], limit: int) -> dict[str, Any]:
@@ -92,6 +116,7 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     comparisons: dict[str, Comparison] = {}
     buildings: dict[str, dict[str, Any]] = {}
     lacking: dict[str, str] = {}
+    by_formulas: dict[str, tuple[Time, Time]] = {}
     peaks, lanes = [peak()], 1
     for case in CASES:
         if quick and not case.quick:
@@ -99,6 +124,9 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
         try:
             comparisons[case.name], width = measure(case, rounds, show)
             lanes = max(lanes, width)
+            solved = formulas(case, rounds) if case.closed else None
+            if solved is not None:
+                by_formulas[case.name] = solved
             show(f"{case.title}: building")
             buildings[case.name] = building([case.name], SECONDS)
         except (CardanError, FileNotFoundError, TimeoutError, RuntimeError) as problem:
@@ -112,4 +140,4 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     peaks.append(peak())
     best = max(peaks, key=lambda found: found.vector)
     counts = json.loads(COUNTS.read_text("utf-8"))
-    return Found(comparisons, buildings, counts, lacking, best, lanes)
+    return Found(comparisons, buildings, counts, lacking, best, lanes, by_formulas)

@@ -60,8 +60,8 @@ def comparisons(found: Found) -> Section:
 def circuits(found: Found) -> Section:
     """Closed mechanisms: accelerations on the constraints, beside constrained dynamics."""
     headings = (
-        "mechanism", "one call [us]", "in a batch [ns]", "Pinocchio [us]", "of its time", "error",
-        "from Pinocchio",
+        "mechanism", "one call [us]", "in a batch [ns]", "by formulas [us]", "in a batch [ns]",
+        "Pinocchio [us]", "of its time", "error", "from Pinocchio",
     )  # fmt: skip
     lines = []
     for case, comparison in found.comparisons.items():
@@ -69,10 +69,13 @@ def circuits(found: Found) -> Section:
         if case not in CIRCUITS or ours is None or lanes is None:
             continue
         theirs = judge.time.least if judge else None
+        one, many = found.formulas.get(case, (None, None))
         lines.append((
             titles()[case],
             f"{1e6 * ours.time.least:.3f}",
             f"{1e9 * lanes.time.least:.1f}",
+            f"{1e6 * one.least:.3f}" if one else "",
+            f"{1e9 * many.least:.1f}" if many else "",
             f"{1e6 * theirs:.3f}" if theirs else "",
             f"{ours.time.least / theirs:.3f}" if theirs else "",
             "" if ours.error is None else f"{ours.error:.1e}",
