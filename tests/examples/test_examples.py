@@ -15,6 +15,12 @@ LEAVES = {
     "02_robot_arm": ("arm.html", "arm.png"),
     "03_derive_and_export": ("forward_dynamics.c", "manifest.json"),
     "04_scene_file": ("mistake.yaml", "arm.yaml"),
+    "06_four_bar": ("four_bar.html",),
+    "07_andrews": ("andrews.html",),
+    "08_stewart_platform": ("stewart.html",),
+    "09_bicycle": ("bicycle.html",),
+    "10_rolling_disk": ("rolling_disk.html",),
+    "11_solar_array": ("solar_array.html",),
 }
 
 

@@ -31,10 +31,10 @@ NEWTON, HALVINGS = 12, 12
 ASIDE = 0.3  # how far from the tangent a step may end, as a part of it
 # below this part of the largest singular value a position counts as next to a singular one; places
 # around it, in radians or sizes along the motion, and their weights in Lagrange's interpolation
-SINGULAR = 0.01
+SINGULAR = 0.015
 COUNT = 6
 SPREADS = (1.0, 0.5, 2.0)
-NODES = 0.24 * np.array([k for k in range(-COUNT, COUNT + 1) if k])
+NODES = 0.36 * np.array([k for k in range(-COUNT, COUNT + 1) if k])
 WEIGHTS = np.array(
     [-((-1) ** k) * comb(2 * COUNT, COUNT + k) for k in range(-COUNT, COUNT + 1) if k]
 )
