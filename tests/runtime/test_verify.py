@@ -14,6 +14,8 @@ from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
 from cardan.runtime import verify as checks
 from cardan.runtime.compiled import CompiledModel
+from cardan.runtime.judged import scene_of
+from cardan.runtime.truth import finite, truth_of
 from runtime import pendulum
 
 WRONG = {
@@ -115,11 +117,11 @@ def test_states_without_finite_forces_are_passed_over(directory):
     saved["applied"] = to_dict(Function("applied", g, (q,), (f,)))
     (directory / "functions.json").write_text(json.dumps(saved))
     model = CompiledModel(directory)
-    scene, states = checks.scene_of(model), 40
-    truth = checks._truth(model, scene, states, seed=1)
-    finite = checks._finite(truth)
-    assert 0 < len(finite) < states
-    assert np.all(truth.q[finite] > 0)
+    states = 40
+    truth = truth_of(model, scene_of(model), states, seed=1)
+    found = finite(truth)
+    assert 0 < len(found) < states
+    assert np.all(truth.q[found] > 0)
 
 
 def test_rotors_of_drives_are_judged() -> None:

@@ -29,7 +29,8 @@ def scene(system: System) -> Function:
     joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; rotor (nb): inertia
     that drives add to the joint's coordinate; frame_rotation (nf, 3, 3) and frame_position (nf, 3)
     in axes of the frame's body; sizes (nb, 2) where joints have lengths of their own; cut_axis,
-    cut_axis2 (nc, 3) of the joints that close circuits, where there are any.
+    cut_axis2 (nc, 3), cut_pitch (nc) and cut_sizes (nc, 2) of the joints that close circuits, where
+    there are any.
     """
     graph = system.graph.fork()
     bodies, joints, frames = system.bodies, system.joints, system.frames
@@ -44,42 +45,49 @@ def scene(system: System) -> Function:
         _output("position", (nb, 3), [j.position for j in joints]),
         _output("axis", (nb, 3), [first for first, _ in axes]),
         _output("axis2", (nb, 3), [second for _, second in axes]),
-        _output(
-            "pitch", (nb,), [j.data["pitch"][2] if "pitch" in j.data else (0,) for j in joints]
-        ),
+        _output("pitch", (nb,), [_pitch(j) for j in joints]),
         _output("ratio", (nb,), [(j.coupling.ratio if j.coupling else 0,) for j in joints]),
         _output("offset", (nb,), [(j.coupling.offset if j.coupling else 0,) for j in joints]),
         _output("rotor", (nb,), [(node,) for node in _rotors(system, graph)]),
         _output("frame_rotation", (nf, 3, 3), [f.rotation for f in frames]),
         _output("frame_position", (nf, 3), [f.position for f in frames]),
         *_sizes(joints),
-        *_cuts(graph, system.cuts),
+        *_cuts(graph, system.closing),
     )
     return _function("scene", system, graph, outputs, "the scene as numbers")
 
 
-def _sizes(joints: Sequence[Joint]) -> list[Output]:
+def _sizes(joints: Sequence[Joint | Cut], name: str = "sizes") -> list[Output]:
     """Lengths of rods, radii of wheels and of their crowns, where there are any."""
     rows = []
     for joint in joints:
-        own = [joint.data[name][2][0] for name in SIZES if name in joint.data]
+        own = [joint.data[size][2][0] for size in SIZES if size in joint.data]
         rows.append((*own, ZERO, ZERO)[:2])
     used = any(any(row) for row in rows)
-    return [_output("sizes", (len(rows), 2), rows)] if used else []
+    return [_output(name, (len(rows), 2), rows)] if used else []
 
 
-def kind(joint: Joint) -> str:
+def _pitch(joint: Joint | Cut) -> tuple[int, ...]:
+    return joint.data["pitch"][2] if "pitch" in joint.data else (ZERO,)
+
+
+def kind(joint: Joint | Cut) -> str:
     """Kind of a joint, after the word ``reversed`` where its pose is told backwards."""
     backwards = isinstance(joint.element, Reversed)
     return f"reversed {joint.element.kind}" if backwards else joint.element.kind
 
 
 def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
-    """Axes of the joints that close circuits, where there are any."""
-    axes = [_axes(graph, cut) for cut in cuts]
-    names = ("cut_axis", "cut_axis2")
-    rows = zip(names, zip(*axes, strict=True), strict=True) if axes else ()
-    return [_output(name, (len(cuts), 3), row) for name, row in rows]
+    """Axes and lengths of the joints that close circuits, where there are any."""
+    if not cuts:
+        return []
+    first, second = zip(*(_axes(graph, cut) for cut in cuts), strict=True)
+    return [
+        _output("cut_axis", (len(cuts), 3), first),
+        _output("cut_axis2", (len(cuts), 3), second),
+        _output("cut_pitch", (len(cuts),), [_pitch(cut) for cut in cuts]),
+        *_sizes(cuts, "cut_sizes"),
+    ]
 
 
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:

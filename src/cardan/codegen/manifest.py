@@ -70,7 +70,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
             {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
             for row in equations.constraint_rows
         ],
-        "cuts": [_cut(equations, cut) for cut in _all_cuts(system)],
+        "cuts": [_cut(equations, cut) for cut in system.closing],
         "joints": joints,
         "fixed": list(system.fixed),
         "bodies": [
@@ -103,6 +103,8 @@ def _saved(equations: Equations) -> tuple[Function, ...]:
         found.append(motion)
     if system.forces and "applied" in equations.names():
         found.append(equations.function("applied"))
+    if system.closures:
+        found.append(equations.function("dependents"))
     return tuple(found)
 
 
@@ -110,7 +112,6 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
-    unknown += ["its circuits are not judged"] if system.closed or system.closures else []
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
@@ -119,6 +120,16 @@ def _scene(equations: Equations) -> dict[str, Any]:
         "forces": [force.name for force in system.forces],
         "unknown": unknown,
         **({"curves": curves} if any(curves) else {}),
+        **(_circuits(equations) if system.closed or system.closures else {}),
+    }
+
+
+def _circuits(equations: Equations) -> dict[str, Any]:
+    """What closes circuits, and how accelerations are made to obey."""
+    treatment = equations.treatment
+    return {
+        "cuts": [flat.kind(cut) for cut in equations.system.closing],
+        "treatment": {"name": treatment.name, "exact": treatment.exact},
     }
 
 
@@ -205,11 +216,6 @@ def _solved(system: System, joint: Joint) -> dict[str, Any] | None:
         "u": blocks.entries(f"{joint.name}.u", joint.element.speeds),
     }
     return {"circuit": system.closures[joint.closure].cut.name, **names}
-
-
-def _all_cuts(system: System) -> tuple[Cut, ...]:
-    """The joints that close circuits, those that are solved in closed form first."""
-    return (*(closure.cut for closure in system.closures), *system.cuts)
 
 
 def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:

@@ -17,8 +17,8 @@ import numpy as np
 
 from ..runtime.compiled import CompiledModel
 from ..runtime.joint_motion import cross, joint_motion, times
+from ..runtime.judged import scene_of
 from ..runtime.newton_euler import Scene, own
-from ..runtime.verify import scene_of
 from .peer import Array, States
 
 # what can hang on a joint of a split body: coordinates and speeds

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import CardanError
 from ..runtime.compiled import CompiledModel
-from ..runtime.verify import scene_of
+from ..runtime.judged import scene_of
 from . import PEERS, peer
 from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative

@@ -320,7 +320,12 @@ def _rolling(told: Told, q: Array, u: Array) -> JointMotion:
     return _motion(q, turn, shift, rotation, place, turn_rate, bend)
 
 
+def _fixed(told: Told, q: Array, u: Array) -> JointMotion:
+    return _motion(q, np.zeros((3, 0)), np.zeros((3, 0)))
+
+
 MOTIONS: Mapping[str, Callable[[Told, Array, Array], JointMotion]] = {
+    "fixed": _fixed,
     "revolute": _revolute,
     "gear": _revolute,
     "prismatic": _prismatic,
@@ -338,3 +343,14 @@ MOTIONS: Mapping[str, Callable[[Told, Array, Array], JointMotion]] = {
     "rolling_disk": _rolling,
 }
 KINDS: Sequence[str] = tuple(MOTIONS)
+# kinds that turn freely about a guided point, described by any parametrization of rotations
+GUIDED = ("spherical", "free", "point_on_plane", "point_on_curve", "distance")
+SPEEDS: Mapping[str, int] = {
+    "fixed": 0,
+    **dict.fromkeys(("revolute", "gear", "prismatic", "screw"), 1),
+    **dict.fromkeys(("cylindrical", "universal", "constant_velocity"), 2),
+    **dict.fromkeys(("spherical", "planar"), 3),
+    "point_on_curve": 4,
+    **dict.fromkeys(("point_on_plane", "distance", "wheel", "rolling_disk"), 5),
+    "free": 6,
+}

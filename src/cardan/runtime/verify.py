@@ -8,14 +8,17 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import BuildError, SolveWarning
+from . import verify_circuits
 from .calling import Array
-from .joint_motion import KINDS, REVERSED, Curve, joint_motion
-from .newton_euler import Scene, inverse_dynamics, mass_matrix, own
+from .closed_states import bound, unbound
+from .joint_motion import joint_motion
+from .judged import scene_of, unknown
+from .newton_euler import Scene, own
 from .objects import Key
-from .rotations import PARAMETERS
+from .truth import Truth, finite, largest, masses, push, truth_of
+from .verify_circuits import CHECKS, acceleration_error, borne, relative, unbalanced
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -31,8 +34,6 @@ WHOLE = 200
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
 DRAWN = 4
 STEP = 1e-30
-# Inputs go this far from their defaults, as a part of them.
-INPUT = 0.3
 CHECKED = (
     "mass_matrix",
     "bias",
@@ -42,7 +43,10 @@ CHECKED = (
     "forward_dynamics",
     "qdot",
     "rhs",
+    *CHECKS,
 )
+# What circuits bind.
+BOUND_BY_CIRCUITS = ("forward_dynamics", "rhs", *CHECKS)
 
 
 @dataclass(frozen=True)
@@ -91,34 +95,6 @@ class Verification:
         return "\n".join(lines)
 
 
-@dataclass(frozen=True)
-class _Truth:
-    """The independent numbers at some states, (n, ...).
-
-    ``M`` is None for large systems; ``largest`` is the size of its entries, (n,).
-    """
-
-    q: Array
-    u: Array
-    udot: Array
-    tau: Array
-    t: float
-    r: Array
-    M: Array | None
-    largest: Array
-    h: Array
-    gravity: Array
-    f: Array | None
-    motion: Array | None
-
-    def only(self, chosen: NDArray[np.intp]) -> _Truth:
-        """The same at some of the states."""
-        names = ("q", "u", "udot", "tau", "r", "M", "largest", "h", "gravity", "f", "motion")
-        found = {name: getattr(self, name) for name in names}
-        rows: dict[str, Any] = {k: None if x is None else x[chosen] for k, x in found.items()}
-        return replace(self, **rows)
-
-
 def verify(
     model: CompiledModel, states: int = 3, seed: int = 1, functions: Iterable[str] | None = None
 ) -> Verification:
@@ -138,16 +114,18 @@ def verify(
     reason = unknown(model)
     if reason or not wanted:
         return Verification(model.name, 0, tuple(Check(n, np.nan, reason) for n in wanted))
-    scene = scene_of(model)
-    large = model.nu > WHOLE
-    truth = _truth(model, scene, DRAWN if large else DRAWN * states, seed)
-    truth = truth.only(_finite(truth)[: 1 if large else states])
-    if large:
-        truth = replace(truth, M=None, largest=_largest(scene, truth))
-    else:
-        M = mass_matrix(scene, truth.q, truth.motion)
-        truth = replace(truth, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
-    checks = tuple(_check(model, scene, truth, name) for name in wanted)
+    scene, why = scene_of(model), _unjudged(model)
+    truth = _truth(model, scene, states, seed, circuits=not why and bound(model))
+    if bound(model) and not why and truth.bound is None:
+        why = "not checked: no position was found in which the circuits close"
+    if why and scene.nu > model.nu:
+        return Verification(model.name, 0, tuple(Check(n, np.nan, why) for n in wanted))
+    checks = tuple(
+        Check(name, np.nan, why)
+        if why and name in BOUND_BY_CIRCUITS
+        else _check(model, scene, truth, name)
+        for name in wanted
+    )
     result = Verification(model.name, len(truth.q), checks)
     if any(c.reason == SINGULAR for c in checks):
         warnings.warn(_singular_words(model, truth.M), SolveWarning, stacklevel=2)
@@ -171,93 +149,24 @@ def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
     verify(model, functions=[name for name, of in fresh if of is None and name in CHECKED])
 
 
-def unknown(model: CompiledModel) -> str:
-    """Why the scene of a model cannot be judged; "" if it can."""
-    manifest = model.manifest
-    scene = manifest.get("scene") or {}
-    if not scene or "scene" not in model.saved:
-        return "not checked: the directory holds no scene"
-    reasons = [str(r) for r in scene.get("unknown", [])]
-    for joint, kind, rotation in zip(
-        manifest["joints"], scene["kinds"], scene["rotations"], strict=True
-    ):
-        if kind.removeprefix(REVERSED) not in KINDS:
-            reasons.append(f"joint '{joint['name']}' is {kind}")
-        elif rotation is not None and rotation not in PARAMETERS:
-            reasons.append(f"joint '{joint['name']}' is described by {rotation}")
-    moved = any(joint["prescribed"] for joint in manifest["joints"])
-    if moved and "scene_motion" not in model.saved:
-        reasons.append("the motion of prescribed joints is not saved")
-    return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
+def _unjudged(model: CompiledModel) -> str:
+    """Why what binds a model is not judged; "" where it is, or where nothing does."""
+    if not bound(model):
+        return ""
+    if model.nu > WHOLE:
+        return f"not checked: circuits with more than {WHOLE} speeds"
+    return unbound(model)
 
 
-def scene_of(model: CompiledModel) -> Scene:
-    """The flat scene of a model with its parameter values."""
-    joints, scene = model.manifest["joints"], model.manifest["scene"]
-    place = {joint["name"]: i for i, joint in enumerate(joints)}
-    given = model._evaluate_saved("scene", p=model.parameters.vector)
-    numbers = {"axis2": np.zeros((len(joints), 3)), **given}
-    leaders = [place[j["coupled"]["leader"]] if j["coupled"] else -1 for j in joints]
-    return Scene(
-        parents=tuple(scene["parents"]),
-        kinds=tuple(scene["kinds"]),
-        rotations=tuple(scene["rotations"]),
-        q=tuple((j["q"] or (0, 0))[:2] for j in joints),
-        u=tuple((j["u"] or (0, 0))[:2] for j in joints),
-        leaders=tuple(leaders),
-        prescribed=tuple(bool(j["prescribed"]) for j in joints),
-        numbers=numbers,
-        nu=model.nu,
-        curves=tuple(c and _curve(*c) for c in scene.get("curves", ())),
-    )
-
-
-def _curve(breaks: list[float], coefficients: list[list[list[float]]], period: float) -> Curve:
-    return Curve(np.array(breaks), np.array(coefficients), period)
-
-
-def _truth(model: CompiledModel, scene: Scene, states: int, seed: int) -> _Truth:
-    """Everything but the mass matrix, which is the costly part."""
-    rng = np.random.default_rng(seed)
-    q, u = model.split(model.random_state(rng, (states,)))
-    udot, tau = rng.uniform(-1, 1, (2, states, model.nu))
-    t, p, start = 0.3, model.parameters.vector, model._layout.start("r")
-    # near their defaults; rates and accelerations of inputs start from 0 and must not stay there
-    r = start + INPUT * np.maximum(1.0, np.abs(start)) * rng.uniform(-1, 1, (states, model.nr))
-    motion = None
-    if any(scene.prescribed):
-        motion = model._evaluate_saved("scene_motion", t=[t], r=r, p=p)["motion"]
-        motion = np.broadcast_to(motion, (states, *motion.shape[-2:]))
-    still = np.zeros(model.nu)
-    h = inverse_dynamics(scene, q, u, still, motion)
-    at_rest = None if motion is None else motion * [1.0, 0.0, 0.0]
-    gravity = inverse_dynamics(scene, q, still, still, at_rest)
-    f = None
-    if "applied" in model.saved:
-        values = model._evaluate_saved("applied", t=np.array([t]), q=q, u=u, r=r, p=p)
-        f = np.broadcast_to(values["f"], h.shape)
-    elif model.manifest["scene"].get("forces") == []:
-        f = np.zeros_like(h)
-    return _Truth(q, u, udot, tau, t, r, None, np.zeros(states), h, gravity, f, motion)
-
-
-def _push(scene: Scene, truth: _Truth, udot: Array) -> Array:
-    """M udot (..., nu), without M."""
-    still = None if truth.motion is None else truth.motion * [1.0, 0.0, 0.0]
-    return inverse_dynamics(scene, truth.q, np.zeros(scene.nu), udot, still, pull=0.0)
-
-
-def _largest(scene: Scene, truth: _Truth) -> Array:
-    """Size of the entries of M (n,): those of the first joint, which moves the most."""
-    first = np.zeros(scene.nu)
-    first[:1] = 1.0
-    return np.asarray(np.abs(_push(scene, truth, first)).max(axis=-1, initial=0.0))
-
-
-def _finite(truth: _Truth) -> NDArray[np.intp]:
-    """Indices of the states at which every term is a number."""
-    terms = [truth.h, truth.gravity] + ([] if truth.f is None else [truth.f])
-    return np.flatnonzero(np.isfinite(np.concatenate(terms, axis=-1)).all(axis=-1))
+def _truth(model: CompiledModel, scene: Scene, states: int, seed: int, circuits: bool) -> Truth:
+    """What must come out at some states; M is written out if it is not too large."""
+    large = model.nu > WHOLE
+    truth = truth_of(model, scene, DRAWN if large else DRAWN * states, seed, circuits)
+    truth = truth.only(finite(truth)[: 1 if large else states])
+    if large:
+        return replace(truth, largest=largest(scene, truth))
+    M = masses(scene, truth)
+    return replace(truth, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
 
 
 def _singular_words(model: CompiledModel, M: Array | None) -> str:
@@ -279,33 +188,35 @@ def singular(M: Array) -> bool:
     return bool(np.any(values[..., :1] * REGULAR <= values[..., -1:]))
 
 
-def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Check:
+def _check(model: CompiledModel, scene: Scene, truth: Truth, name: str) -> Check:
     """One function; forces of the model come from its saved Function ``applied``."""
-    if not len(truth.q):
-        return Check(name, np.nan, "not checked: the forces of the model are nowhere finite")
-    if name in ("forward_dynamics", "rhs") and truth.M is not None and singular(truth.M):
-        return Check(name, np.nan, SINGULAR)
-    if truth.f is None and name in ("inverse_dynamics", "forward_dynamics", "rhs"):
-        return Check(name, np.nan, "not checked: the forces of the model are not saved")
+    reason = _unchecked(model, truth, name)
+    if reason:
+        return Check(name, np.nan, reason)
+    if truth.bound is not None and truth.bound.missed.max() > BOUND:
+        # what the model says about the joints of its circuits does not close them
+        return Check(name, float(truth.bound.missed.max()))
+    if name in CHECKS and truth.bound is not None:
+        return Check(name, verify_circuits.check(model, truth, truth.bound, name))
     q, u = truth.q, truth.u
     given: dict[str, Any] = {"t": truth.t, "r": truth.r}
     if name == "mass_matrix":
         M = model.mass_matrix(q, **given)
         if truth.M is not None:
-            return Check(name, _error(M - truth.M, truth.M))
-        push = _push(scene, truth, truth.udot)
-        return Check(name, _error((M @ truth.udot[..., None])[..., 0] - push, push))
+            return Check(name, relative(M - truth.M, truth.M))
+        pushed = push(scene, truth, truth.udot)
+        return Check(name, relative((M @ truth.udot[..., None])[..., 0] - pushed, pushed))
     if name in ("bias", "gravity", "coriolis"):
         known = {"bias": truth.h, "gravity": truth.gravity, "coriolis": truth.h - truth.gravity}
         states = (q,) if name == "gravity" else (q, u)
         value = getattr(model, name)(*states, **given)
         terms = (truth.h, truth.gravity, _inertial(truth))
-        return Check(name, _error(value - known[name], *terms))
+        return Check(name, relative(value - known[name], *terms))
     if name == "qdot":
         return Check(name, _rates_error(scene, truth, model.qdot(q, u, **given)))
     if name == "inverse_dynamics":
         value = model.inverse_dynamics(q, u, truth.udot, **given)
-        return Check(name, _balance(scene, truth, truth.udot, value))
+        return Check(name, _balance(scene, truth, truth.udot, value, free=False))
     if name == "forward_dynamics":
         value = model.forward_dynamics(q, u, tau=truth.tau, **given)
         return Check(name, _balance(scene, truth, value, truth.tau))
@@ -315,41 +226,58 @@ def _check(model: CompiledModel, scene: Scene, truth: _Truth, name: str) -> Chec
     return Check(name, error)
 
 
-def _error(difference: Array, *terms: Array) -> float:
-    """Largest difference of a state over its largest term, the worst of all states."""
-    axes = tuple(range(1, difference.ndim))
-    size = np.max([np.abs(term).max(axis=axes, initial=0.0) for term in terms], axis=0)
-    worst = np.abs(difference).max(axis=axes, initial=0.0)
-    return float(np.max(worst / np.where(size > 0, size, 1.0), initial=0.0))
+def _unchecked(model: CompiledModel, truth: Truth, name: str) -> str:
+    """Why a function cannot be checked at some states; "" if it can."""
+    if not len(truth.q):
+        return "not checked: the forces of the model are nowhere finite"
+    solves = name in ("forward_dynamics", "rhs", "multipliers")
+    if solves and truth.M is not None and singular(truth.M):
+        return SINGULAR
+    if truth.f is None and (solves or name == "inverse_dynamics"):
+        return "not checked: the forces of the model are not saved"
+    treatment = model.manifest["scene"].get("treatment")
+    if solves and treatment and not treatment["exact"]:
+        return f"not checked: constraints treated by '{treatment['name']}' give way"
+    if name == "multipliers" and ("constraint_jacobian", None) not in model._functions:
+        return "not checked: constraint_jacobian is not compiled"
+    return ""
 
 
-def _balance(scene: Scene, truth: _Truth, udot: Array, tau: Array) -> float:
-    """Residual of M udot + h = f + tau, over the largest product or force in it."""
+def _balance(scene: Scene, truth: Truth, udot: Array, tau: Array, free: bool = True) -> float:
+    """Residual of M udot + h = f + tau, over the largest product or force in it.
+
+    Where accelerations are free to obey constraints, these bear what they can, and are obeyed.
+    """
     f = np.zeros_like(truth.h) if truth.f is None else truth.f
     if truth.M is None:
-        push = largest = _push(scene, truth, udot)
+        pushed = most = push(scene, truth, udot)
     else:
         products = truth.M * udot[:, None, :]
-        push, largest = products.sum(axis=-1), np.abs(products).max(axis=-1, initial=0.0)
-    residual = push + truth.h - f - tau
-    tau = np.broadcast_to(tau, truth.h.shape)
-    return _error(residual, largest, truth.h, f, tau, _inertial(truth))
+        pushed, most = products.sum(axis=-1), np.abs(products).max(axis=-1, initial=0.0)
+    residual = pushed + truth.h - f - tau
+    terms = most, truth.h, f, np.broadcast_to(tau, truth.h.shape), _inertial(truth)
+    if truth.bound is None or not free:
+        return relative(residual, *terms)
+    held = borne(truth.bound, residual)
+    error = relative(unbalanced(truth.bound, residual), *terms, held)
+    return max(error, acceleration_error(truth.bound, udot))
 
 
-def _inertial(truth: _Truth) -> Array:
+def _inertial(truth: Truth) -> Array:
     """Size of the products of speeds and masses (n, 1): where they cancel, rounding is left."""
     squares = (truth.u**2).max(axis=-1, initial=0.0)
     return np.asarray(truth.largest * squares)[:, None]
 
 
-def _rates_error(scene: Scene, truth: _Truth, qdot: Array) -> float:
+def _rates_error(scene: Scene, truth: Truth, qdot: Array) -> float:
     """Whether the rates of the coordinates turn and shift every joint as its speeds say.
 
     A complex step along qdot differentiates the pose of the joint exactly.
     """
     worst = 0.0
     for i in range(len(scene.parents)):
-        if scene.prescribed[i] or scene.leaders[i] >= 0:
+        solved = scene.q[i][0] >= truth.q.shape[-1]
+        if scene.prescribed[i] or scene.leaders[i] >= 0 or solved:
             continue
         qi, ui = own(scene, i, truth.q, (truth.u,), truth.motion)
         ri = own(scene, i, qdot, (), truth.motion)[0]
@@ -360,5 +288,5 @@ def _rates_error(scene: Scene, truth: _Truth, qdot: Array) -> float:
         shift = (now.shift @ ui[..., None])[..., 0]
         path = moved.position.imag / STEP
         difference = np.concatenate([found - spin, path - shift], axis=-1)
-        worst = max(worst, _error(difference, np.concatenate([spin, shift], axis=-1)))
+        worst = max(worst, relative(difference, np.concatenate([spin, shift], axis=-1)))
     return worst

@@ -303,8 +303,12 @@ class System:
     @property
     def moving_joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, then of those that are cut."""
-        closing = (*(closure.cut for closure in self.closures), *self.cuts)
-        return (*(joint.name for joint in self.joints), *(cut.name for cut in closing))
+        return (*(joint.name for joint in self.joints), *(cut.name for cut in self.closing))
+
+    @property
+    def closing(self) -> tuple[Cut, ...]:
+        """The joints that close circuits, those that are solved in closed form first."""
+        return (*(closure.cut for closure in self.closures), *self.cuts)
 
     @property
     def closed(self) -> bool:

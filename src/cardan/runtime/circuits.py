@@ -1,0 +1,323 @@
+"""How circuits bind a tree, in NumPy, for the judge of every build.
+
+A joint that closes a circuit gets coordinates and speeds of its own, behind those of the tree: its
+two frames must lie and move against each other as :mod:`.joint_motion` says the joint does. These
+are six conditions per joint, whatever its kind; no closing condition of the catalogue is used.
+
+Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .joint_motion import (
+    GUIDED,
+    REVERSED,
+    SPEEDS,
+    Array,
+    JointMotion,
+    Told,
+    cross,
+    joint_motion,
+    times,
+)
+from .newton_euler import Scene, own
+from .rotations import PARAMETERS
+
+STEP = 1e-30
+SLIPS = ("longitudinal", "lateral")
+
+
+@dataclass(frozen=True)
+class End:
+    """A frame of a body (-1: the ground), in its axes."""
+
+    body: int
+    rotation: Array
+    position: Array
+
+
+@dataclass(frozen=True)
+class Closer:
+    """A joint that closes a circuit.
+
+    Attributes:
+        name: Of the joint.
+        told: What is known about it; its rotation is described by a quaternion.
+        parent, child: Its frames.
+        q, u: (first, size) of its own coordinates and speeds.
+    """
+
+    name: str
+    told: Told
+    parent: End
+    child: End
+    q: tuple[int, int]
+    u: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Slip:
+    """What may not slip.
+
+    Attributes:
+        name: Of the joint.
+        told: Wheel or disk, as declared.
+        joint: Number of the tree joint, or of the closer behind them.
+        rows: Of 0 (along the heading) and 1 (sideways).
+    """
+
+    name: str
+    told: Told
+    joint: int
+    rows: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Circuits:
+    """A tree, what closes its circuits, and what may not slip.
+
+    Attributes:
+        scene: The tree; the system's own coordinates and speeds come first.
+        closers: The joints that close circuits; those solved in closed form first.
+        slips: Velocities that vanish.
+        nq, nu: Number of coordinates and speeds, those of the closers included.
+    """
+
+    scene: Scene
+    closers: tuple[Closer, ...]
+    slips: tuple[Slip, ...]
+    nq: int
+    nu: int
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A frame of the ground or of a body: R (..., 3, 3), place, angular velocity, velocity."""
+
+    rotation: Array
+    position: Array
+    turning: Array
+    moving: Array
+
+    def carried(self, rotation: Array, position: Array) -> Moving:
+        """A frame fixed to this one."""
+        arm = times(self.rotation, position)
+        moving = self.moving + cross(self.turning, arm)
+        return Moving(self.rotation @ rotation, self.position + arm, self.turning, moving)
+
+    def after(self, joint: JointMotion, u: Array) -> Moving:
+        """The child frame of a joint whose parent frame this is."""
+        arm, rotation = times(self.rotation, joint.position), self.rotation @ joint.rotation
+        drift = times(self.rotation, times(joint.shift, u))
+        turning = self.turning + times(rotation, times(joint.turn, u))
+        moving = self.moving + cross(self.turning, arm) + drift
+        return Moving(rotation, self.position + arm, turning, moving)
+
+
+def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> tuple[Array, Array]:
+    """What vanishes where circuits are closed, and what vanishes while they move.
+
+    Args:
+        circuits: The system.
+        q, u: (..., nq), (..., nu) of everything; leading axes broadcast.
+        motion: Value and rate of prescribed joints, (..., nb, 2 or more).
+
+    Returns:
+        (..., 6 closers): rotation vector [rad] and place [m] by which every child frame misses its
+        place; (..., 6 closers + slips): velocities, the first are the rates of the former.
+    """
+    scene, numbers = circuits.scene, circuits.scene.numbers
+    none = np.zeros(3)
+    bodies = [Moving(np.eye(3), none, none, none)]
+    speeds, joints = [], []
+    for i, inboard in enumerate(scene.parents):
+        qi, ui = own(scene, i, q, (u,), motion)
+        joint = joint_motion(scene.told(i), qi, ui)
+        seat = bodies[inboard + 1].carried(numbers["rotation"][i], numbers["position"][i])
+        bodies.append(seat.after(joint, ui))
+        joints.append(qi)
+        speeds.append(ui)
+    missed: list[Array] = []
+    rates: list[Array] = []
+    for closer in circuits.closers:
+        qi, ui = (x[..., s : s + n] for x, (s, n) in ((q, closer.q), (u, closer.u)))
+        parent, child = (
+            bodies[end.body + 1].carried(end.rotation, end.position)
+            for end in (closer.parent, closer.child)
+        )
+        found = _apart(parent, child, parent.after(joint_motion(closer.told, qi, ui), ui))
+        missed += found[:2]
+        rates += found[2:]
+        joints.append(qi)
+        speeds.append(ui)
+    for slip in circuits.slips:
+        velocity = _slipping(slip.told, joints[slip.joint], speeds[slip.joint])
+        rates.append(velocity[..., list(slip.rows)])
+    return _joined(missed), _joined(rates)
+
+
+def _apart(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, Array, Array]:
+    """By which rotation and way a frame misses its place, and the rates of both.
+
+    Args:
+        parent, child: Frames of a joint that closes a circuit.
+        there: Where the joint carries the child frame.
+    """
+    back, axes = (np.swapaxes(x.rotation, -1, -2) for x in (parent, child))
+    turned = np.swapaxes(there.rotation, -1, -2) @ child.rotation
+    away = child.position - there.position
+    drift = child.moving - there.moving - cross(parent.turning, away)
+    spin = child.turning - there.turning
+    return _rotation_vector(turned), times(back, away), times(axes, spin), times(back, drift)
+
+
+def _joined(rows: Sequence[Array]) -> Array:
+    if not rows:
+        return np.zeros(0)
+    lead = np.broadcast_shapes(*(row.shape[:-1] for row in rows))
+    return np.concatenate([np.broadcast_to(r, (*lead, r.shape[-1])) for r in rows], axis=-1)
+
+
+def _rotation_vector(r: Array) -> Array:
+    """Rotation vectors (..., 3) of real rotations (..., 3, 3); the real part of complex ones."""
+    r = r.real
+    across = np.stack(
+        [r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]],
+        axis=-1,
+    )
+    sine = np.linalg.norm(across, axis=-1) / 2
+    cosine = (np.trace(r, axis1=-2, axis2=-1) - 1) / 2
+    # a half turn has no sine: any axis will do, it is far from closed
+    lost = np.where((sine < 1e-9) & (cosine < 0), np.pi, 0.0)
+    factor = np.arctan2(sine, cosine) / np.where(sine < 1e-9, 1.0, sine)
+    factor = np.where((sine < 1e-9) & (cosine > 0), 1.0, factor)
+    return np.asarray(across * factor[..., None] / 2 + lost[..., None])
+
+
+def _slipping(told: Told, q: Array, u: Array) -> Array:
+    """Velocity (..., 2) of the material point of contact, along the heading and across it."""
+    joint = joint_motion(told, q, u)
+    normal, x = (v / np.linalg.norm(v) for v in (told.axis, told.axis2))
+    y = cross(normal, x)
+    contact = q[..., :1] * x + q[..., 1:2] * y
+    spin = times(joint.rotation @ joint.turn, u)
+    velocity = times(joint.shift, u) + cross(spin, contact - joint.position)
+    c, s = np.cos(q[..., 2:3]), np.sin(q[..., 2:3])
+    heading, sideways = c * x + s * y, c * y - s * x
+    return np.stack([(velocity * d).sum(axis=-1) for d in (heading, sideways)], axis=-1)
+
+
+def jacobian(circuits: Circuits, q: Array, motion: Array | None) -> tuple[Array, Array, Array]:
+    """G (..., m, nu), the rates at rest (..., m) of prescribed motion, and what is missed."""
+    wide = None if motion is None else motion[..., None, :, :]
+    columns = np.vstack([np.zeros(circuits.nu), np.eye(circuits.nu)])
+    missed, rates = conditions(circuits, q[..., None, :], columns, wide)
+    rates = np.broadcast_to(rates, (*q.shape[:-1], *rates.shape[-2:]))
+    G = np.swapaxes(rates[..., 1:, :] - rates[..., :1, :], -1, -2)
+    return G, rates[..., 0, :], missed[..., 0, :] if missed.ndim > 1 else missed
+
+
+def rates_of(circuits: Circuits, q: Array, u: Array) -> Array:
+    """Rates of the coordinates (..., nq) of speeds."""
+    qdot = np.zeros_like(q)
+    for (first, size), (start, count), rotation in _blocks(circuits):
+        n = PARAMETERS[rotation].size if rotation else 0
+        k = 3 if rotation else 0
+        qdot[..., first + n : first + size] = u[..., start + k : start + count]
+        if rotation:
+            turned = _turned(rotation, q[..., first : first + n], u[..., start : start + 3])
+            qdot[..., first : first + n] = turned
+    return qdot
+
+
+def _blocks(circuits: Circuits) -> list[tuple[tuple[int, int], tuple[int, int], str | None]]:
+    """Slots in q and u of every joint that has some, and how its rotation is described."""
+    scene = circuits.scene
+    found = [
+        (scene.q[i], scene.u[i], scene.rotations[i])
+        for i in range(len(scene.parents))
+        if scene.leaders[i] < 0 and not scene.prescribed[i]
+    ]
+    return [*found, *((c.q, c.u, c.told.rotation) for c in circuits.closers)]
+
+
+def _turned(rotation: str, q: Array, omega: Array) -> Array:
+    """Rates of the coordinates of a rotation: R [omega] = sum of dR/dq qdot, the shortest."""
+    matrix = PARAMETERS[rotation].matrix
+    steps = 1j * STEP * np.eye(q.shape[-1])
+    slopes = matrix(q[..., None, :] + steps).imag / STEP
+    slopes = np.swapaxes(slopes.reshape(*slopes.shape[:-2], 9), -1, -2)
+    columns = np.swapaxes(cross(omega[..., None, :], np.eye(3)), -1, -2)
+    wanted = (matrix(q) @ columns).reshape(*q.shape[:-1], 9)
+    return times(np.linalg.pinv(slopes, rcond=1e-9), wanted)
+
+
+def kept(circuits: Circuits, q: Array) -> Array:
+    """Coordinates whose quaternions and direction cosines are those of rotations again."""
+    q = q.copy()
+    for (first, _), _, rotation in _blocks(circuits):
+        if rotation == "quaternion":
+            part = q[..., first : first + 4]
+            q[..., first : first + 4] = part / np.linalg.norm(part, axis=-1, keepdims=True)
+        elif rotation == "dcm":
+            a, b = q[..., first : first + 3], q[..., first + 3 : first + 6]
+            a = a / np.linalg.norm(a, axis=-1, keepdims=True)
+            b = b - a * (a * b).sum(axis=-1, keepdims=True)
+            b = b / np.linalg.norm(b, axis=-1, keepdims=True)
+            q[..., first : first + 6] = np.concatenate([a, b], axis=-1)
+    return q
+
+
+def circuits_of(manifest: Mapping[str, Any], scene: Scene, nq: int) -> Circuits:
+    """The circuits of a model by its manifest and flat scene with ``nq`` tree coordinates."""
+    numbers, kinds = scene.numbers, manifest["scene"]["cuts"]
+    bodies = {body["name"]: k for k, body in enumerate(manifest["bodies"])}
+    ends = {
+        f["name"]: End(
+            bodies.get(f["body"], -1), numbers["frame_rotation"][k], numbers["frame_position"][k]
+        )
+        for k, f in enumerate(manifest["frames"])
+    }
+    closers, nu = [], scene.nu
+    for k, (cut, kind) in enumerate(zip(manifest["cuts"], kinds, strict=True)):
+        guided = kind.removeprefix(REVERSED) in GUIDED
+        told = Told(
+            kind,
+            "quaternion" if guided else None,
+            numbers["cut_axis"][k],
+            numbers["cut_axis2"][k],
+            float(numbers["cut_pitch"][k]),
+            numbers["cut_sizes"][k] if "cut_sizes" in numbers else np.zeros(2),
+        )
+        count = SPEEDS[told.kind.removeprefix(REVERSED)]
+        sides = ends[cut["parent_frame"]], ends[cut["child_frame"]]
+        closers.append(Closer(cut["name"], told, *sides, (nq, count + guided), (nu, count)))
+        nq, nu = nq + count + guided, nu + count
+    return Circuits(scene, tuple(closers), _slips(manifest, scene, closers), nq, nu)
+
+
+def _slips(
+    manifest: Mapping[str, Any], scene: Scene, closers: Sequence[Closer]
+) -> tuple[Slip, ...]:
+    """What may not slip, by the names of the constraints of velocities."""
+    names = [joint["name"] for joint in manifest["joints"]]
+    told = [scene.told(i) for i in range(len(names))] + [c.told for c in closers]
+    names += [closer.name for closer in closers]
+    rows: dict[str, list[int]] = {}
+    for row in manifest["multipliers"]:
+        if row["level"] == "velocity" and row["joint"] in names:
+            component = row["name"].rpartition(".")[2]
+            rows.setdefault(row["joint"], []).append(SLIPS.index(component))
+    found = []
+    for name, which in rows.items():
+        at = names.index(name)
+        # coordinates and speeds of a joint that is told backwards are those of the declared one
+        declared = replace(told[at], kind=told[at].kind.removeprefix(REVERSED))
+        found.append(Slip(name, declared, at, tuple(which)))
+    return tuple(found)

@@ -1,0 +1,121 @@
+"""Check what a model says about its circuits against conditions of the judge's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .closed_states import RANK, Bound, dependents
+from .closing import size_of
+from .joint_motion import Array, times
+from .truth import Truth
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+
+def relative(difference: Array, *terms: Array) -> float:
+    """Largest difference of a state over its largest term, the worst of all states."""
+    worst = _most(difference)
+    size = np.max([_most(term) for term in terms], axis=0)
+    return float(np.max(worst / np.where(size > 0, size, 1.0), initial=0.0))
+
+
+def _most(values: Array) -> Array:
+    """Largest size of the entries of every state."""
+    return np.asarray(np.abs(values).max(axis=tuple(range(1, values.ndim)), initial=0.0))
+
+
+def unbalanced(bound: Bound, force: Array) -> Array:
+    """What of generalized forces (n, nu) no constraint can bear."""
+    back, wide = _wide(bound, force)
+    return np.asarray(wide - times(back, times(np.linalg.pinv(back, rcond=RANK), wide)))
+
+
+def borne(bound: Bound, force: Array) -> Array:
+    """The part of generalized forces (n, nu) that constraints bear."""
+    return np.asarray(_wide(bound, force)[1] - unbalanced(bound, force))
+
+
+def _wide(bound: Bound, force: Array) -> tuple[Array, Array]:
+    """Gᵀ, and forces with zeros for joints that close circuits, which have no drive."""
+    none = np.zeros((len(force), bound.G.shape[-1] - force.shape[-1]))
+    return np.swapaxes(bound.G, -1, -2), np.concatenate([force, none], axis=-1)
+
+
+def acceleration_error(bound: Bound, udot: Array) -> float:
+    """Whether accelerations (n, nu) leave velocities on the constraints."""
+    nu = udot.shape[-1]
+    own, others = bound.G[..., :nu], bound.G[..., nu:]
+    found = times(own, udot) + bound.rest
+    left = found - times(others, times(np.linalg.pinv(others, rcond=RANK), found))
+    return relative(left, own * udot[:, None, :], bound.rest)
+
+
+def check(model: CompiledModel, truth: Truth, bound: Bound, name: str) -> float:
+    """Error of one function of the circuits."""
+    return CHECKS[name](model, truth, bound, {"t": truth.t, "r": truth.r})
+
+
+def _dependents(
+    model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]
+) -> float:
+    """Coordinates that close the circuits, and rates that keep them closed."""
+    value = model.dependents(truth.q, truth.u, **given)
+    count = dependents(model, truth.q, truth.u, truth.t, truth.r)[0].shape[-1]
+    nq, nu = truth.q.shape[-1], truth.u.shape[-1]
+    q, u = bound.q[:, nq : nq + count], bound.u[:, nu : nu + value.shape[-1] - count]
+    known = np.concatenate([q, u], axis=-1)
+    return relative(value - known, known, np.ones_like(known))
+
+
+def _residual(name: str) -> Callable[..., float]:
+    """Of a function that vanishes on the constraints."""
+
+    def error(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]) -> float:
+        rates = name == "constraint_rates"
+        value = getattr(model, name)(*((truth.q, truth.u) if rates else (truth.q,)), **given)
+        size = max(1.0, size_of(model), float(np.abs(bound.u).max()) if rates else 0.0)
+        return float(np.abs(value).max(initial=0.0)) / size
+
+    return error
+
+
+def _jacobian(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]) -> float:
+    """Whether the rows of G leave exactly the motions that the joints allow."""
+    G, nu = model.constraint_jacobian(truth.q, **given), truth.u.shape[-1]
+    G = np.broadcast_to(G, (len(truth.q), *G.shape[-2:]))
+    worst = 0.0
+    for rows, whole in zip(G, bound.G, strict=True):
+        _, values, directions = np.linalg.svd(whole)
+        rank = int((values > RANK * values.max(initial=0.0)).sum())
+        allowed = directions[rank:, :nu].T
+        freedoms = np.linalg.matrix_rank(allowed, tol=RANK)
+        size = np.abs(rows).max(initial=0.0) or 1.0
+        worst = max(worst, float(np.abs(rows @ allowed).max(initial=0.0)) / size)
+        if np.linalg.matrix_rank(rows, tol=RANK * size) != nu - freedoms:
+            worst = 1.0
+    return worst
+
+
+def _multipliers(
+    model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]
+) -> float:
+    """Whether the forces of constraint make the accelerations that constraints ask for."""
+    lam = model.multipliers(truth.q, truth.u, tau=truth.tau, **given)
+    G = model.constraint_jacobian(truth.q, **given)
+    M, f = np.asarray(truth.M), np.asarray(truth.f)
+    force = truth.tau - truth.h + f + times(np.swapaxes(G, -1, -2), lam)
+    udot = np.linalg.solve(M, force[..., None])[..., 0]
+    return acceleration_error(bound, udot)
+
+
+CHECKS: dict[str, Callable[..., float]] = {
+    "dependents": _dependents,
+    "constraints": _residual("constraints"),
+    "constraint_rates": _residual("constraint_rates"),
+    "constraint_jacobian": _jacobian,
+    "multipliers": _multipliers,
+}
