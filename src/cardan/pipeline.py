@@ -157,14 +157,8 @@ def compile(
         constraints=constraints,
         branches=branches,
     )
-    functions = (functions,) if isinstance(functions, str) else functions
-    known = equations.names()
-    if functions is STANDARD:
-        functions = tuple(name for name in STANDARD if name in known)
-    for name in functions:
-        if name not in known:
-            equations.function(name)  # raises, with the near name
-    base = manifest.base(equations, tuple(functions))
+    functions = _asked(equations, functions)
+    base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
     _say_what_stays_open(equations, folder)
     try:
@@ -195,6 +189,22 @@ def compile(
         return c_name
 
     return CompiledModel(folder, provide, threads=threads)
+
+
+def _asked(equations: Equations, functions: Sequence[str]) -> tuple[str, ...]:
+    """The functions asked for; of the usual ones those that the system has.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    known = equations.names()
+    if functions is STANDARD:
+        return tuple(name for name in STANDARD if name in known)
+    functions = (functions,) if isinstance(functions, str) else functions
+    for name in functions:
+        if name not in known:
+            equations.function(name)  # raises, with the near name
+    return tuple(functions)
 
 
 def _say_what_stays_open(equations: Equations, folder: Path) -> None:
