@@ -21,11 +21,12 @@ SHOWN = [
 @pytest.mark.parametrize("page", SHOWN)
 def test_python_prints_what_is_shown(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
-    programs = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)
+    blocks = re.findall(r"^```(\w*)\n(.*?)^```$", text, flags=re.DOTALL | re.MULTILINE)
+    programs = [body for language, body in blocks if language == "python"]
     command = [sys.executable, "-c", "\n".join(programs)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    for shown in re.findall(r"```\n(.*?)```", text, flags=re.DOTALL):
+    for shown in (body for language, body in blocks if not language):
         assert shown.strip() in done.stdout, f"{page.name} shows:\n{shown}\n{done.stdout}"
 
 
