@@ -11,7 +11,7 @@ from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..topology.system import System
-from . import outputs
+from . import increments, outputs
 from .blocks import entries
 from .constraints import VELOCITY
 from .dynamics import Dynamics
@@ -300,31 +300,12 @@ def _list(name: str, values: list[tuple[str, int, str]]) -> tuple[Output, ...]:
     return (Output(name, (len(values),), nodes, names, tuple(v[2] for v in values)),)
 
 
-def _by_joint(c: Context, first: str, second: str, result: str) -> tuple[Output, ...]:
-    """``integrate`` and ``difference``: joint by joint on the slots of two blocks."""
-    system, size = c.k.system, c.k.system.nq if result == "q" else c.k.system.nu
-    nodes = [ZERO] * size
-    for i, joint in enumerate(system.joints):
-        if joint.q < 0:
-            continue
-        nq, nu = len(joint.element.coordinates), len(joint.element.speeds)
-        a = c.d.block(first, system.nq).block(slice(joint.q, joint.q + nq))
-        if result == "q":
-            b = c.d.block(second, system.nu).block(slice(joint.u, joint.u + nu))
-            own, at = joint.element.integrate(a, b, **c.k.data[i]), joint.q
-        else:
-            b = c.d.block(second, system.nq).block(slice(joint.q, joint.q + nq))
-            own, at = joint.element.difference(a, b, **c.k.data[i]), joint.u
-        nodes[at : at + own.rows] = own.nodes
-    return c.vector(result, Matrix(c.k.graph, size, 1, nodes), result)
-
-
 def _integrate(c: Context) -> tuple[Output, ...]:
-    return _by_joint(c, "q", "du", "q")
+    return c.vector("q", increments.integrated(c.d), "q")
 
 
 def _difference(c: Context) -> tuple[Output, ...]:
-    return _by_joint(c, "q0", "q", "du")
+    return c.vector("du", increments.difference(c.d), "du")
 
 
 @dataclass(frozen=True)
