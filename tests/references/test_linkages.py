@@ -104,3 +104,18 @@ def test_parallelogram_through_its_singular_positions(treatment: str) -> None:
     assert errors[1] < 1e-5
     assert errors[2] < 1e-7
     assert errors[2] < errors[1] < 0.1
+
+
+def test_slider_crank_runs_through_its_branch_points() -> None:
+    """Links of one length: at +- 90 degrees the slider could as well stay on the pivot."""
+    a = 0.2
+    model = cd.compile(slider_crank(a, a))
+    near, drifts = start(a, a, 0.3, model.coordinates), []
+    for rtol in (1e-6, 1e-8, 1e-10):
+        motion = model.simulate(5.0, q=near, u={"A": 8.0}, rtol=rtol, atol=1e-2 * rtol, check=True)
+        assert motion["A"][-1] > 20
+        np.testing.assert_allclose(motion["guide"], 2 * a * np.cos(motion["A"]), rtol=0, atol=1e-9)
+        drifts.append(np.abs(motion.drift).max() / motion.energy.kinetic.max())
+    # a hundredth of the tolerance: a hundredth of the error, give or take a factor of ten
+    assert drifts[1] < 0.1 * drifts[0]
+    assert drifts[2] < 0.1 * drifts[1]

@@ -32,7 +32,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "in_segment"),
     (REAL, "rtol atol max_step h correction left_open carried magnified magnified_here"),
     (REAL, "first_h best_h best_error allowed"),
-    (COUNT, "fresh is_dense rejected near_singular"),
+    (COUNT, "fresh is_dense rejected near_singular rounded"),
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),
     (COUNT, "steps rejections evaluations budget culprit model_status"),

@@ -32,14 +32,14 @@ static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
     return a > b ? a : b;
 }
 
-/* Numbers that cardan_close needs: a closed block with residuals, the state before. */
+/* Numbers that cardan_close needs: a closed block with residuals, the state before, and a copy. */
 ptrdiff_t cardan_closing_length(const cardan_run *run)
 {
     ptrdiff_t nu = run->nx - run->nq;
 
     if (run->positions + run->rates == 0)
         return 0;
-    return larger(run->nq + run->positions, nu + run->rates) + run->nx;
+    return larger(run->nq + run->positions, nu + run->rates) + run->nx + run->n;
 }
 
 /* Index of the largest residual, of the first that is no number if there is one. */
@@ -159,7 +159,7 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
                        real *sum)
 {
     const ptrdiff_t start = at->block - y;
-    const real *given = run->closing + cardan_closing_length(run) - run->nx + start;
+    const real *given = run->closing + cardan_closing_length(run) - run->n - run->nx + start;
     real first = INFINITY, change = 0;
     int status = newton(run, in, at, y, noted, &first);
 
@@ -189,7 +189,7 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
 int cardan_close(cardan_run *run, real t, real *y, int noted)
 {
     const ptrdiff_t nq = run->nq, nu = run->nx - nq;
-    real *given = run->closing + cardan_closing_length(run) - run->nx;
+    real *given = run->closing + cardan_closing_length(run) - run->n - run->nx;
     real fastest = 1, sum = 0;
     cardan_in in = {0};
     int status = 0;

@@ -12,6 +12,8 @@ static const real SAFETY = 0.9, SHRINK = 1.0 / 3, GROW = 6;
 /* of systems with constraints: how many rejected trials in a row shrink by little */
 static const ptrdiff_t PATIENCE = 10;
 static const real LITTLE = 0.8;
+/* of residuals: beside a singular position */
+static const real SINGULAR = 5;
 /* errors of such steps that are accepted, relative to the state: at once, and if none is better */
 static const real NOISE = 1e-9, LOOSEST = 1e-5;
 
@@ -122,7 +124,7 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order)
         next = fabs(run->first_h);
     }
     run->h = copysign(fmin(next, run->max_step), h);
-    run->rejected = run->near_singular = 0;
+    run->rejected = run->near_singular = run->rounded = 0;
     run->allowed = 1;
 }
 
@@ -144,8 +146,10 @@ static void remember(cardan_run *run, real h, real error, int status)
     /* a trial that was not projected: only for the magnification */
     if (status == 0 && cardan_close(run, run->t + h, run->trial, 0) == CARDAN_MODEL)
         return;
-    if (cardan_rounding(run, run->trial, fmax(run->magnified, run->magnified_here), h) > 0.01)
+    if (fmax(run->magnified, run->magnified_here) > SINGULAR)
         run->near_singular = 1;
+    if (cardan_rounding(run, run->trial, fmax(run->magnified, run->magnified_here), h) > 0.01)
+        run->rounded = 1;
 }
 
 /* Next trial after a step of size h was not good enough or failed with a status.
@@ -164,14 +168,14 @@ int cardan_reject_step(cardan_run *run, real h, real error, int order, int statu
     if (is_closed(run))
         remember(run, h, error, status);
     /* the best one again, if it is good enough to be taken */
-    if ((run->rejected + 1) % PATIENCE == 0 && run->near_singular
+    if ((run->rejected + 1) % PATIENCE == 0 && run->rounded
         && run->best_error <= LOOSEST / tolerance) {
         run->rejected++;
         run->allowed = LOOSEST / tolerance;
         run->h = run->best_h;
         return 0;
     }
-    run->allowed = run->near_singular ? fmax(1, NOISE / tolerance) : 1;
+    run->allowed = run->rounded ? fmax(1, NOISE / tolerance) : 1;
     run->rejected++;
     run->h = h * fmin(0.9, fmax(least_factor, factor));
     if (fabs(run->h) >= least(run))

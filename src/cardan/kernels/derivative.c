@@ -25,7 +25,22 @@ void cardan_inputs_at(cardan_run *run, real t, const real *x)
     (void)inputs_at(run, t, x, !run->sampled);
 }
 
-/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT. */
+/* y (n) projected onto the constraints, or as it is where that does not work. */
+static const real *on_constraints(cardan_run *run, real t, const real *y)
+{
+    real *copy = run->closing + cardan_closing_length(run) - run->n;
+
+    for (ptrdiff_t i = 0; i < run->n; i++)
+        copy[i] = y[i];
+    cardan_normalize(run, copy);
+    return cardan_close(run, t, copy, 0) == 0 ? copy : y;
+}
+
+/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT.
+ *
+ * Beside a singular position it is taken at the nearest state on the constraints: off them
+ * accelerations grow with the inverse of the distance, on them nothing happens.
+ */
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
 {
     cardan_in in = {0};
@@ -33,6 +48,8 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
 
     if (status != 0)
         return status;
+    if (run->near_singular)
+        y = on_constraints(run, t, y);
     in.t = &t;
     in.q = y;
     in.u = y + run->nq;

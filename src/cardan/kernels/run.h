@@ -102,7 +102,8 @@ struct cardan_run {
     real first_h, best_h, best_error; /* of the trials of the present step */
     real allowed; /* error that the next trial may have, in units of the tolerance: 1 or more */
     ptrdiff_t fresh, is_dense, rejected;
-    ptrdiff_t near_singular; /* whether rounding may explain errors of the present step */
+    ptrdiff_t near_singular; /* whether derivatives of the present step are taken on constraints */
+    ptrdiff_t rounded;       /* whether rounding may explain its errors */
 
     /* rows that come out: t, y, r */
     real *rows;    /* (capacity, 1 + n + nr) */
