@@ -75,27 +75,27 @@ def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
         "p": np.array([p.value for p in system.parameters]),
         "r": np.array([i.default for i in system.inputs]),
     }
-    first = _search(functions, given, start[np.newaxis])
+    first = search(functions, given, start[np.newaxis])
     found = _gaps(equations, functions, given, first)
     if found.closes or not system.nu:
         return found
     spread = np.random.default_rng(seed).normal(0.0, 1.0, (STARTS - 1, system.nu))
     moved = evaluate(functions["integrate"], {**given, "q": start, "du": spread}, "numpy")["q"]
-    others = _search(functions, given, np.atleast_2d(moved))
+    others = search(functions, given, np.atleast_2d(moved))
     return min(
         (_gaps(equations, functions, given, q[np.newaxis]) for q in (*others, first[0])),
         key=lambda one: max(gap for gap, _ in one.gaps.values()),
     )
 
 
-def _search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> Array:
+def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> Array:
     """Coordinates (n, nq) after steps towards the constraints."""
     for _ in range(STEPS):
         values = {**given, "q": q}
-        g = _value(functions["constraints"], values, len(q))
+        g = value(functions["constraints"], values, len(q))
         if g.shape[-1] == 0 or np.abs(g).max() <= 0.01 * CLOSED:
             break
-        G = _value(functions["constraint_jacobian"], values, len(q))[:, : g.shape[-1]]
+        G = value(functions["constraint_jacobian"], values, len(q))[:, : g.shape[-1]]
         step = -(np.linalg.pinv(G, rcond=1e-6) @ g[..., np.newaxis])[..., 0]
         size = np.abs(step).max(axis=-1, keepdims=True)
         step *= np.minimum(1.0, LONGEST / np.maximum(size, LONGEST))
@@ -104,7 +104,7 @@ def _search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> 
     return q
 
 
-def _value(function: Function, values: dict[str, Any], count: int) -> Array:
+def value(function: Function, values: dict[str, Any], count: int) -> Array:
     """The only result of a function for all starts."""
     (found,) = evaluate(function, values, "numpy").values()
     shape = function.outputs[0].shape
@@ -118,7 +118,7 @@ def _gaps(
     values, gaps = {**given, "q": q}, dict[str, tuple[float, str]]()
     for name in ("closure", "constraints"):
         output = functions[name].outputs[0]
-        residuals = _value(functions[name], values, 1)[0]
+        residuals = value(functions[name], values, 1)[0]
         for entry, unit, residual in zip(output.entries, output.units, residuals, strict=True):
             owner = _owner(equations, entry)
             size = abs(float(residual)) if np.isfinite(residual) else np.inf

@@ -17,6 +17,7 @@ from ..ir.stage import stage
 from ..topology.system import Named, System
 from . import blocks
 from .base import BaseParameters, base_parameters
+from .classification import Classification, classification
 from .constraints import Row, rows
 from .counts import Counts, overview
 from .dynamics import Dynamics
@@ -309,6 +310,10 @@ class Equations(Readable):
     def feasibility(self) -> Feasibility:
         """Whether the circuits can close at the default parameters, found without code."""
         return feasibility(self)
+
+    def classification(self) -> Classification:
+        """Level, dependence on time, and integrability of every constraint."""
+        return classification(self)
 
     def base_parameters(self) -> BaseParameters:
         """What of masses and inertias the motion depends on, and what not at all."""

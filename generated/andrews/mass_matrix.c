@@ -1,0 +1,217 @@
+/*
+ * mass_matrix of andrews
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 49, work 0, w 13
+ * Operations per call: 18 = 9 mul, 4 add, 2 sin, 2 sub, 1 cos
+ * Operations of prepare: 48 = 32 mul, 16 add
+ *
+ * Input q (7): generalized coordinates
+ *   q[0]  beta [rad]
+ *   q[1]  theta [rad]
+ *   q[2]  gamma [rad]
+ *   q[3]  delta [rad]
+ *   q[4]  phi [rad]
+ *   q[5]  epsilon [rad]
+ *   q[6]  omega [rad]
+ *
+ * Input p (58): parameters, read by prepare_ only
+ *
+ * Output M (7 x 7): out[0 ... 48], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* K1: first moment, inertia, base inertia */
+    const wreal K1_mass = p[0]; /* kg */
+    const wreal K1_com_x = p[1]; /* m */
+    const wreal K1_inertia_zz = p[4]; /* kg m^2 */
+    const wreal theta_position_x = p[5]; /* m */
+    const wreal K2_mass = p[6]; /* kg */
+    const wreal K1_first_moment_x = K1_mass * K1_com_x;
+    const wreal K1_inertia_zz_2 = K1_inertia_zz + K1_com_x * K1_first_moment_x;
+    const wreal K1_base_inertia_zz = K1_inertia_zz_2
+        + 0.5 * K2_mass * theta_position_x * theta_position_x * 2.0;
+
+    /* K2: first moment, inertia */
+    const wreal K2_com_x = p[7]; /* m */
+    const wreal K2_inertia_zz = p[10]; /* kg m^2 */
+    const wreal K2_first_moment_x = K2_mass * K2_com_x;
+    const wreal K2_inertia_zz_2 = K2_inertia_zz + K2_com_x * K2_first_moment_x;
+    w[1] = K2_first_moment_x; /* K2_first_moment_x */
+    w[2] = K2_inertia_zz_2; /* K2_inertia_zz_2 */
+
+    /* K3: first moment, inertia */
+    const wreal K3_mass = p[13]; /* kg */
+    const wreal K3_com_x = p[14]; /* m */
+    const wreal K3_com_y = p[15]; /* m */
+    const wreal K3_inertia_zz = p[18]; /* kg m^2 */
+    const wreal K3_first_moment_x = K3_mass * K3_com_x;
+    const wreal K3_first_moment_y = K3_mass * K3_com_y;
+    /* K3_inertia_zz_2 */
+    w[3] = K3_inertia_zz + K3_com_x * K3_first_moment_x + K3_com_y * K3_first_moment_y;
+
+    /* K5: first moment, inertia, base inertia */
+    const wreal K5_mass = p[21]; /* kg */
+    const wreal K5_com_x = p[22]; /* m */
+    const wreal K5_com_y = p[23]; /* m */
+    const wreal K5_inertia_zz = p[26]; /* kg m^2 */
+    const wreal phi_position_x = p[27]; /* m */
+    const wreal K4_mass = p[28]; /* kg */
+    const wreal K5_first_moment_x = K5_mass * K5_com_x;
+    const wreal K5_first_moment_y = K5_mass * K5_com_y;
+    const wreal K5_inertia_zz_2 = K5_inertia_zz + K5_com_x * K5_first_moment_x
+        + K5_com_y * K5_first_moment_y;
+    const wreal K5_base_inertia_zz = K5_inertia_zz_2
+        + 0.5 * K4_mass * phi_position_x * phi_position_x * 2.0;
+
+    /* K4: first moment, inertia */
+    const wreal K4_com_y = p[29]; /* m */
+    const wreal K4_inertia_zz = p[32]; /* kg m^2 */
+    const wreal K4_first_moment_y = K4_mass * K4_com_y;
+    const wreal K4_inertia_zz_2 = K4_inertia_zz + K4_com_y * K4_first_moment_y;
+    w[5] = K4_first_moment_y; /* K4_first_moment_y */
+    w[6] = K4_inertia_zz_2; /* K4_inertia_zz_2 */
+
+    /* K7: first moment, inertia, base inertia */
+    const wreal K7_mass = p[35]; /* kg */
+    const wreal K7_com_x = p[36]; /* m */
+    const wreal K7_com_y = p[37]; /* m */
+    const wreal K7_inertia_zz = p[40]; /* kg m^2 */
+    const wreal omega_position_y = p[41]; /* m */
+    const wreal K6_mass = p[42]; /* kg */
+    const wreal K7_first_moment_x = K7_mass * K7_com_x;
+    const wreal K7_first_moment_y = K7_mass * K7_com_y;
+    const wreal K7_inertia_zz_2 = K7_inertia_zz + K7_com_x * K7_first_moment_x
+        + K7_com_y * K7_first_moment_y;
+    const wreal K7_base_inertia_zz = K7_inertia_zz_2
+        + 0.5 * K6_mass * omega_position_y * omega_position_y * 2.0;
+
+    /* K6: first moment, inertia */
+    const wreal K6_com_x = p[43]; /* m */
+    const wreal K6_inertia_zz = p[46]; /* kg m^2 */
+    const wreal K6_first_moment_x = K6_mass * K6_com_x;
+    const wreal K6_inertia_zz_2 = K6_inertia_zz + K6_com_x * K6_first_moment_x;
+    w[8] = K6_first_moment_x; /* K6_first_moment_x */
+    w[9] = K6_inertia_zz_2; /* K6_inertia_zz_2 */
+
+    /* K7: inertia */
+    w[10] = K6_inertia_zz_2 + K7_base_inertia_zz; /* K7_inertia */
+
+    /* K5: inertia */
+    w[11] = K4_inertia_zz_2 + K5_base_inertia_zz; /* K5_inertia */
+
+    /* K1: inertia */
+    w[12] = K2_inertia_zz_2 + K1_base_inertia_zz; /* K1_inertia */
+
+    /* parameters as they are */
+    w[0] = p[5]; /* theta.position.x [m] */
+    w[4] = p[27]; /* phi.position.x [m] */
+    w[7] = p[41]; /* omega.position.y [m] */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* shared by several: sin, cos */
+    const real theta_q = q[1]; /* rad */
+    const real phi_q = q[4]; /* rad */
+    const real omega_q = q[6]; /* rad */
+    const real angle[CARDAN_PADDED(3)] = {omega_q, phi_q, theta_q};
+    real sine[CARDAN_PADDED(3)], cosine[CARDAN_PADDED(3)];
+    cardan_sincos(3, angle, sine, cosine);
+    const real omega_sin = sine[0];
+    const real phi_sin = sine[1];
+    const real theta_cos = cosine[2];
+
+    /* shared by several: inertia */
+    const wreal theta_position_x = w[0]; /* m */
+    const wreal K2_first_moment_x = w[1];
+    const wreal phi_position_x = w[4]; /* m */
+    const wreal K4_first_moment_y = w[5];
+    const wreal omega_position_y = w[7]; /* m */
+    const wreal K6_first_moment_x = w[8];
+    const real K7_inertia_2 = K6_first_moment_x * omega_sin * omega_position_y;
+    const real K5_inertia_2 = K4_first_moment_y * phi_sin * phi_position_x;
+    const real K1_inertia_2 = K2_first_moment_x * theta_cos * theta_position_x;
+
+    /* K7: composite inertia */
+    const wreal K7_inertia = w[10];
+    out[40] = 2.0 * K7_inertia_2 + K7_inertia; /* M: epsilon.u,epsilon.u */
+
+    /* M */
+    const wreal K2_inertia_zz_2 = w[2];
+    const wreal K4_inertia_zz_2 = w[6];
+    const wreal K6_inertia_zz_2 = w[9];
+    const real M_7_6 = K6_inertia_zz_2 + K7_inertia_2;
+    const real M_5_4 = K4_inertia_zz_2 - K5_inertia_2;
+    const real M_2_1 = K2_inertia_zz_2 + K1_inertia_2;
+    out[41] = M_7_6; /* M: epsilon.u,omega.u */
+    out[47] = M_7_6; /* M: omega.u,epsilon.u */
+    out[25] = M_5_4; /* M: delta.u,phi.u */
+    out[31] = M_5_4; /* M: phi.u,delta.u */
+    out[1] = M_2_1; /* M: beta.u,theta.u */
+    out[7] = M_2_1; /* M: theta.u,beta.u */
+
+    /* K5: composite inertia */
+    const wreal K5_inertia = w[11];
+    out[24] = K5_inertia - 2.0 * K5_inertia_2; /* M: delta.u,delta.u */
+
+    /* K1: composite inertia */
+    const wreal K1_inertia = w[12];
+    out[0] = 2.0 * K1_inertia_2 + K1_inertia; /* M: beta.u,beta.u */
+
+    /* results that are numbers or inputs */
+    out[2] = CARDAN_REAL(0.0); /* M: beta.u,gamma.u */
+    out[3] = CARDAN_REAL(0.0); /* M: beta.u,delta.u */
+    out[4] = CARDAN_REAL(0.0); /* M: beta.u,phi.u */
+    out[5] = CARDAN_REAL(0.0); /* M: beta.u,epsilon.u */
+    out[6] = CARDAN_REAL(0.0); /* M: beta.u,omega.u */
+    out[8] = CARDAN_REAL(w[2]); /* M: theta.u,theta.u */
+    out[9] = CARDAN_REAL(0.0); /* M: theta.u,gamma.u */
+    out[10] = CARDAN_REAL(0.0); /* M: theta.u,delta.u */
+    out[11] = CARDAN_REAL(0.0); /* M: theta.u,phi.u */
+    out[12] = CARDAN_REAL(0.0); /* M: theta.u,epsilon.u */
+    out[13] = CARDAN_REAL(0.0); /* M: theta.u,omega.u */
+    out[14] = CARDAN_REAL(0.0); /* M: gamma.u,beta.u */
+    out[15] = CARDAN_REAL(0.0); /* M: gamma.u,theta.u */
+    out[16] = CARDAN_REAL(w[3]); /* M: gamma.u,gamma.u */
+    out[17] = CARDAN_REAL(0.0); /* M: gamma.u,delta.u */
+    out[18] = CARDAN_REAL(0.0); /* M: gamma.u,phi.u */
+    out[19] = CARDAN_REAL(0.0); /* M: gamma.u,epsilon.u */
+    out[20] = CARDAN_REAL(0.0); /* M: gamma.u,omega.u */
+    out[21] = CARDAN_REAL(0.0); /* M: delta.u,beta.u */
+    out[22] = CARDAN_REAL(0.0); /* M: delta.u,theta.u */
+    out[23] = CARDAN_REAL(0.0); /* M: delta.u,gamma.u */
+    out[26] = CARDAN_REAL(0.0); /* M: delta.u,epsilon.u */
+    out[27] = CARDAN_REAL(0.0); /* M: delta.u,omega.u */
+    out[28] = CARDAN_REAL(0.0); /* M: phi.u,beta.u */
+    out[29] = CARDAN_REAL(0.0); /* M: phi.u,theta.u */
+    out[30] = CARDAN_REAL(0.0); /* M: phi.u,gamma.u */
+    out[32] = CARDAN_REAL(w[6]); /* M: phi.u,phi.u */
+    out[33] = CARDAN_REAL(0.0); /* M: phi.u,epsilon.u */
+    out[34] = CARDAN_REAL(0.0); /* M: phi.u,omega.u */
+    out[35] = CARDAN_REAL(0.0); /* M: epsilon.u,beta.u */
+    out[36] = CARDAN_REAL(0.0); /* M: epsilon.u,theta.u */
+    out[37] = CARDAN_REAL(0.0); /* M: epsilon.u,gamma.u */
+    out[38] = CARDAN_REAL(0.0); /* M: epsilon.u,delta.u */
+    out[39] = CARDAN_REAL(0.0); /* M: epsilon.u,phi.u */
+    out[42] = CARDAN_REAL(0.0); /* M: omega.u,beta.u */
+    out[43] = CARDAN_REAL(0.0); /* M: omega.u,theta.u */
+    out[44] = CARDAN_REAL(0.0); /* M: omega.u,gamma.u */
+    out[45] = CARDAN_REAL(0.0); /* M: omega.u,delta.u */
+    out[46] = CARDAN_REAL(0.0); /* M: omega.u,phi.u */
+    out[48] = CARDAN_REAL(w[9]); /* M: omega.u,omega.u */
+    return CARDAN_OK;
+}

@@ -1,0 +1,164 @@
+/*
+ * inverse_dynamics of four_bar
+ * tau with M udot + h = f + tau
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 3, work 0, w 8
+ * Operations per call: 36 = 20 mul, 7 add, 4 sub, 3 cos, 2 sin
+ * Operations of prepare: 37 = 18 add, 13 mul, 6 sub
+ *
+ * Input q (3): generalized coordinates
+ *   q[0]  A [rad]
+ *   q[1]  B [rad]
+ *   q[2]  D [rad]
+ *
+ * Input u (3): generalized speeds
+ *   u[0]  A.u [rad/s]
+ *   u[1]  B.u [rad/s]
+ *   u[2]  D.u [rad/s]
+ *
+ * Input p (20): parameters, read by prepare_ only
+ *
+ * Input udot (3): derivatives of the speeds
+ *   udot[0]  A.udot [rad/s^2]
+ *   udot[1]  B.udot [rad/s^2]
+ *   udot[2]  D.udot [rad/s^2]
+ *
+ * Output tau (3)
+ *   out[0]  A.u.tau [N*m]
+ *   out[1]  B.u.tau [N*m]
+ *   out[2]  D.u.tau [N*m]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* crank: first moment, mass, inertia, base moment */
+    const wreal crank_mass = p[1]; /* kg */
+    const wreal crank_com_x = p[2]; /* m */
+    const wreal crank_inertia_yy = p[4]; /* kg m^2 */
+    const wreal crank_inertia_zz = p[5]; /* kg m^2 */
+    const wreal B_position_x = p[6]; /* m */
+    const wreal coupler_mass = p[7]; /* kg */
+    const wreal crank_first_moment_x = crank_mass * crank_com_x;
+    const wreal crank_mass_2 = crank_com_x * crank_first_moment_x;
+    const wreal crank_inertia_yy_2 = crank_inertia_yy + crank_mass_2;
+    const wreal crank_inertia_zz_2 = crank_inertia_zz + crank_mass_2;
+    w[4] = crank_first_moment_x + B_position_x * coupler_mass; /* crank_base_moment_x */
+
+    /* coupler: first moment, mass, inertia, base */
+    const wreal coupler_com_x = p[8]; /* m */
+    const wreal coupler_inertia_yy = p[10]; /* kg m^2 */
+    const wreal coupler_inertia_zz = p[11]; /* kg m^2 */
+    const wreal coupler_first_moment_x = coupler_mass * coupler_com_x;
+    const wreal coupler_mass_2 = coupler_com_x * coupler_first_moment_x;
+    const wreal coupler_inertia_yy_2 = coupler_inertia_yy + coupler_mass_2;
+    const wreal coupler_inertia_zz_2 = coupler_inertia_zz + coupler_mass_2;
+    const wreal coupler_base = 0.5 * coupler_mass * B_position_x * B_position_x;
+    w[2] = coupler_first_moment_x; /* coupler_first_moment_x */
+
+    /* rocker: first moment, mass, inertia */
+    const wreal rocker_mass = p[13]; /* kg */
+    const wreal rocker_com_x = p[14]; /* m */
+    const wreal rocker_inertia_yy = p[16]; /* kg m^2 */
+    const wreal rocker_inertia_zz = p[17]; /* kg m^2 */
+    const wreal rocker_first_moment_x = rocker_mass * rocker_com_x;
+    const wreal rocker_mass_2 = rocker_com_x * rocker_first_moment_x;
+    const wreal rocker_inertia_yy_2 = rocker_inertia_yy + rocker_mass_2;
+    const wreal rocker_inertia_zz_2 = rocker_inertia_zz + rocker_mass_2;
+    w[3] = rocker_first_moment_x; /* rocker_first_moment_x */
+
+    /* common */
+    const wreal crank_inertia_xx = p[3]; /* kg m^2 */
+    const wreal coupler_inertia_xx = p[9]; /* kg m^2 */
+    const wreal rocker_inertia_xx = p[15]; /* kg m^2 */
+    const wreal mul_1 = 0.5 * (crank_inertia_xx + crank_inertia_zz_2 + crank_inertia_yy_2);
+    const wreal mul_1_2 = 0.5 * (coupler_inertia_xx + coupler_inertia_zz_2 + coupler_inertia_yy_2);
+    const wreal mul_1_3 = 0.5 * (rocker_inertia_xx + rocker_inertia_zz_2 + rocker_inertia_yy_2);
+
+    /* crank: base second moment, inertia force */
+    const wreal crank_base_second_moment_yy = mul_1 - crank_inertia_yy_2;
+    const wreal crank_base_second_moment_xx = mul_1 - crank_inertia_xx + (coupler_base
+        + coupler_base);
+    w[5] = crank_base_second_moment_yy + crank_base_second_moment_xx; /* crank_inertia_force */
+
+    /* coupler: base second moment, inertia force */
+    const wreal coupler_base_second_moment_xx = mul_1_2 - coupler_inertia_xx;
+    const wreal coupler_base_second_moment_yy = mul_1_2 - coupler_inertia_yy_2;
+    /* coupler_inertia_force */
+    w[6] = coupler_base_second_moment_xx + coupler_base_second_moment_yy;
+
+    /* rocker: base second moment, inertia force */
+    const wreal rocker_base_second_moment_xx = mul_1_3 - rocker_inertia_xx;
+    const wreal rocker_base_second_moment_yy = mul_1_3 - rocker_inertia_yy_2;
+    w[7] = rocker_base_second_moment_xx + rocker_base_second_moment_yy; /* rocker_inertia_force */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* gravity.y [m/s^2] */
+    w[1] = p[6]; /* B.position.x [m] */
+}
+
+#include "lanes.h"
+
+/* tau with M udot + h = f + tau */
+CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const wreal *const w = in->w;
+    const real *const udot = in->udot;
+    (void)work;
+
+    /* shared by several: cos, sin */
+    const real A_q = q[0]; /* rad */
+    const real B_q = q[1]; /* rad */
+    const real D_q = q[2]; /* rad */
+    const real angle[CARDAN_PADDED(3)] = {A_q, B_q, D_q};
+    real sine[CARDAN_PADDED(3)], cosine[CARDAN_PADDED(3)];
+    cardan_sincos(3, angle, sine, cosine);
+    const real A_cos = cosine[0];
+    const real A_sin = sine[0];
+    const real B_cos = cosine[1];
+    const real B_sin = sine[1];
+    const real D_cos = cosine[2];
+
+    /* crank: a */
+    const wreal gravity_y = w[0]; /* m/s^2 */
+    const real crank_a = gravity_y * A_cos;
+
+    /* coupler: omega, alpha, a, n, f */
+    const real A_u = u[0]; /* rad/s */
+    const real B_u = u[1]; /* rad/s */
+    const real A_udot = udot[0]; /* rad/s^2 */
+    const real B_udot = udot[1]; /* rad/s^2 */
+    const wreal B_position_x = w[1]; /* m */
+    const wreal coupler_first_moment_x = w[2];
+    const wreal coupler_inertia_force = w[6];
+    const real coupler_omega_z = A_u + B_u;
+    const real coupler_alpha_z = A_udot + B_udot;
+    const real coupler_a_y = B_sin * (gravity_y * A_sin + A_u * A_u * B_position_x)
+        + B_cos * (B_position_x * A_udot - crank_a);
+    const real coupler_n_z = coupler_alpha_z * coupler_inertia_force
+        + coupler_first_moment_x * coupler_a_y;
+    const real coupler_f_y = coupler_first_moment_x * coupler_alpha_z;
+    const real coupler_f = B_position_x * (B_cos * coupler_f_y
+        - coupler_omega_z * coupler_omega_z * coupler_first_moment_x * B_sin);
+    out[1] = coupler_n_z; /* tau: B.u.tau [N*m] */
+
+    /* crank: n */
+    const wreal crank_base_moment_x = w[4];
+    const wreal crank_inertia_force = w[5];
+    /* tau: A.u.tau [N*m] */
+    out[0] = A_udot * crank_inertia_force - crank_base_moment_x * crank_a + coupler_f + coupler_n_z;
+
+    /* rocker: n */
+    const real D_udot = udot[2]; /* rad/s^2 */
+    const wreal rocker_first_moment_x = w[3];
+    const wreal rocker_inertia_force = w[7];
+    /* tau: D.u.tau [N*m] */
+    out[2] = D_udot * rocker_inertia_force - gravity_y * D_cos * rocker_first_moment_x;
+    return CARDAN_OK;
+}

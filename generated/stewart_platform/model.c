@@ -1,0 +1,140 @@
+/*
+ * model.c: values of model 'stewart_platform' to start from.
+ */
+#include "functions.h"
+
+/* generalized coordinates */
+const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
+    0.0, /* hooke0.angle1 [rad] */
+    0.0, /* hooke0.angle2 [rad] */
+    0.3, /* slide0 [m] */
+    1.0, /* ball0.w */
+    0.0, /* ball0.x */
+    0.0, /* ball0.y */
+    0.0, /* ball0.z */
+    0.0, /* hooke1.angle1 [rad] */
+    0.0, /* hooke1.angle2 [rad] */
+    0.3, /* slide1 [m] */
+    0.0, /* hooke2.angle1 [rad] */
+    0.0, /* hooke2.angle2 [rad] */
+    0.3, /* slide2 [m] */
+    0.0, /* hooke3.angle1 [rad] */
+    0.0, /* hooke3.angle2 [rad] */
+    0.3, /* slide3 [m] */
+    0.0, /* hooke4.angle1 [rad] */
+    0.0, /* hooke4.angle2 [rad] */
+    0.3, /* slide4 [m] */
+    0.0, /* hooke5.angle1 [rad] */
+    0.0, /* hooke5.angle2 [rad] */
+    0.3, /* slide5 [m] */
+};
+
+/* inputs */
+const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
+    0.0, /* drive0 */
+    0.0, /* drive1 */
+    0.0, /* drive2 */
+    0.0, /* drive3 */
+    0.0, /* drive4 */
+    0.0, /* drive5 */
+};
+
+/* parameters */
+const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
+    -9.81, /* gravity.z [m/s^2] */
+    0.5908846518073247, /* hooke0.position.x [m] */
+    -0.1041889066001582, /* hooke0.position.y [m] */
+    1.2, /* tube0.mass [kg] */
+    0.2, /* tube0.com.z [m] */
+    0.016, /* tube0.inertia.xx [kg m^2] */
+    0.016, /* tube0.inertia.yy [kg m^2] */
+    0.0005, /* tube0.inertia.zz [kg m^2] */
+    0.5, /* slide0.position.z [m] */
+    0.5, /* rod0.mass [kg] */
+    -0.2, /* rod0.com.z [m] */
+    0.007, /* rod0.inertia.xx [kg m^2] */
+    0.007, /* rod0.inertia.yy [kg m^2] */
+    6e-05, /* rod0.inertia.zz [kg m^2] */
+    0.25711504387461576, /* ball0.child.position.x [m] */
+    -0.3064177772475912, /* ball0.child.position.y [m] */
+    5.0, /* platform.mass [kg] */
+    0.03, /* platform.com.z [m] */
+    0.22, /* platform.inertia.xx [kg m^2] */
+    0.25, /* platform.inertia.yy [kg m^2] */
+    0.4, /* platform.inertia.zz [kg m^2] */
+    0.5908846518073247, /* hooke1.position.x [m] */
+    0.1041889066001582, /* hooke1.position.y [m] */
+    1.2, /* tube1.mass [kg] */
+    0.2, /* tube1.com.z [m] */
+    0.016, /* tube1.inertia.xx [kg m^2] */
+    0.016, /* tube1.inertia.yy [kg m^2] */
+    0.0005, /* tube1.inertia.zz [kg m^2] */
+    0.5, /* slide1.position.z [m] */
+    0.5, /* rod1.mass [kg] */
+    -0.2, /* rod1.com.z [m] */
+    0.007, /* rod1.inertia.xx [kg m^2] */
+    0.007, /* rod1.inertia.yy [kg m^2] */
+    6e-05, /* rod1.inertia.zz [kg m^2] */
+    -0.20521208599540122, /* hooke2.position.x [m] */
+    0.563815572471545, /* hooke2.position.y [m] */
+    1.2, /* tube2.mass [kg] */
+    0.2, /* tube2.com.z [m] */
+    0.016, /* tube2.inertia.xx [kg m^2] */
+    0.016, /* tube2.inertia.yy [kg m^2] */
+    0.0005, /* tube2.inertia.zz [kg m^2] */
+    0.5, /* slide2.position.z [m] */
+    0.5, /* rod2.mass [kg] */
+    -0.2, /* rod2.com.z [m] */
+    0.007, /* rod2.inertia.xx [kg m^2] */
+    0.007, /* rod2.inertia.yy [kg m^2] */
+    6e-05, /* rod2.inertia.zz [kg m^2] */
+    -0.3856725658119236, /* hooke3.position.x [m] */
+    0.4596266658713868, /* hooke3.position.y [m] */
+    1.2, /* tube3.mass [kg] */
+    0.2, /* tube3.com.z [m] */
+    0.016, /* tube3.inertia.xx [kg m^2] */
+    0.016, /* tube3.inertia.yy [kg m^2] */
+    0.0005, /* tube3.inertia.zz [kg m^2] */
+    0.5, /* slide3.position.z [m] */
+    0.5, /* rod3.mass [kg] */
+    -0.2, /* rod3.com.z [m] */
+    0.007, /* rod3.inertia.xx [kg m^2] */
+    0.007, /* rod3.inertia.yy [kg m^2] */
+    6e-05, /* rod3.inertia.zz [kg m^2] */
+    -0.38567256581192366, /* hooke4.position.x [m] */
+    -0.45962666587138673, /* hooke4.position.y [m] */
+    1.2, /* tube4.mass [kg] */
+    0.2, /* tube4.com.z [m] */
+    0.016, /* tube4.inertia.xx [kg m^2] */
+    0.016, /* tube4.inertia.yy [kg m^2] */
+    0.0005, /* tube4.inertia.zz [kg m^2] */
+    0.5, /* slide4.position.z [m] */
+    0.5, /* rod4.mass [kg] */
+    -0.2, /* rod4.com.z [m] */
+    0.007, /* rod4.inertia.xx [kg m^2] */
+    0.007, /* rod4.inertia.yy [kg m^2] */
+    6e-05, /* rod4.inertia.zz [kg m^2] */
+    -0.2052120859954011, /* hooke5.position.x [m] */
+    -0.563815572471545, /* hooke5.position.y [m] */
+    1.2, /* tube5.mass [kg] */
+    0.2, /* tube5.com.z [m] */
+    0.016, /* tube5.inertia.xx [kg m^2] */
+    0.016, /* tube5.inertia.yy [kg m^2] */
+    0.0005, /* tube5.inertia.zz [kg m^2] */
+    0.5, /* slide5.position.z [m] */
+    0.5, /* rod5.mass [kg] */
+    -0.2, /* rod5.com.z [m] */
+    0.007, /* rod5.inertia.xx [kg m^2] */
+    0.007, /* rod5.inertia.yy [kg m^2] */
+    6e-05, /* rod5.inertia.zz [kg m^2] */
+    0.25711504387461576, /* ball1.child.position.x [m] */
+    0.3064177772475912, /* ball1.child.position.y [m] */
+    0.13680805733026755, /* ball2.child.position.x [m] */
+    0.37587704831436336, /* ball2.child.position.y [m] */
+    -0.3939231012048832, /* ball3.child.position.x [m] */
+    0.06945927106677212, /* ball3.child.position.y [m] */
+    -0.3939231012048832, /* ball4.child.position.x [m] */
+    -0.06945927106677219, /* ball4.child.position.y [m] */
+    0.1368080573302676, /* ball5.child.position.x [m] */
+    -0.37587704831436336, /* ball5.child.position.y [m] */
+};
