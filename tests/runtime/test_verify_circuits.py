@@ -205,3 +205,16 @@ def test_wrong_code_is_found(tmp_path):
     (harmed / "manifest.json").write_text(json.dumps(manifest))
     with pytest.raises(BuildError, match="compiled forward_dynamics differs"):
         CompiledModel(harmed).prepare("forward_dynamics")
+
+
+def test_bodies_without_mass_are_no_obstacle():
+    scene = cd.Model("light", gravity=(0, -9.81, 0))
+    crank, rocker = scene.body("crank"), scene.body("rocker")
+    coupler = scene.body("coupler", mass=0.3, com=(0.1, 0, 0), inertia=(1e-3, 2e-3, 2e-3))
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    scene.joint("B", cd.Revolute("z"), crank.at(0.1, 0, 0), coupler)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(0.3, 0, 0), rocker)
+    scene.joint("C", cd.Revolute("z"), coupler.at(0.25, 0, 0), rocker.at(0.2, 0, 0), cut=True)
+    result = checked(scene, "forward_dynamics", "constraint_jacobian", "multipliers").verify()
+    assert {"forward_dynamics", "multipliers"} <= set(result.checked), str(result)
+    assert result.worst < 1e-10

@@ -18,7 +18,7 @@ from .judged import scene_of, unknown
 from .newton_euler import Scene, own
 from .objects import Key
 from .truth import Truth, finite, largest, masses, push, truth_of
-from .verify_circuits import CHECKS, acceleration_error, borne, relative, unbalanced
+from .verify_circuits import CHECKS, acceleration_error, borne, moved_masses, relative, unbalanced
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -182,10 +182,13 @@ def _singular_words(model: CompiledModel, M: Array | None) -> str:
     )
 
 
-def singular(M: Array) -> bool:
-    """Whether one of some mass matrices (n, nu, nu) cannot be divided by."""
-    values = np.linalg.eigvalsh(M)
-    return bool(np.any(values[..., :1] * REGULAR <= values[..., -1:]))
+def singular(truth: Truth) -> bool:
+    """Whether nothing resists some motion that constraints allow."""
+    if truth.M is None:
+        return False
+    inertia = truth.M if truth.bound is None else moved_masses(truth.bound, truth.M)
+    values = [np.linalg.eigvalsh(matrix) for matrix in inertia]
+    return any(bool(np.any(v[:1] * REGULAR <= v[-1:])) for v in values)
 
 
 def _check(model: CompiledModel, scene: Scene, truth: Truth, name: str) -> Check:
@@ -231,7 +234,7 @@ def _unchecked(model: CompiledModel, truth: Truth, name: str) -> str:
     if not len(truth.q):
         return "not checked: the forces of the model are nowhere finite"
     solves = name in ("forward_dynamics", "rhs", "multipliers")
-    if solves and truth.M is not None and singular(truth.M):
+    if solves and singular(truth):
         return SINGULAR
     if truth.f is None and (solves or name == "inverse_dynamics"):
         return "not checked: the forces of the model are not saved"

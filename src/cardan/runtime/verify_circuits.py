@@ -88,10 +88,7 @@ def _jacobian(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[s
     G, nu = model.constraint_jacobian(truth.q, **given), truth.u.shape[-1]
     G = np.broadcast_to(G, (len(truth.q), *G.shape[-2:]))
     worst = 0.0
-    for rows, whole in zip(G, bound.G, strict=True):
-        _, values, directions = np.linalg.svd(whole)
-        rank = int((values > RANK * values.max(initial=0.0)).sum())
-        allowed = directions[rank:, :nu].T
+    for rows, allowed in zip(G, _motions(bound, nu), strict=True):
         freedoms = np.linalg.matrix_rank(allowed, tol=RANK)
         size = np.abs(rows).max(initial=0.0) or 1.0
         worst = max(worst, float(np.abs(rows @ allowed).max(initial=0.0)) / size)
@@ -107,9 +104,30 @@ def _multipliers(
     lam = model.multipliers(truth.q, truth.u, tau=truth.tau, **given)
     G = model.constraint_jacobian(truth.q, **given)
     M, f = np.asarray(truth.M), np.asarray(truth.f)
-    force = truth.tau - truth.h + f + times(np.swapaxes(G, -1, -2), lam)
-    udot = np.linalg.solve(M, force[..., None])[..., 0]
-    return acceleration_error(bound, udot)
+    force, nu = truth.tau - truth.h + f, truth.u.shape[-1]
+    # one acceleration that constraints allow, then along the motions they allow
+    udot = -times(np.linalg.pinv(bound.G, rcond=RANK), bound.rest)[:, :nu]
+    for k, Z in enumerate(_motions(bound, nu)):
+        left = Z.T @ (force[k] - M[k] @ udot[k])
+        udot[k] += Z @ np.linalg.lstsq(Z.T @ M[k] @ Z, left, rcond=None)[0]
+    products = M * udot[:, None, :]
+    held = times(np.swapaxes(G, -1, -2), lam)
+    return relative(products.sum(axis=-1) - force - held, products, truth.h, f, truth.tau, held)
+
+
+def moved_masses(bound: Bound, M: Array) -> list[Array]:
+    """Inertia along the motions that constraints allow, state by state."""
+    return [Z.T @ m @ Z for Z, m in zip(_motions(bound, M.shape[-1]), M, strict=True)]
+
+
+def _motions(bound: Bound, nu: int) -> list[Array]:
+    """Columns of speeds (nu, k) that constraints allow, state by state."""
+    found = []
+    for whole in bound.G:
+        _, values, directions = np.linalg.svd(whole)
+        rank = int((values > RANK * values.max(initial=0.0)).sum())
+        found.append(directions[rank:, :nu].T)
+    return found
 
 
 CHECKS: dict[str, Callable[..., float]] = {
