@@ -168,3 +168,40 @@ def test_prescribed_motion_and_forces_on_dependent_joints() -> None:
     )
     np.testing.assert_allclose(solved.outputs(*own), whole.outputs(*full), rtol=1e-11)
     np.testing.assert_allclose(solved.power(*own), whole.power(*full), rtol=1e-11)
+
+
+def same(scene: cd.Model, q: dict[str, float], speed: str) -> None:
+    """The free speed of a scene in closed form accelerates as with multipliers."""
+    whole, solved = both(scene)
+    full, rates = whole.split(whole.assemble(q, u={speed: 1.0}).x)
+    places = [whole.coordinates.index(n) for n in solved.coordinates]
+    wanted = whole.forward_dynamics(full, rates)[places]
+    found = solved.forward_dynamics(full[places], rates[places])
+    np.testing.assert_allclose(found, wanted, rtol=1e-9)
+
+
+def test_a_universal_joint_and_a_slide_on_two_branches_are_no_leg() -> None:
+    scene = cd.Model("apart")
+    arm = scene.body("arm", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.3))
+    turret = scene.body("turret", mass=2.0, com=(0.1, 0, 0.3), inertia=(0.2, 0.1, 0.3))
+    slide = scene.body("slide", mass=2.0, com=(0.1, 0, 0.3), inertia=(0.2, 0.1, 0.3))
+    scene.joint("U", cd.Universal("x", "y"), scene.ground, arm)
+    scene.joint("R", cd.Revolute("z"), scene.ground.at(0.3, 0.1, 1.0), turret)
+    scene.joint("P", cd.Prismatic("x"), turret.at(0, 0.4, 0), slide)
+    scene.joint("S", cd.Spherical(), arm.at(0.3, 0.5, 1.0), slide, cut=True)
+    same(scene, {"R": 0.2}, "R")
+
+
+def test_a_joint_that_others_follow_stays_a_coordinate() -> None:
+    scene = cd.Model("geared", gravity=(0, -9.81, 0))
+    made = {}
+    for name, length in {"crank": 0.1, "rod": 0.25, "rocker": 0.2, "wheel": 0.1}.items():
+        inertia = cd.inertia.rod(length, length, axis="x")
+        made[name] = scene.body(name, mass=length, com=(length / 2, 0.01, 0), inertia=inertia)
+    crank, rod, rocker, wheel = made.values()
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank, q0=-0.1135)
+    scene.joint("B", cd.Revolute("z"), crank.at(0.1, 0, 0), rod, q0=0.9035)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(0.3, 0, 0), rocker, q0=2.2909)
+    scene.joint("E", cd.Revolute("z"), rocker.at(0.1, 0, 0), wheel, couple=("D", -0.5))
+    scene.joint("C", cd.Revolute("z"), rod.at(0.25, 0, 0), wheel.at(0.1, 0, 0), cut=True)
+    same(scene, {"D": 2.2909}, "D")

@@ -40,6 +40,17 @@ def test_a_relation_makes_a_pendulum() -> None:
     assert model.manifest["multipliers"][0]["name"] == "rod"
 
 
+def test_an_input_in_a_relation_brings_its_rates() -> None:
+    """A coordinate that follows an input moves as the same function of time would have it."""
+    scene = pendulum_in_coordinates()
+    scene.constraint("drive", scene.q("x") - scene.input("place"))
+    model = cd.compile(scene)
+    assert model.inputs == ("place", "place.rate", "place.acceleration")
+    q, u, r = [0.6, -0.8], [0.8, 0.6], [0.6, 0.8, 2.0]
+    np.testing.assert_allclose(model.constraint_rates(q, u, r=r), 0, atol=1e-15)
+    assert model.forward_dynamics(q, u, r=r)[0] == pytest.approx(2.0)
+
+
 def test_a_rheonomic_relation_does_work() -> None:
     """A bead on a rod that turns as prescribed: what the rod gives is the change of energy."""
     scene = cd.Model("bead", gravity=(0, 0, 0))

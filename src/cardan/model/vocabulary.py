@@ -91,8 +91,8 @@ class Vocabulary(ABC):
 
         An expression without speeds and velocities holds at position level and is differentiated;
         one with them must be linear in the speeds and holds at velocity level: it is
-        nonholonomic, or said to be integrable. One that contains t or a prescribing input is
-        rheonomic.
+        nonholonomic, or said to be integrable. One that contains t or an input is rheonomic;
+        the input then has a rate and an acceleration, like one that prescribes a motion.
 
         Args:
             name: Its name, that of its multiplier.

@@ -39,7 +39,10 @@ def closed_forms(
         TopologyError: a branch of a circuit that does not exist or is not solved in closed form.
     """
     waiting, closures = list(cuts), list[Closure]()
-    taken = {i for i, joint in enumerate(joints) if not free[i] or joint.coupling is not None}
+    # what others follow must stay a coordinate
+    leaders = {joint.coupling.leader for joint in joints if joint.coupling is not None}
+    followers = {i for i, joint in enumerate(joints) if joint.coupling is not None}
+    taken = leaders | followers | {i for i in range(len(joints)) if not free[i]}
     while True:
         open_joints = {cut.name: _open(cut, taken) for cut in waiting}
         ready = [cut for cut in waiting if _solution(cut, joints, open_joints[cut.name])]
@@ -90,6 +93,7 @@ def _solution(
     cut: Cut, joints: Sequence[Joint], free: Sequence[int]
 ) -> tuple[str, tuple[int, ...]] | None:
     """How to solve a circuit, and for which of its free joints."""
+    side = dict(cut.path)
     for pair in _pairs(cut, free):
         if any(joints[i].reversed and joints[i].element.kind == "universal" for i in pair):
             continue
@@ -99,7 +103,8 @@ def _solution(
         if kind is None or count != len(cut.rows):
             continue
         # the slide of a leg is carried by its universal joint
-        if kind != "leg" or joints[pair[0]].element.kind == "universal":
+        carried = joints[pair[0]].element.kind == "universal" and side[pair[0]] == side[pair[1]]
+        if kind != "leg" or carried:
             return kind, pair
     return None
 

@@ -19,10 +19,12 @@ replaced = dataclasses.replace
 
 
 def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
-    """Slots of the inputs; one that prescribes a motion takes value, rate and acceleration."""
+    """Slots of the inputs; one in a motion or constraint takes value, rate and acceleration."""
     prescribing: set[str] = set()
-    for joint in model.joints.values():
-        for symbol in getattr(joint.motion, "free_symbols", ()):
+    # constraints are differentiated, like prescribed motions
+    told = [joint.motion for joint in model.joints.values()]
+    for value in (*told, *(constraint.expression for constraint in model.constraints.values())):
+        for symbol in getattr(value, "free_symbols", ()):
             prescribing.add(symbol.name)
     inputs: list[Input] = []
     for entry in model.inputs.values():
