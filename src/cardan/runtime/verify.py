@@ -263,7 +263,11 @@ def _balance(scene: Scene, truth: Truth, udot: Array, tau: Array, free: bool = T
         return relative(residual, *terms)
     held = borne(truth.bound, residual)
     error = relative(unbalanced(truth.bound, residual), *terms, held)
-    return max(error, acceleration_error(truth.bound, udot))
+    loose = np.zeros_like(udot)
+    if truth.M is not None:
+        inertia = np.diagonal(truth.M, axis1=-2, axis2=-1)
+        loose = (f + tau - truth.h) / np.where(inertia > 0, inertia, np.inf)
+    return max(error, acceleration_error(truth.bound, udot, loose))
 
 
 def _inertial(truth: Truth) -> Array:

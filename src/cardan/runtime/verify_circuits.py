@@ -45,13 +45,17 @@ def _wide(bound: Bound, force: Array) -> tuple[Array, Array]:
     return np.swapaxes(bound.G, -1, -2), np.concatenate([force, none], axis=-1)
 
 
-def acceleration_error(bound: Bound, udot: Array) -> float:
-    """Whether accelerations (n, nu) leave velocities on the constraints."""
+def acceleration_error(bound: Bound, udot: Array, free: Array) -> float:
+    """Whether accelerations (n, nu) leave velocities on the constraints.
+
+    Constraints take from the free ones (n, nu): in a circuit that cannot move only rounding of
+    these is left.
+    """
     nu = udot.shape[-1]
     own, others = bound.G[..., :nu], bound.G[..., nu:]
     found = times(own, udot) + bound.rest
     left = found - times(others, times(np.linalg.pinv(others, rcond=RANK), found))
-    return relative(left, own * udot[:, None, :], bound.rest)
+    return relative(left, own * udot[:, None, :], own * free[:, None, :], bound.rest)
 
 
 def check(model: CompiledModel, truth: Truth, bound: Bound, name: str) -> float:
