@@ -45,6 +45,8 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("singular_positions", "singular"),
             ("workspace", "workspace"),
             ("redundancy", "redundancy"),
+            ("actuation", "actuation"),
+            ("hybrid_dynamics", "actuation"),
             ("partition", "reduced"),
             ("residual", "implicit"),
         )

@@ -27,6 +27,7 @@ SIZES = {
     "distance": (6, 5),
     "wheel": (5, 5),
     "rolling_disk": (5, 5),
+    "fixed": (0, 0),
 }
 SIZES |= {REVERSED + kind: size for kind, size in SIZES.items()}
 TURNING = {k for k in SIZES if k.split()[-1] in ("spherical", "free", "distance")} | {
@@ -217,4 +218,4 @@ def test_speeds_are_the_derivative_of_the_pose(kind):
 
 def test_every_parametrization_and_joint_is_known():
     assert set(PARAMETERS) == set(ROTATIONS)
-    assert set(KINDS) == set(JOINTS) - {"fixed", "custom"}
+    assert set(KINDS) == set(JOINTS) - {"custom"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from .calling import Array
 from .described import Described
 
 if TYPE_CHECKING:
+    from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
@@ -98,6 +99,36 @@ class Analyzed(Described):
         from ..analyses.redundancy import redundancy
 
         return redundancy(self._itself, q, **options)
+
+    def actuation(
+        self, q: Any, u: Any, udot: Any, actuators: Sequence[str] | None = None, **options: Any
+    ) -> Actuation:
+        """Forces of actuators that make a motion: inverse dynamics of closed systems.
+
+        Args:
+            q, u, udot: A motion that the constraints allow (..., nq), (..., nu), (..., nu).
+            actuators: Joints or speeds along which they act; by default every speed.
+            options: ``norm``, ``t``, ``r``, ``parameters``; see
+                :func:`cardan.analyses.actuation.actuation`.
+        """
+        from ..analyses.actuation import actuation
+
+        return actuation(self._itself, q, u, udot, actuators, **options)
+
+    def hybrid_dynamics(
+        self, q: Any, u: Any, udot: Mapping[str, ArrayLike], **options: Any
+    ) -> Actuation:
+        """Accelerations that follow from given ones, and the forces that these take.
+
+        Args:
+            q, u: States on the constraints (..., nq), (..., nu).
+            udot: Joint or speed -> its acceleration.
+            options: ``tau``, ``t``, ``r``, ``parameters``; see
+                :func:`cardan.analyses.actuation.hybrid_dynamics`.
+        """
+        from ..analyses.actuation import hybrid_dynamics
+
+        return hybrid_dynamics(self._itself, q, u, udot, **options)
 
     def partition(self, q: ArrayLike, *, t: float = 0.0, r: Any = None) -> Partition:
         """Independent coordinates and speeds, chosen at a position: the minimal form.
