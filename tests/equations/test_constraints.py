@@ -189,3 +189,39 @@ def test_chosen_speeds_of_a_closed_system() -> None:
     np.testing.assert_allclose(
         chosen.close_position(q_off), plain.close_position(q_off), rtol=0, atol=1e-13
     )
+
+
+@pytest.mark.parametrize("treatment", ["multipliers", "closed_form"])
+def test_bodies_and_joints_do_not_ask_how_speeds_were_chosen(treatment: str) -> None:
+    """Accelerations of frames, reactions and outputs with chosen speeds."""
+    scene = four_bar()
+    tip = scene.bodies["coupler"].at(0.1, 0.02, 0)
+    scene.output("ax", tip.acceleration()[0])
+    own = cd.compile(scene, constraints=treatment)
+    names = own.speeds
+    rates = [scene.u(name.removesuffix(".u")) for name in names]
+    angle = scene.q(names[0].removesuffix(".u"))
+    chosen = {f"w{k}": 2 * rate + angle * rates[0] for k, rate in enumerate(rates)}
+    model = cd.compile(scene, constraints=treatment, speeds=chosen)
+    q, u = own.split(own.assemble({"A": 0.5}, u={"A": 2.0}).x if own.nlam else np.array([0.5, 2.0]))
+    w = 2 * u + q[0] * u[0]
+    udot, wdot = own.forward_dynamics(q, u), model.forward_dynamics(q, w)
+    for body in own.bodies:
+        wanted = own.acceleration(body, q, u, udot)
+        np.testing.assert_allclose(model.acceleration(body, q, w, wdot), wanted, atol=1e-10)
+    for joint in own.joints:
+        wanted = own.reaction(joint, q, u)
+        np.testing.assert_allclose(model.reaction(joint, q, w), wanted, atol=1e-10)
+    np.testing.assert_allclose(model.outputs(q, w), own.outputs(q, u), atol=1e-10)
+
+
+@pytest.mark.filterwarnings("error")
+def test_circuits_are_swept_whatever_speeds_are_chosen() -> None:
+    """Searches move coordinates along the speeds of the joints."""
+    scene = four_bar()
+    a, b, d = (scene.u(name) for name in "ABD")
+    chosen = {"v": a + b, "w": 2 * b + sympy.sin(scene.q("A")), "z": d}
+    own, model = cd.compile(scene), cd.compile(scene, speeds=chosen)
+    angles = np.linspace(0.5, 1.0, 3)
+    one, two = (m.sweep("A", angles) for m in (own, model))
+    np.testing.assert_allclose(two["D"], one["D"], atol=1e-9)

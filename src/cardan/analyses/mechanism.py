@@ -17,6 +17,7 @@ from ..runtime.closing import Closing, size_of, unit
 from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
+NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
 
 
 class Mechanism:
@@ -100,13 +101,30 @@ class Mechanism:
 
     def advance(self, q: Array, step: Array) -> Array:
         """Coordinates a step (nu,) without units away."""
-        moved = self.model.integrate(q, step * self.columns)
+        along = step * self.columns
+        if self.chosen:
+            along = self._joint_speeds(q) @ along
+        moved = self.model.integrate(q, along)
         return unit(moved, self.model.manifest["quaternions"])
 
     def between(self, q0: Array, q1: Array) -> Array:
         """The step (nu,) without units from q0 to q1."""
-        found: Array = self.model.difference(q0, q1) / self.columns
-        return found
+        found: Array = self.model.difference(q0, q1)
+        if self.chosen:
+            found = np.asarray(np.linalg.lstsq(self._joint_speeds(q0), found)[0], np.float64)
+        step: Array = found / self.columns
+        return step
+
+    @cached_property
+    def chosen(self) -> bool:
+        """Whether the speeds are not those of the joints, along which coordinates are moved."""
+        return any(row.get("joint") is None for row in self.model.manifest["speeds"])
+
+    def _joint_speeds(self, q: Array) -> Array:
+        """Speeds of the joints per chosen speed (nu, nu), by central differences along qdot."""
+        rates = (self.kinematics(q) / self.columns).T
+        ahead, behind = (self.model.difference(q, q + h * rates) for h in (NEARBY, -NEARBY))
+        return np.asarray(ahead - behind).T / (2 * NEARBY)
 
     def kinematics(self, q: Array) -> Array:
         """N (nq, nu): coordinates per step without units."""

@@ -62,6 +62,9 @@ def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
         seed: Of the starts beside the initial values.
     """
     system = equations.system
+    # coordinates are moved along the speeds of the joints, whatever speeds are chosen
+    if equations.chosen:
+        equations = type(equations)(system, equations.method, treatment=equations.treatment)
     functions = {
         name: equations.function(name)
         for name in ("constraints", "constraint_jacobian", "integrate", "closure")

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...ir.graph import ZERO
+from ...ir.derivative import forward
+from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ..accelerations import Accelerations, accelerations, own_force
 from ..carried import Sums
@@ -79,15 +80,29 @@ def driving_force(k: Kinematics, i: int, forces: JointForces, loads: Loads, udot
 def along_joint(k: Kinematics, i: int, udot: Matrix) -> Matrix:
     """The part of udot (nu, 1) along the speeds of one joint, 0 for a prescribed one.
 
-    A joint that others determine has its share of theirs.
+    A joint that others determine has its share of theirs. Where the speeds of the system are
+    chosen, what changes those of the joint while the chosen ones stand is added.
     """
     joint, count = k.system.joints[i], len(k.system.joints[i].element.speeds)
+    if k.chosen and joint.motion is None:
+        return _along_chosen(k, i, udot)
     shares = k.shares(i)
     if shares is None:
         return udot.block(slice(joint.u, joint.u + count))
     total = Matrix.zeros(k.graph, count)
     for slot, share in shares.items():
         total = total + share * udot[slot]
+    return total
+
+
+def _along_chosen(k: Kinematics, i: int, udot: Matrix) -> Matrix:
+    """The speeds of a joint are functions of the chosen ones: their time derivatives."""
+    g, speeds = k.graph, k.speeds[i]
+    # a circuit in closed form has its own part without udot
+    total = k.derivative(speeds) if k.system.joints[i].closure < 0 else Matrix.zeros(g, speeds.rows)
+    for slot in range(k.system.nu):
+        column = forward(g, speeds.nodes, {g.var("u", slot): ONE})
+        total = total + Matrix(g, len(column), 1, column) * udot[slot]
     return total
 
 
