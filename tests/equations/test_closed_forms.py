@@ -205,3 +205,17 @@ def test_a_joint_that_others_follow_stays_a_coordinate() -> None:
     scene.joint("E", cd.Revolute("z"), rocker.at(0.1, 0, 0), wheel, couple=("D", -0.5))
     scene.joint("C", cd.Revolute("z"), rod.at(0.25, 0, 0), wheel.at(0.1, 0, 0), cut=True)
     same(scene, {"D": 2.2909}, "D")
+
+
+def test_a_leg_may_be_drawn_out_backwards() -> None:
+    """A slide told along the opposite direction moves its bodies as before."""
+    scene, q, _ = started("stewart", 0.3)
+    other = started("stewart", 0.3)[0]
+    slide = other.joints["slide1"]
+    back = tuple(-x for x in slide.kind.axis)
+    start = tuple(-x for x in slide.q0)
+    other.joints["slide1"] = dataclasses.replace(slide, kind=cd.Prismatic(back), q0=start)
+    one, two = (cd.compile(s, constraints="closed_form") for s in (scene, other))
+    free = np.concatenate([np.atleast_1d(q[n]) for n in SOLVED["stewart"]])
+    for body in one.bodies:
+        np.testing.assert_allclose(two.pose(body, free), one.pose(body, free), atol=1e-12)

@@ -18,16 +18,17 @@ def with_branches(system: System) -> System:
     Circuits are taken in the order of their solution, at the default parameters.
     """
     for n, closure in enumerate(system.closures):
-        if closure.branch:
-            continue
-        tried = [_with(system, n, sign) for sign in (1, -1)]
-        system = min(tried, key=lambda s: _distance(s, n))
+        signs = (closure.branch,) if closure.branch else (1, -1)
+        # a leg may also be drawn out backwards
+        sides = (1, -1) if closure.kind == "leg" else (1,)
+        tried = [_with(system, n, sign, side) for side in sides for sign in signs]
+        system = min(tried, key=lambda s: _distance(s, n)) if len(tried) > 1 else tried[0]
     return system
 
 
-def _with(system: System, n: int, sign: int) -> System:
+def _with(system: System, n: int, sign: int, side: int) -> System:
     closures = list(system.closures)
-    closures[n] = dataclasses.replace(closures[n], branch=sign)
+    closures[n] = dataclasses.replace(closures[n], branch=sign, side=side)
     return dataclasses.replace(system, closures=tuple(closures))
 
 
@@ -48,11 +49,12 @@ def _distance(system: System, n: int) -> float:
         },
     )["q"]
     wanted = [value for i in unknown for value in _own(system, i)]
+    angles = [c.unit == "rad" for i in unknown for c in system.joints[i].element.coordinates]
     total = 0.0
-    for value, goal in zip(values, wanted, strict=True):
+    for value, goal, angle in zip(values, wanted, angles, strict=True):
         if not math.isfinite(value):
             return math.inf
-        total += 2 - 2 * math.cos(value - goal)
+        total += 2 - 2 * math.cos(value - goal) if angle else (value - goal) ** 2
     return total
 
 

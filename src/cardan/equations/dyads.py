@@ -205,7 +205,7 @@ def leg(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
     arm = b.ends[b.side[i]][1] - b.seats[i][1]
     gap = b.ends[-b.side[i]][1] - b.seats[i][1]
     along = b.axis(k, j)
-    length = _slide(along, arm, gap, 1)
+    length = _slide(along, arm, gap, closure.side)
     distance = sqrt(gap.dot(gap))
     start, end = (arm + along * length) / distance, gap / distance
     angles = _two_axes(first, second, start, end, (0, 1), closure.branch)

@@ -110,6 +110,10 @@ def closed_states(
         closers = (np.arange(circuits.nu) >= scene.nu).astype(float)
         q, missed = _assembled(circuits, q, motion, size, closers)
         good &= np.abs(missed[:, 6 * solved :]).max(axis=-1, initial=0.0) <= CLOSED * size
+        closed = np.abs(missed).max(axis=-1, initial=0.0) <= CLOSED * size
+        if closed.any():
+            # the search ended when enough had closed: of the others it says nothing
+            good &= closed
     chosen = np.flatnonzero(good)
     if not len(chosen):
         return None

@@ -215,12 +215,14 @@ class Closure:
         kind: How it is solved: a member of ``equations.closures``.
         unknown: The tree joints that follow, each after those it is carried by.
         branch: 1 or -1: which of the two solutions.
+        side: 1 or -1: to which side of its line a leg is drawn out.
     """
 
     cut: Cut
     kind: str
     unknown: tuple[int, ...]
     branch: int
+    side: int = 1
 
 
 @dataclass(frozen=True)
