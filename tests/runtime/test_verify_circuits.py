@@ -69,6 +69,15 @@ def test_circuits_in_closed_form_agree(name):
     assert result.worst < 1e-12
 
 
+def test_circuits_in_closed_form_beside_rolling_agree():
+    scene = CLOSED["four_bar"].build()
+    disk = scene.body("disk", mass=1.0, inertia=(0.01, 0.02, 0.01))
+    scene.joint("rolls", cd.RollingDisk(0.1), scene.ground, disk)
+    result = checked(scene, *OF_CIRCUITS, constraints="closed_form").verify()
+    assert set(OF_CIRCUITS) <= set(result.checked), str(result)
+    assert result.worst < 1e-12
+
+
 def test_joints_that_move_as_told_take_part():
     # the crank turns as the clock says; what follows is all of the motion
     scene = CLOSED["four_bar"].build()
