@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.errors import ModelError, TopologyError
-from mechanisms.closed import CLOSED
+from mechanisms.closed import CLOSED, four_bar
 
 # circuits that close by dyads or legs, and the joints that stay free
 SOLVED = {
@@ -138,6 +138,16 @@ def test_a_run_shows_the_joints_of_its_circuits() -> None:
         np.testing.assert_allclose(two, one, rtol=0, atol=1e-7)
     with pytest.raises(ModelError, match="follows from the circuit that 'C' closes"):
         solved.simulate(1.0, q={"B": 0.1})
+
+
+def test_a_dead_point_ends_the_run() -> None:
+    """All links of a folding four-bar are in line at pi: there its two solutions meet."""
+    scene = four_bar(ground=0.3, crank=0.1, coupler=0.3, rocker=0.1)
+    solved = cd.compile(scene, constraints="closed_form")
+    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes is at a dead point"):
+        motion = solved.simulate(0.25, q={"A": 0.5}, u={"A": 20.0}, rtol=1e-6)
+    assert motion.status == "not_finite"
+    assert motion["A"][-1] == pytest.approx(np.pi, abs=0.01)
 
 
 def test_a_driven_circuit_has_no_coordinates_left() -> None:

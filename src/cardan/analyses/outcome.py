@@ -32,8 +32,8 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
         return "not_finite", (
-            f"stopped {at}: the derivative{who} is not finite. A force or a rotation leaves its "
-            "domain there: look at the state motion.x[-1]"
+            f"stopped {at}: the derivative{who} is not finite. {_domain(runner)}: look at the "
+            "state motion.x[-1]"
         )
     if answer == abi.SIZE:
         return "too_large", (
@@ -43,6 +43,18 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
     return "model_failed", (
         f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
         "singular there: look at the state motion.x[-1]"
+    )
+
+
+def _domain(runner: Runner | PlainRunner) -> str:
+    """What may have no value."""
+    rows = [joint.get("solved") for joint in runner.model.manifest["joints"]]
+    circuits = dict.fromkeys(f"'{row['circuit']}'" for row in rows if row)
+    if not circuits:
+        return "A force or a rotation leaves its domain there"
+    return (
+        f"The circuit that {' or '.join(circuits)} closes is at a dead point there, or cannot "
+        "reach it; run through with constraints='multipliers'. Or a force leaves its domain"
     )
 
 

@@ -22,6 +22,8 @@ def circuits_told(equations: Equations) -> list[str]:
     hidden = max(0, len(system.closures) - MOST) + max(0, len(system.cuts) - MOST)
     if hidden:
         lines.append(f"  ... and {hidden} more circuits")
+    if system.closures and system.cuts:
+        lines.append("  no dyad or leg closes the circuits that are cut: constraints do")
     if system.closed:
         names, treatment = equations.multipliers, equations.treatment
         shown = _some(names)

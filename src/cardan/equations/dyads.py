@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..ir.arithmetic import Scalar, atan2, sqrt
+from ..ir.arithmetic import Scalar, atan2, select, sqrt
 from ..ir.graph import Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import unit
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from .kinematics import Kinematics
 
 Pose = tuple[Matrix, Matrix]
+# of the square of the sine of the angle at the elbow: where a circuit counts as dead
+DEAD = 1e-6
 
 
 @dataclass(frozen=True)
@@ -123,11 +125,25 @@ def _two_turns(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
     return {i: (one,), j: (_turn(m, arm, end - gap),)}
 
 
+def _root(square: Scalar, most: Scalar) -> Scalar:
+    """Root of what is left of the square of an arm; not a number at a dead point."""
+    return sqrt(_alive(square, most))
+
+
+def _alive(square: Scalar, most: Scalar | float) -> Scalar:
+    """A square, -1 where it vanishes: there both solutions meet, and rates do not exist.
+
+    Without this a run could step from one solution to the other, which is no motion.
+    """
+    return select(square.apply("lt", most * DEAD), -1.0, square)
+
+
 def _elbow(gap: Matrix, start: Matrix, arm: Matrix, axis: Matrix, branch: int) -> Matrix:
     """The vector as long as ``start`` from whose end ``arm`` reaches the end of the gap."""
     square = gap.dot(gap)
     reach = (start.dot(start) - arm.dot(arm) + square) * 0.5
-    height = sqrt(start.dot(start) * square - reach * reach) * branch
+    most = start.dot(start) * square
+    height = _root(most - reach * reach, most) * branch
     return (gap * reach + axis.cross(gap) * height) / square
 
 
@@ -155,7 +171,8 @@ def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, .
 def _slide(along: Matrix, start: Matrix, reach: Matrix, branch: int) -> Scalar:
     """How far to go from a point along a line to be as far away as another vector is long."""
     middle = along.dot(start)
-    height = sqrt(middle * middle - start.dot(start) + reach.dot(reach)) * branch
+    most = reach.dot(reach)
+    height = _root(middle * middle - start.dot(start) + most, most) * branch
     return height - middle
 
 
@@ -188,7 +205,7 @@ def _cones(n: Matrix, a: Scalar, m: Matrix, b: Scalar, branch: int) -> Matrix:
     cosine = n.dot(m)
     across = 1 - cosine * cosine
     one, other = (a - cosine * b) / across, (b - cosine * a) / across
-    height = sqrt((1 - one * a - other * b) / across) * branch
+    height = sqrt(_alive(1 - one * a - other * b, 1.0) / across) * branch
     return n * one + m * other + n.cross(m) * height
 
 

@@ -11,6 +11,8 @@
 static const real SAFETY = 0.9, SHRINK = 1.0 / 3, GROW = 6;
 /* of systems with constraints: how many rejected trials in a row shrink by little */
 static const ptrdiff_t PATIENCE = 10;
+/* trials after which a step is given up */
+static const ptrdiff_t MOST_TRIALS = 2000;
 static const real LITTLE = 0.8;
 /* of residuals: beside a singular position */
 static const real SINGULAR = 5;
@@ -178,7 +180,8 @@ int cardan_reject_step(cardan_run *run, real h, real error, int order, int statu
     run->allowed = run->rounded ? fmax(1, NOISE / tolerance) : 1;
     run->rejected++;
     run->h = h * fmin(0.9, fmax(least_factor, factor));
-    if (fabs(run->h) >= least(run))
+    /* every now and then the best trial is taken up again: that must come to an end */
+    if (fabs(run->h) >= least(run) && run->rejected < MOST_TRIALS)
         return 0;
     run->allowed = 1;
     return status == 0 ? CARDAN_TOO_SMALL : status;

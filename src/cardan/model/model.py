@@ -215,6 +215,8 @@ class Model(Vocabulary):
             raise ModelError(
                 f"{who}: it cannot both follow motion= and another joint; leave out one"
             )
+        if not isinstance(cut, bool):
+            raise ModelError(f"{who}: cut is True or False, not {cut!r}")
         if cut and (motion is not None or couple is not None):
             raise ModelError(
                 f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "

@@ -107,6 +107,11 @@ class Vocabulary(ABC):
         checks.new("constraint", name, self.constraints)
         if name in self.joints:
             raise ModelError(f"constraint '{name}': a joint has this name; rename one of them")
+        if getattr(expression, "is_Relational", False) or isinstance(expression, bool):
+            raise ModelError(
+                f"constraint '{name}': an expression that is kept at 0 is wanted, not the "
+                f"condition {expression}; write left side - right side"
+            )
         self.constraints[name] = Constraint(name, expression, unit_of(unit).si)
 
     def q(self, coordinate: str) -> Any:

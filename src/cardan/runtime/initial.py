@@ -41,7 +41,7 @@ def initial_state(
         ("u", manifest["speeds"], u),
     ):
         block = _defaults(letter, rows, joints)
-        named_here = _fill(letter, block, rows, joints, named)
+        named_here = _fill(letter, block, rows, manifest, named)
         values.append(block)
         given.append(
             [row["name"] for row, known in zip(rows, named_here, strict=True) if not known]
@@ -62,16 +62,20 @@ def _defaults(letter: str, rows: Rows, joints: Rows) -> Array:
 
 
 def _fill(
-    letter: str, block: Array, rows: Rows, joints: Rows, named: Mapping[str, ArrayLike]
+    letter: str,
+    block: Array,
+    rows: Rows,
+    manifest: Mapping[str, Any],
+    named: Mapping[str, ArrayLike],
 ) -> list[bool]:
     """Write named values into a block; which entries they cover."""
-    places = _places(letter, rows, joints)
+    places = _places(letter, rows, manifest["joints"])
     covered = [False] * len(rows)
     for name, value in named.items():
         where = f"{letter}={{'{name}': ...}}"
         place = places.get(name)
         if place is None:
-            raise ModelError(f"{where}: {_unknown(letter, name, joints)}{near(name, places)}")
+            raise ModelError(f"{where}: {_unknown(letter, name, manifest)}{near(name, places)}")
         entries = [row["name"] for row in rows[place]]
         if any(covered[place]):
             raise ModelError(
@@ -102,12 +106,17 @@ def entries(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
 
 def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
     """Why there is no such entry of q or u, in words."""
-    return _unknown(letter, name, manifest["joints"])
+    return _unknown(letter, name, manifest)
 
 
-def _unknown(letter: str, name: str, joints: Rows) -> str:
+def _unknown(letter: str, name: str, manifest: Mapping[str, Any]) -> str:
     what = {"q": "coordinate", "u": "speed"}[letter]
-    joint = next((j for j in joints if j["name"] == name), None)
+    joint = next((j for j in manifest["joints"] if j["name"] == name), None)
+    if joint is None and name in (row["name"] for row in manifest.get("cuts", [])):
+        return (
+            f"joint '{name}' closes a circuit and has no {what} of its own: the others determine "
+            "it. Name others, or let cut=True cut another joint of the circuit."
+        )
     if joint is not None and joint.get("coupled"):
         return (
             f"joint '{name}' follows '{joint['coupled']['leader']}' and has no {what} of its own."

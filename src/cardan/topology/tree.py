@@ -165,8 +165,9 @@ def _reached(model: Model, branches: list[Branch], joint: Joint) -> bool:
         return True
     loose = next(body.name for body in ends if body not in known)
     raise TopologyError(
-        f"joint '{joint.name}' ({joint.kind.kind}): cut=True, but it closes no circuit: without it "
-        f"nothing joins body '{loose}' to the ground. Leave out cut=True"
+        f"joint '{joint.name}' ({joint.kind.kind}): cut=True, but it closes no circuit that is not "
+        f"cut already: without it nothing joins body '{loose}' to the ground. Leave out cut=True "
+        "here, or at another joint of its circuit"
     )
 
 
