@@ -32,7 +32,7 @@ def cases() -> list[object]:
     for name in CLOSED:
         for k, joint in enumerate(cuts_of(name)):
             for n, treatment in enumerate(EXACT):
-                marks = [] if (k + n) % 3 == 0 else [pytest.mark.slow]
+                marks = [] if (k + n) % 4 == 0 else [pytest.mark.slow]
                 found.append(pytest.param(name, joint, treatment, marks=marks))
     return found
 

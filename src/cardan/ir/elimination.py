@@ -123,8 +123,8 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
     n = len(a)
     size, left, taken = [a[i][i] for i in range(n)], list(range(n)), list[int]()
     while left:
-        best = max(left, key=lambda i: (a[i][i] / size[i] if size[i] > 0 else 0, -i))
-        if not a[best][best] > DEPENDENT * size[best]:
+        best = max(left, key=lambda i: (_share(a[i][i], size[i]), -i))
+        if not _share(a[best][best], size[best]) > DEPENDENT:
             break
         left.remove(best)
         taken.append(best)
@@ -141,6 +141,11 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
             right = [r - a[k][j] * y for r, y in zip(right, x[j], strict=True)]
         x[k] = [r / a[k][k] for r in right]
     return x
+
+
+def _share(pivot: Any, size: Any) -> Any:
+    """What is left of a diagonal entry; of complex numbers the real parts count."""
+    return pivot.real / size.real if size.real > 0 else 0
 
 
 def _back(a: Rows, b: Rows, columns: list[int], rank: int) -> Rows:
