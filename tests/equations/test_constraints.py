@@ -85,6 +85,12 @@ def test_relations_that_cannot_be() -> None:
         scene.constraint("rod", 1)
     with pytest.raises(ModelError, match="a joint has this name"):
         scene.constraint("x", 1)
+    still = pendulum_in_coordinates()
+    still.constraint("still", still.parameter("k", 1.0) - 1)
+    with pytest.raises(ModelError, match="constraint 'still' contains no coordinate"):
+        cd.derive(still)
+    with pytest.raises(ModelError, match="write left side - right side"):
+        still.constraint("as equation", sympy.Eq(still.q("x"), 1))
     empty = pendulum_in_coordinates()
     empty.constraint("nothing", sympy.Integer(0))
     with pytest.raises(ModelError, match="constraint 'nothing' is 0 always"):

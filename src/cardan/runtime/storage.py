@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
+ENDINGS = ("", ".nc", ".nc3", ".cdf")
 LEFT_OUT = ("functions", "sha256", "available")
 COLUMNS = "largest before projection, when, largest after it, when"
 
@@ -38,9 +39,16 @@ def save(motion: Trajectory, path: Path) -> Path:
     """Write a run; a file with its name is replaced in one step.
 
     Raises:
-        ModelError: a variable too large for the format, or a directory that does not exist.
+        ModelError: a variable too large for the format, a directory that does not exist, or the
+            ending of another format.
     """
     from scipy.io import netcdf_file
+
+    if path.suffix not in ENDINGS:
+        raise ModelError(
+            f"{path}: runs are written as netCDF, whose files end in .nc; motion.to_xarray() or "
+            "motion.x give the numbers to writers of other formats"
+        )
 
     if not path.parent.is_dir():
         raise ModelError(f"{path}: the directory {path.parent} does not exist")

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from ..elements.forces.force import ForceElement
 from ..errors import ModelError, TopologyError, near
+from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..model.model import Model
 from ..model.origins import located
@@ -19,6 +20,9 @@ from .pictures import pictures
 from .rotors import with_rotors
 from .system import Atom, Closure, Force, Named, System
 from .tree import rooted_tree
+
+# leaves of expressions that move with the system
+MOVING = (("var", "q"), ("var", "u"))
 
 
 def build(
@@ -194,6 +198,14 @@ def _constraint(scene: Model, convert: Converter, name: str) -> Named:
         node = convert.scalar(entry.expression, f"constraint.{name}", entry.unit)
     if node == ZERO:
         raise ModelError(f"constraint '{name}' is 0 always; leave it out")
+    nodes = convert.graph.nodes
+    if not any(
+        nodes[i][0] == "atom" or nodes[i][:2] in MOVING for i in live(convert.graph, [node])
+    ):
+        raise ModelError(
+            f"constraint '{name}' contains no coordinate, speed or motion of a frame: nothing "
+            "could keep it at 0. Take them from scene.q(...), scene.u(...) or frame.position()"
+        )
     return Named(name, node, entry.unit)
 
 
