@@ -32,9 +32,13 @@ def test_fewer_values_wait() -> None:
     before, after = 0.0, 0.0
     for name in ZOO:
         staged = optimize(derived(name).function("inverse_dynamics"), ())
-        before, after = before + waiting(staged), after + waiting(schedule(staged))
-    # a tenth less on trees of hinges; rolling and guided joints are short of choice
-    assert after < 0.95 * before
+        one, other = waiting(staged), waiting(schedule(staged))
+        # trees of reversed joints, dense and far larger than all others, gain 2 %
+        if name.startswith("backwards"):
+            assert other < one
+            continue
+        before, after = before + one, after + other
+    assert after < 0.93 * before
 
 
 def test_where_it_is_applied() -> None:
