@@ -52,6 +52,9 @@ ABSURD = [
     ("n", 2**62),
     ("nx", -5),
     ("nq", 7),
+    ("nu", -2),
+    ("nz", 1),
+    ("ns", -1),
     ("nr", 2**61),
     ("stages", 2**60),
     ("dense_rows", -1),
@@ -69,7 +72,7 @@ ABSURD = [
 @pytest.mark.parametrize(("name", "size"), ABSURD)
 def test_run_refuses(name: str, size: int) -> None:
     run = record.Run()
-    run.n, run.nx, run.nq, run.nr, run.stages, run.dense_rows = 4, 4, 2, 1, 16, 7
+    run.n, run.nx, run.nq, run.nu, run.nr, run.stages, run.dense_rows = 4, 4, 2, 2, 1, 16, 7
     run.capacity, run.stop_count = 10, 1
     setattr(run, name, size)
     assert record.kernels(kernels.library()).cardan_run_start(run) == record.SIZE

@@ -18,13 +18,13 @@ INPUTS = ctypes.CFUNCTYPE(
 )
 
 FIELDS: tuple[tuple[Any, str], ...] = (
-    (POINTER, "init step dense"),
-    (POINTER, "rhs power rhs_w power_w inputs signals quaternions"),
-    (COUNT, "nq nx n nr signal_count quaternion_count sampled"),
-    (POINTER, "close_position close_velocity close_position_w close_velocity_w"),
+    (POINTER, "init step dense length"),
+    (POINTER, "rhs rhs_w power power_w inputs signals quaternions"),
+    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled"),
+    (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (COUNT, "positions rates"),
     (REAL, "size"),
-    (POINTER, "y y_old trial k f r spread at_rest work closing ledger"),
+    (POINTER, "y y_old trial k f r s spread at_rest work closing own ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
@@ -78,6 +78,13 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     library.cardan_closing_length.argtypes = [record]
     library.cardan_closing_length.restype = COUNT
     return library
+
+
+def length(library: ctypes.CDLL, kernel: str, run: Run) -> int:
+    """Numbers of memory that a method needs for itself."""
+    function = getattr(library, f"cardan_{kernel}_length")
+    function.restype, function.argtypes = COUNT, [ctypes.POINTER(Run)]
+    return int(function(run))
 
 
 def address(library: ctypes.CDLL, name: str) -> int:

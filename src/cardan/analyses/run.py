@@ -78,7 +78,7 @@ class Runner:
     def _size(self) -> None:
         """Fill in how long everything is."""
         model, run = self.model, self.record
-        run.nq, run.nx, run.n, run.nr = model.nq, model.nx, self.n, model.nr
+        run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
 
@@ -97,6 +97,7 @@ class Runner:
             "at_rest": max(model.nu, 6 * parts),
             "work": max(f.work_size for f in [*self.functions, *self.closers]),
             "closing": self.library.cardan_closing_length(self.record),
+            "own": abi.length(self.library, method.kernel, self.record),
             "ledger": 4 * (self.closing.positions + self.closing.rates),
         }
         self.memory = np.zeros(sum(sizes.values()))
@@ -114,6 +115,7 @@ class Runner:
         run.init = abi.address(self.library, f"{kernel}_init")
         run.step = abi.address(self.library, f"{kernel}_step")
         run.dense = abi.address(self.library, f"{kernel}_dense")
+        run.length = abi.address(self.library, f"{kernel}_length")
         run.stages, run.dense_rows = settings.method.stages, settings.method.dense_rows
         run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
         if self.sources:

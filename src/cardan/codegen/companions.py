@@ -98,7 +98,7 @@ def _simulation(method: str, manifest: dict[str, Any]) -> list[str]:
     work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in closed)
     rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in closed)
     lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in closed]
-    lines += [f"    run.{name} = {name}, run.{name}_w = w_{name};" for name in closed]
+    lines += [f"    run.{name}.function = {name}, run.{name}.w = w_{name};" for name in closed]
     if closed:
         rows = [row["level"] for row in manifest["multipliers"]]
         lines.append(f"    run.positions = {rows.count('position')}, run.rates = {len(rows)};")
@@ -115,8 +115,8 @@ static int simulate(void)
 
     prepare_rhs(cardan_default_p, w);
     CARDAN_METHOD(&run, {method});
-    run.rhs = rhs, run.rhs_w = w, run.nr = cardan_nr;
-    run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu;
+    run.rhs.function = rhs, run.rhs.w = w, run.nr = cardan_nr;
+    run.nq = cardan_nq, run.nu = cardan_nu, run.nx = run.n = cardan_nq + cardan_nu;
     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
     run.stops = &end, run.stop_count = 1;
 {closing}\

@@ -18,8 +18,7 @@ enum { MOST_STEPS = 8 };
 
 /* q or u with the function that closes it */
 typedef struct level {
-    cardan_function function;
-    const wreal *w;
+    const cardan_call *call;
     real *block;     /* (size), changed in place */
     ptrdiff_t size;
     ptrdiff_t rows;  /* residuals */
@@ -35,11 +34,9 @@ static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
 /* Numbers that cardan_close needs: a closed block with residuals, the state before, and a copy. */
 ptrdiff_t cardan_closing_length(const cardan_run *run)
 {
-    ptrdiff_t nu = run->nx - run->nq;
-
     if (run->positions + run->rates == 0)
         return 0;
-    return larger(run->nq + run->positions, nu + run->rates) + run->nx + run->n;
+    return larger(run->nq + run->positions, run->nu + run->rates) + run->nx + run->n;
 }
 
 /* Index of the largest residual, of the first that is no number if there is one. */
@@ -92,7 +89,7 @@ real cardan_rounding(const cardan_run *run, const real *y, real magnified, real 
 {
     real speed = 0;
 
-    for (ptrdiff_t i = run->nq; i < run->nx; i++)
+    for (ptrdiff_t i = run->nq; i < run->nq + run->nu; i++)
         speed = fmax(speed, fabs(y[i]));
     return ROUNDING * magnified * magnified * speed * (h == 0 ? 1 : magnified * speed * fabs(h))
            / (run->atol + run->rtol * speed);
@@ -103,7 +100,7 @@ real cardan_rounding(const cardan_run *run, const real *y, real magnified, real 
  * `first` becomes the largest residual before, relative to the scale. Returns 0, CARDAN_OPEN where
  * they are not small by then, or CARDAN_MODEL.
  */
-static int newton(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted,
+static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int noted,
                   real *first)
 {
     real *closed = run->closing, *residuals = closed + at->size;
@@ -114,8 +111,7 @@ static int newton(cardan_run *run, const cardan_in *in, const level *at, real *y
         real worst;
 
         run->projections++;
-        run->model_status = at->function(in, closed, run->work);
-        if (run->model_status != 0)
+        if (cardan_call_model(run, at->call, in, closed) != 0)
             return CARDAN_MODEL;
         row = worst_of(residuals, at->rows);
         worst = fabs(residuals[row]) / at->scale;
@@ -155,7 +151,7 @@ static int newton(cardan_run *run, const cardan_in *in, const level *at, real *y
  * tolerance and residuals are small without it, the block stays what it was.
  * Adds the square of what changed, in units of the tolerance, to `sum`.
  */
-static int close_level(cardan_run *run, const cardan_in *in, const level *at, real *y, int noted,
+static int close_level(cardan_run *run, cardan_in *in, const level *at, real *y, int noted,
                        real *sum)
 {
     const ptrdiff_t start = at->block - y;
@@ -170,12 +166,11 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
     if ((status == CARDAN_OPEN || change > (real)run->nx) && first <= CLOSED) {
         copy(at->block, given, at->size);
         run->projections++;
-        status = at->function(in, run->closing, run->work);
+        status = cardan_call_model(run, at->call, in, run->closing);
         if (status == 0 && noted)
             note(run, at, *in->t, run->closing + at->size, 2);
-        run->model_status = status;
         run->left_open = fmax(run->left_open, sqrt(change / (real)run->nx));
-        return status == 0 ? 0 : CARDAN_MODEL;
+        return status;
     }
     *sum += change;
     return status;
@@ -188,10 +183,10 @@ static int close_level(cardan_run *run, const cardan_in *in, const level *at, re
  */
 int cardan_close(cardan_run *run, real t, real *y, int noted)
 {
-    const ptrdiff_t nq = run->nq, nu = run->nx - nq;
+    const ptrdiff_t nq = run->nq, nu = run->nu;
     real *given = run->closing + cardan_closing_length(run) - run->n - run->nx;
     real fastest = 1, sum = 0;
-    cardan_in in = {0};
+    cardan_in in;
     int status = 0;
 
     run->correction = run->left_open = 0;
@@ -199,24 +194,17 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     if (run->positions + run->rates == 0)
         return 0;
     cardan_inputs_at(run, t, y);
-    in.t = &t;
-    in.q = y;
-    in.u = y + nq;
-    in.r = run->r;
-    in.tau = in.wrench = run->at_rest;
+    in = cardan_at(run, &t, y);
     copy(given, y, run->nx);
     if (run->positions > 0) {
-        const level at = {run->close_position, run->close_position_w, y, nq, run->positions, 0,
-                          run->size};
-        in.w = run->close_position_w;
+        const level at = {&run->close_position, y, nq, run->positions, 0, run->size};
         status = close_level(run, &in, &at, y, noted, &sum);
     }
     for (ptrdiff_t i = 0; i < nu; i++)
         fastest = fmax(fastest, fabs(y[nq + i]));
     if (status == 0) {
-        const level at = {run->close_velocity, run->close_velocity_w, y + nq, nu, run->rates,
-                          run->positions, run->size * fastest};
-        in.w = run->close_velocity_w;
+        const level at = {&run->close_velocity, y + nq, nu, run->rates, run->positions,
+                          run->size * fastest};
         status = close_level(run, &in, &at, y, noted, &sum);
     }
     run->correction = sqrt(sum / (real)run->nx);

@@ -43,29 +43,19 @@ static const real *on_constraints(cardan_run *run, real t, const real *y)
  */
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
 {
-    cardan_in in = {0};
+    cardan_in in;
     int status = inputs_at(run, t, y, !run->sampled);
 
     if (status != 0)
         return status;
     if (run->near_singular)
         y = on_constraints(run, t, y);
-    in.t = &t;
-    in.q = y;
-    in.u = y + run->nq;
-    in.r = run->r;
-    in.w = run->rhs_w;
-    in.tau = in.wrench = run->at_rest;
+    in = cardan_at(run, &t, y);
     run->evaluations++;
-    status = run->rhs(&in, f, run->work);
-    if (status == 0 && run->power) {
-        in.w = run->power_w;
-        status = run->power(&in, f + run->nx, run->work);
-    }
-    if (status == 0)
-        return 0;
-    run->model_status = status;
-    return CARDAN_MODEL;
+    status = cardan_call_model(run, &run->rhs, &in, f);
+    if (status == 0 && run->power.function)
+        status = cardan_call_model(run, &run->power, &in, f + run->nx);
+    return status;
 }
 
 /* Make f the derivative at t, y unless it is. */

@@ -4,8 +4,9 @@
  *
  *     cardan_run run = {0};
  *     CARDAN_METHOD(&run, dop853);
- *     run.rhs = rhs, run.rhs_w = w;
- *     run.nq = cardan_nq, run.nx = run.n = cardan_nq + cardan_nu, run.nr = cardan_nr;
+ *     run.rhs.function = rhs, run.rhs.w = w;
+ *     run.nq = cardan_nq, run.nu = cardan_nu, run.nr = cardan_nr;
+ *     run.nx = run.n = cardan_nq + cardan_nu;
  *     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = INFINITY, run.budget = 1000000;
  *     run.stops = &end, run.stop_count = 1;
  *     cardan_run_lay(&run, memory, rest, rhs_work_size);
@@ -18,8 +19,9 @@
  * stand for outer forces: at least the number of speeds, and 6 per body where wrenches are read.
  * With constraints the work is that of the largest function, and before anything is laid out
  *
- *     run.close_position = close_position, run.close_position_w = w_of_it, run.positions = ...;
- *     run.close_velocity = close_velocity, run.close_velocity_w = w_of_it, run.rates = ...;
+ *     run.close_position.function = close_position, run.close_position.w = w_of_it;
+ *     run.close_velocity.function = close_velocity, run.close_velocity.w = w_of_it;
+ *     run.positions = ..., run.rates = ...;
  *     run.size = 1.0;
  */
 #include "run.h"
@@ -29,10 +31,10 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
 {
     size_t n = (size_t)run->n, rows = (size_t)(run->stages + run->dense_rows);
 
-    size_t closing = (size_t)cardan_closing_length(run);
+    size_t closing = (size_t)cardan_closing_length(run), own = (size_t)run->length(run);
     size_t ledger = 4 * (size_t)(run->positions + run->rates);
 
-    return (4 + rows) * n + (size_t)run->nr + rest + work + closing + ledger;
+    return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + own + ledger;
 }
 
 /* The next piece of a block. */
@@ -59,9 +61,11 @@ void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
     run->k = take(&next, run->stages * run->n);
     run->spread = take(&next, run->dense_rows * run->n);
     run->r = take(&next, run->nr);
+    run->s = take(&next, run->ns);
     run->at_rest = take(&next, (ptrdiff_t)rest);
     run->work = take(&next, (ptrdiff_t)work);
     run->closing = take(&next, cardan_closing_length(run));
+    run->own = take(&next, run->length(run));
     run->ledger = take(&next, 4 * (run->positions + run->rates));
     run->times = run->stops;
     run->time_count = 0;

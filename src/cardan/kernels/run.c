@@ -111,9 +111,10 @@ static int fits(ptrdiff_t rows, ptrdiff_t size)
 static int sizes_fit(const cardan_run *run)
 {
     /* one by one before their sums */
-    if (!fits(run->n, 4) || !fits(run->nr, 4) || !fits(run->nx, 1) || !fits(run->nq, 1))
+    if (!fits(run->n, 4) || !fits(run->nr, 4) || !fits(run->nx, 1) || !fits(run->ns, 4)
+        || !fits(run->nq, 4) || !fits(run->nu, 4) || !fits(run->nz, 4))
         return 0;
-    return run->nq <= run->nx && run->nx <= run->n && run->stop_count > 0
+    return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->dense_rows, run->n)
            && fits(run->capacity, 1 + run->n + run->nr)
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)

@@ -4,8 +4,8 @@
  * or keeps state elsewhere, so that copying record and arrays is a checkpoint. Sizes are signed;
  * cardan_run_start looks at them once, and no product of them overflows after that.
  *
- * The integrated vector is y = [x, e], n = nx + sources long: the state x = [q, u] and the energy e
- * [J] that every source has given since the start. e is a quadrature: it takes no part in the error
+ * The integrated vector is y = [x, e], n = nx + sources long: the state x = [q, u, z], z what elements
+ * keep themselves, and the energy e [J] that every source has given since the start. e is a quadrature: it takes no part in the error
  * control.
  *
  * Where circuits are closed by constraints, every state that is kept is projected onto them first:
@@ -19,6 +19,12 @@
 
 typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);
 typedef struct cardan_run cardan_run;
+
+/* A function of the model with its prepared parameters; `function` is NULL where there is none. */
+typedef struct cardan_call {
+    cardan_function function;
+    const wreal *w;
+} cardan_call;
 
 /* what an integrator says: not negative: the run may go on or is over; negative: it broke down */
 enum {
@@ -48,24 +54,21 @@ struct cardan_run {
     int (*init)(cardan_run *run);
     int (*step)(cardan_run *run);
     int (*dense)(cardan_run *run);
+    ptrdiff_t (*length)(const cardan_run *run); /* of its own memory */
 
     /* the model */
-    cardan_function rhs;
-    cardan_function power; /* NULL without sources */
-    const wreal *rhs_w;
-    const wreal *power_w;
+    cardan_call rhs;
+    cardan_call power; /* of every source */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
-    ptrdiff_t nq, nx, n, nr;
+    ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */
     ptrdiff_t signal_count, quaternion_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
 
     /* constraints: each function writes the closed block, then the residuals of the given one */
-    cardan_function close_position; /* q (nq), residuals (positions); NULL without constraints */
-    cardan_function close_velocity; /* u (nx - nq), residuals (rates); NULL without constraints */
-    const wreal *close_position_w;
-    const wreal *close_velocity_w;
+    cardan_call close_position; /* q (nq), residuals (positions) */
+    cardan_call close_velocity; /* u (nu), residuals (rates) */
     ptrdiff_t positions, rates;
     real size; /* of the mechanism [m], against which residuals count */
 
@@ -76,10 +79,12 @@ struct cardan_run {
     real *k;        /* (stages, n) derivatives of the last step */
     real *f;        /* (n) derivative at t, y; valid while `fresh` */
     real *r;        /* (nr) inputs as last asked for */
+    real *s;        /* (ns) discrete states, constant between events */
     real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense` */
     const real *at_rest; /* zeros for the blocks tau and wrench */
     real *work;     /* work of the functions of the model */
     real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
+    real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
     real *ledger;   /* (positions + rates, 4): the largest residual before projection and when,
                        the largest after it and when; NULL without constraints */
     ptrdiff_t stages, dense_rows;
@@ -123,6 +128,30 @@ struct cardan_run {
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
 
+/* Fill in what every call reads at t, y (n), but for its parameters. */
+static inline cardan_in cardan_at(const cardan_run *run, const real *t, const real *y)
+{
+    cardan_in in = {0};
+
+    in.t = t;
+    in.q = y;
+    in.u = y + run->nq;
+    in.z = y + run->nq + run->nu;
+    in.s = run->s;
+    in.r = run->r;
+    in.tau = in.wrench = run->at_rest;
+    return in;
+}
+
+/* Call a function of the model; a status it returns stays in `model_status`. */
+static inline int cardan_call_model(cardan_run *run, const cardan_call *call, cardan_in *in,
+                                    real *out)
+{
+    in->w = call->w;
+    run->model_status = call->function(in, out, run->work);
+    return run->model_status == 0 ? 0 : CARDAN_MODEL;
+}
+
 /* run.c */
 size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
@@ -161,13 +190,15 @@ enum {
 };
 #define CARDAN_METHOD(run, name)                                                                   \
     ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
-     (run)->dense = cardan_##name##_dense, (run)->stages = cardan_##name##_stages,                 \
-     (run)->dense_rows = cardan_##name##_rows)
+     (run)->dense = cardan_##name##_dense, (run)->length = cardan_##name##_length,                 \
+     (run)->stages = cardan_##name##_stages, (run)->dense_rows = cardan_##name##_rows)
 int cardan_rk4_init(cardan_run *run);
 int cardan_rk4_step(cardan_run *run);
 int cardan_rk4_dense(cardan_run *run);
+ptrdiff_t cardan_rk4_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
+ptrdiff_t cardan_dop853_length(const cardan_run *run);
 
 #endif
