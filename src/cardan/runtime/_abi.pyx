@@ -34,7 +34,7 @@ ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
 ctypedef void (*preparation)(const double *, double *) noexcept nogil
 
 cdef enum:
-    BLOCKS = 15
+    BLOCKS = 16
     ARGUMENTS = 12
     PLACES = 2
     SMALL_WORK = 512
