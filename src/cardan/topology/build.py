@@ -91,8 +91,8 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # what expressions may speak of, then the expressions
     convert.moving = True
-    atoms = _atoms(scene, assembly)
     places = internals.numbered(scene, convert)
+    atoms = _atoms(scene, assembly)
     forces = tuple([_force(model, assembly, name, places[name]) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
@@ -134,6 +134,9 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     convert = assembly.convert
     atoms: dict[str, Atom] = {}
     for name, entry in scene.atoms.items():
+        if entry.quantity == "state":
+            internals.check_state(name, scene, convert)
+            continue
         if entry.quantity in ("q", "u"):
             number = assembly.joint_number.get(entry.place)
             if number is None:
