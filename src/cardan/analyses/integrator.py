@@ -17,6 +17,7 @@ class Integrator:
         stages: Derivatives it keeps.
         dense_rows: Rows of its dense output.
         adaptive: Whether it chooses its steps from rtol and atol.
+        charted: Whether it takes quaternions by their increments (a Lie group method).
         applies: Where it is the one to take, in words.
         source: Where it comes from.
     """
@@ -30,3 +31,4 @@ class Integrator:
     adaptive: bool
     applies: str
     source: str
+    charted: bool = False

@@ -104,7 +104,7 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
         return CARDAN_TOO_SMALL;
     /* stretch a little rather than leave a sliver before the stop */
     *t_new = run->t + *h;
-    if (fabs(left) <= fmax(fabs(*h), fmin(1.01 * fabs(*h), run->max_step))) {
+    if (fabs(left) <= fmax(fabs(*h) + least(run), fmin(1.01 * fabs(*h), run->max_step))) {
         *h = left;
         *t_new = stop;
     }
