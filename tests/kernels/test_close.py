@@ -17,6 +17,7 @@ from kernels.problem import PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendu
 
 FINE: dict[str, dict[str, Any]] = {
     "DOP853": {"rtol": 1e-8, "atol": 1e-10},
+    "RK45": {"method": "RK45", "rtol": 1e-8, "atol": 1e-10},
     "RK4": {"method": "RK4", "step": 1e-3},
 }
 BOTH = pytest.mark.parametrize("options", FINE.values(), ids=FINE)

@@ -14,5 +14,5 @@ METHOD = Integrator(
     adaptive=False,
     charted=True,
     applies="a fixed step and bodies that spin fast: a steady spin is exact",
-    source="H. Munthe-Kaas, High order Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
+    source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
 )

@@ -14,5 +14,5 @@ METHOD = Integrator(
     adaptive=True,
     charted=True,
     applies="as DOP853, where bodies spin fast: a steady spin costs no steps",
-    source="H. Munthe-Kaas, High order Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
+    source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
 )
