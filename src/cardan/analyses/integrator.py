@@ -20,6 +20,7 @@ class Integrator:
         charted: Whether it takes quaternions by their increments (a Lie group method).
         applies: Where it is the one to take, in words.
         source: Where it comes from.
+        needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
     """
 
     name: str
@@ -32,3 +33,4 @@ class Integrator:
     applies: str
     source: str
     charted: bool = False
+    needs: tuple[str, ...] = ()
