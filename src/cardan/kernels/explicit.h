@@ -19,7 +19,7 @@
         status = cardan_slope(run, t + C[s] * h, trial, k + (s) * n);                              \
         if (status != 0)                                                                           \
             return status;                                                                         \
-    } while (0)
+    } while (0);
 #define K(j) k[(j) * n + i]
 
 /* An adaptive explicit method. */
