@@ -17,8 +17,10 @@ class Integrator:
         stages: Derivatives it keeps.
         dense_rows: Rows of its dense output.
         adaptive: Whether it chooses its steps from rtol and atol.
+        charted: Whether it takes quaternions by their increments (a Lie group method).
         applies: Where it is the one to take, in words.
         source: Where it comes from.
+        needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
     """
 
     name: str
@@ -30,3 +32,5 @@ class Integrator:
     adaptive: bool
     applies: str
     source: str
+    charted: bool = False
+    needs: tuple[str, ...] = ()
