@@ -57,6 +57,7 @@ STANDARD = (
     "integrate",
     "difference",
     "derivative",
+    "rhs_jacobian",
 )
 
 
