@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from ..integrator import Integrator
-from . import dop853, rk4
+from . import dop853, radau, rk4, rosenbrock
 
-INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (dop853, rk4)}
+INTEGRATORS: dict[str, Integrator] = {
+    m.METHOD.name: m.METHOD for m in (dop853, rk4, radau, rosenbrock)
+}
 
 __all__ = ["INTEGRATORS", "Integrator"]
