@@ -59,6 +59,7 @@ STANDARD = (
     "integrate",
     "difference",
     "derivative",
+    "rhs_jacobian",
 )
 
 

@@ -46,6 +46,8 @@ class Progress:
     correction: float = 0.0
     projections: int = 0
     loosened: int = 0
+    jacobians: int = 0
+    factorizations: int = 0
 
 
 class PlainRunner:

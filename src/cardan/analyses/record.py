@@ -38,7 +38,9 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),
     (COUNT, "steps rejections evaluations budget culprit model_status"),
-    (COUNT, "open_row projections loosened stop"),
+    (COUNT, "open_row projections loosened"),
+    (COUNT, "jacobians factorizations"),
+    (COUNT, "stop"),
 )
 
 

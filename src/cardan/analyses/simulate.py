@@ -152,6 +152,8 @@ def _run(
         "steps": run.steps,
         "rejections": run.rejections,
         "evaluations": run.evaluations,
+        "jacobians": run.jacobians,
+        "factorizations": run.factorizations,
         "projections": run.projections,
         "loosened": run.loosened,
         "milliseconds": milliseconds,

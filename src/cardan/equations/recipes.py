@@ -11,10 +11,16 @@ from . import blocks, functions
 from .context import Recipe
 from .derivatives import derivative, request_of
 from .directions import BLOCKS
+from .rhs_jacobian import rhs_jacobian
 
 RECIPES: dict[str, Recipe] = functions.RECIPES | {
-    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function")
+    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function"),
+    "rhs_jacobian": Recipe(
+        "d rhs / d x, / d t and / d r, x as it is stored", rhs_jacobian, told=True
+    ),
 }
+# functions that displace bodies as a whole
+DIFFERENTIATED = ("derivative", "rhs_jacobian")
 # characters of a C name before it is cut
 LONGEST = 80
 

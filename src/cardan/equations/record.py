@@ -26,7 +26,7 @@ from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
 from .readable import Readable
-from .recipes import RECIPES, about, c_name, check, is_told, missing
+from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
@@ -157,7 +157,7 @@ class Equations(Readable):
         """How the system may be told for a function."""
         if not is_told(name, of):
             return [((), self.system)]
-        rigid = name == "derivative"
+        rigid = name in DIFFERENTIATED
         if rigid not in self._systems:
             wanted = () if self.chosen else self.rewrites
             self._systems[rigid] = candidates(self.system, self.method, wanted, rigid)

@@ -319,7 +319,9 @@ class CompiledModel(Analyzed):
         from .saved import digest, restore, texts
 
         self._objects.write(
-            name for name in self.manifest["available"] if name not in (*NAMED, "derivative")
+            name
+            for name in self.manifest["available"]
+            if name not in (*NAMED, "derivative", "rhs_jacobian")
         )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)

@@ -78,6 +78,28 @@ class Dynamics(Kinematics, ABC):
         values = (t, q, u, r, z, s, events)
         return self._evaluate(("transition", None), values, parameters, out)
 
+    def rhs_jacobian(
+        self,
+        t: ArrayLike,
+        x: ArrayLike,
+        r: State | None = None,
+        *,
+        s: State | None = None,
+        parameters: Values | None = None,
+    ) -> tuple[Array, Array, Array]:
+        """Partial derivatives of :meth:`rhs` by the state x as it is stored, by t and by inputs.
+
+        A unit quaternion counts by its direction alone: along itself nothing changes. Derivatives
+        along the speeds instead: ``derivative("rhs", wrt="q")``.
+
+        Returns:
+            d rhs / d x (..., nx, nx), d rhs / d t (..., nx), d rhs / d r (..., nx, nr).
+        """
+        flat = self._evaluate(("rhs_jacobian", None), (t, x, r, s), parameters, None)
+        lead, n = flat.shape[:-1], np.shape(x)[-1]
+        by_x, by_t, by_r = np.split(flat, [n * n, n * n + n], axis=-1)
+        return by_x.reshape(*lead, n, n), by_t, by_r.reshape(*lead, n, by_r.shape[-1] // max(n, 1))
+
     def forward_dynamics(
         self,
         q: State,

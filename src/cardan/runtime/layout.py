@@ -13,6 +13,7 @@ from .slots import SLOT
 
 READS = {
     "rhs": "t x r s",
+    "rhs_jacobian": "t x r s",
     "forward_dynamics": "t q u z s r tau",
     "inverse_dynamics": "t q u udot z s r",
     "mass_matrix": "t q r",
@@ -51,7 +52,7 @@ NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reacti
 # arguments that have a default
 OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
 # functions that have derivatives
-SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference"))
+SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference", "rhs_jacobian"))
 FUNCTIONS = (*READS, "derivative")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
