@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.stepper import stepper
 from cardan.errors import SolveWarning
 from cardan.runtime.trajectory import Trajectory, load
