@@ -28,6 +28,11 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
             "The motion is singular there, or rtol and atol are tighter than it can be computed"
         )
+    if answer == abi.UNSOLVED:
+        return "not_solved", (
+            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
+            f"solved{who}. Take step= or max_step= shorter; or the motion is singular there"
+        )
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:

@@ -38,6 +38,8 @@ class Progress:
     steps: int = 0
     rejections: int = 0
     evaluations: int = 0
+    jacobians: int = 0
+    factorizations: int = 0
     count: int = 0
     nr: int = 0
     culprit: int = -1

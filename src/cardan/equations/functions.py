@@ -186,14 +186,24 @@ def _dependents(c: Context) -> tuple[Output, ...]:
     )
 
 
-def _constraints(c: Context) -> tuple[Output, ...]:
+def residuals_of_rows(c: Context) -> Output:
+    """g with names and units."""
     g = c.d.constraints.position
-    return (Output("g", (g.rows,), g.nodes, *_rows(c, True)),)
+    return Output("g", (g.rows,), g.nodes, *_rows(c, True))
+
+
+def rates_of_rows(c: Context) -> Output:
+    """G u + g_t with names and units."""
+    rates = c.d.constraints.rates
+    return Output("rates", (rates.rows,), rates.nodes, *_rows(c, False))
+
+
+def _constraints(c: Context) -> tuple[Output, ...]:
+    return (residuals_of_rows(c),)
 
 
 def _constraint_rates(c: Context) -> tuple[Output, ...]:
-    rates = c.d.constraints.rates
-    return (Output("rates", (rates.rows,), rates.nodes, *_rows(c, False)),)
+    return (rates_of_rows(c),)
 
 
 def _constraint_jacobian(c: Context) -> tuple[Output, ...]:
@@ -233,15 +243,14 @@ def _close_position(c: Context) -> tuple[Output, ...]:
             moved = joint.element.integrate(c.k.coordinates[i], du, **c.k.data[i])
             nodes[joint.q : joint.q + moved.rows] = moved.nodes
     moved = Matrix(c.k.graph, len(nodes), 1, nodes)
-    return (*c.vector("q", moved, "q"), Output("g", (g.rows,), g.nodes, *_rows(c, True)))
+    return (*c.vector("q", moved, "q"), residuals_of_rows(c))
 
 
 def _close_velocity(c: Context) -> tuple[Output, ...]:
     own = c.d.constraints
     speeds = c.d.block("u", c.k.system.nu)
     moved = speeds + c.d.projected(c.d.mass_matrix, own.jacobian, own.rates)
-    rates = Output("rates", (own.rates.rows,), own.rates.nodes, *_rows(c, False))
-    return (*c.vector("u", moved, "u"), rates)
+    return (*c.vector("u", moved, "u"), rates_of_rows(c))
 
 
 def _motion(c: Context) -> dict[int, Scalar]:

@@ -37,6 +37,7 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6       /* no state near the step fulfills the constraints: see `open_row` */
 };
 
@@ -61,6 +62,12 @@ struct cardan_run {
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
+    cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
+    cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
+                                    q, G (rates, nu) */
+    cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
+    cardan_call qdot;
+    const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
@@ -121,6 +128,7 @@ struct cardan_run {
 
     /* counters and answers */
     ptrdiff_t steps, rejections, evaluations;
+    ptrdiff_t jacobians, factorizations; /* of implicit methods */
     ptrdiff_t budget;      /* steps per call of cardan_run_drive */
     ptrdiff_t culprit;     /* entry of y that broke the run, -1 if none is to blame */
     ptrdiff_t model_status;
@@ -159,7 +167,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
-void cardan_inputs_at(cardan_run *run, real t, const real *x);
+int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
 
@@ -188,7 +196,9 @@ enum {
     cardan_rk4_stages = 4,
     cardan_rk4_rows = 3,
     cardan_dop853_stages = 16,
-    cardan_dop853_rows = 7
+    cardan_dop853_rows = 7,
+    cardan_alpha_stages = 1,
+    cardan_alpha_rows = 3
 };
 #define CARDAN_METHOD(run, name)                                                                   \
     ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
@@ -202,5 +212,9 @@ int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
 ptrdiff_t cardan_dop853_length(const cardan_run *run);
+int cardan_alpha_init(cardan_run *run);
+int cardan_alpha_step(cardan_run *run);
+int cardan_alpha_dense(cardan_run *run);
+ptrdiff_t cardan_alpha_length(const cardan_run *run);
 
 #endif

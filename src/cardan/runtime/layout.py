@@ -41,6 +41,9 @@ READS = {
     "multipliers": "t q u r tau",
     "close_position": "t q r",
     "close_velocity": "t q u r",
+    "balance": "t q u udot lam r",
+    "balance_tangent": "t q u udot lam r",
+    "move": "q du",
     "integrate": "q du",
     "difference": "q0 q",
 }
@@ -49,8 +52,9 @@ READS = {
 NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
 # arguments that have a default
 OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
-# functions that have derivatives
-SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference", "rhs_jacobian"))
+# functions that have no derivatives: along increments, or derivatives themselves
+APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "difference")
+SMOOTH = tuple(name for name in READS if name not in APART)
 FUNCTIONS = (*READS, "derivative")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
@@ -84,19 +88,22 @@ class Layout:
                 if size:
                     places.setdefault(joint["name"], slice(start, start + size))
         r = {name: slice(k, k + 1) for k, name in enumerate(self.inputs)}
-        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r}
+        lam = {name: slice(k, k + 1) for k, name in enumerate(self.names("lam"))}
+        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r, "lam": lam}
 
     def names(self, block: str) -> tuple[str, ...]:
         """Name of every entry of a block."""
         if block in ("q", "q0"):
             return self.coordinates
+        if block == "lam":
+            return tuple(row["name"] for row in self.manifest.get("multipliers", ()))
         return self.inputs if block == "r" else self.speeds
 
     def start(self, block: str) -> Array:
         """Entries of a block that are not named: defaults of q and r, else zeros."""
         rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs"}.get(block)
         if rows is None:
-            return np.zeros(len(self.speeds))
+            return np.zeros(len(self.names(block)))
         return np.array([row["default"] or 0.0 for row in self.manifest[rows]], dtype=np.float64)
 
     @cached_property
@@ -113,6 +120,7 @@ class Layout:
             self._vector("u", "speeds"),
             self._vector("udot", "accelerations of"),
             self._vector("du", "increments along"),
+            self._vector("lam", "multipliers"),
             self._vector("tau", "forces along", np.zeros(nu)),
             self._vector("r", "inputs", self.start("r")),
             Argument("z", (0,), (), ((SLOT["z"], 0),), none),

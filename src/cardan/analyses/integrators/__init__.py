@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..integrator import Integrator
-from . import dop853, rk4
+from . import dop853, generalized_alpha, hht, newmark, rk4
 
-INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (dop853, rk4)}
+INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (dop853, rk4, generalized_alpha, hht, newmark)}
 
 __all__ = ["INTEGRATORS", "Integrator"]
