@@ -14,9 +14,10 @@ from ..ir.derivative import directional
 from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
+from .binding import constraint_rates, constraints
+from .context import Context
 from .derivatives import inverse_columns
 from .directions import directions
-from .functions import Context, rates_of_rows, residuals_of_rows
 from .increments import integrated
 
 
@@ -32,7 +33,7 @@ def balance(c: Context) -> tuple[Output, ...]:
     if not c.k.system.closed:
         return c.vector("balance", force, "tau")
     moved = c.vector("balance", force - _constraint_forces(c), "tau")
-    return (*moved, residuals_of_rows(c), rates_of_rows(c))
+    return (*moved, *constraints(c), *constraint_rates(c))
 
 
 def balance_tangent(c: Context) -> tuple[Output, ...]:

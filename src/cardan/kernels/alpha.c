@@ -150,7 +150,7 @@ static void accept(cardan_run *run, const cardan_alpha *v, real h, real error)
     if ((factor >= 1 && factor < WORTH)
         || (waves && factor < GROW && v->now[ALPHA_SINCE] < QUIET))
         factor = 1;
-    factor = fmin(factor, waves && factor < GROW ? GROW_3 : GROW);
+    factor = fmax(SAFETY, fmin(factor, waves && factor < GROW ? GROW_3 : GROW));
     cardan_accept_step(run, h, pow(SAFETY / factor, LOCAL), LOCAL);
 }
 
@@ -162,12 +162,14 @@ static real allowed(const cardan_alpha *v)
 
 /* Solve for a step of size h, and take it unless its error is too large.
  *
- * error: in units of the tolerance, 0 of a given step.
+ * error: in units of the tolerance, 0 of a given step. taken: whether it was.
  */
-static int attempt(cardan_run *run, const cardan_alpha *v, real h, real t_new, real *error)
+static int attempt(cardan_run *run, const cardan_alpha *v, real h, real t_new, real *error,
+                   int *taken)
 {
     int status;
 
+    *taken = 0;
     *error = 0;
     run->culprit = -1;
     stand_for(v, h);
@@ -176,8 +178,10 @@ static int attempt(cardan_run *run, const cardan_alpha *v, real h, real t_new, r
         *error = error_of(run, v, h, &status);
     if (status == 0 && *error - *error != 0)
         status = CARDAN_NOT_FINITE;
-    if (status == 0 && *error <= allowed(v))
+    if (status == 0 && *error <= allowed(v)) {
         status = commit(run, v, t_new);
+        *taken = status == 0;
+    }
     return status;
 }
 
@@ -186,7 +190,7 @@ int cardan_alpha_step(cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
     real h, t_new, error;
-    int status = cardan_refresh(run), failed;
+    int status = cardan_refresh(run), failed, taken;
 
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
@@ -198,8 +202,8 @@ int cardan_alpha_step(cardan_run *run)
     while (status == 0 && !run->stop) {
         real factor;
 
-        failed = attempt(run, &v, h, t_new, &error);
-        if (failed == 0 && error <= allowed(&v)) {
+        failed = attempt(run, &v, h, t_new, &error, &taken);
+        if (taken) {
             accept(run, &v, h, error);
             return 0;
         }
