@@ -201,6 +201,12 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
             f"method '{method.name}' moves along the speeds of the joints, and those of model "
             f"'{model.name}' were chosen: derive without speeds="
         )
+    if model.manifest["z"]:
+        names = ", ".join(f"'{row['name']}'" for row in model.manifest["z"][:3])
+        raise ModelError(
+            f"method '{method.name}' takes no internal states, and model '{model.name}' has "
+            f"{names}: take method='auto'"
+        )
     if not model.nlam:
         return method, f"rho_inf {alpha.rho_inf:.3g}"
     if not model.manifest.get("projected", True):

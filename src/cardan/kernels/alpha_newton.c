@@ -18,7 +18,8 @@ enum { MOST_CORRECTIONS = 20, MOST_TANGENTS = 6 };
 static const real SLOW = 0.3, FEW = 4;
 /* corrections of a step may be so large: of the error it may have; of coordinates, at a given step */
 static const real SHARE = 0.005, SOUGHT = 1e-13;
-/* what rounding may leave of that at a given step */
+static const real TRUST = 0.8;
+/* what rounding may leave, in units of that */
 static const real NOISE = 1e3;
 /* a step whose matrix serves another one: at most so much larger or smaller */
 static const real ALIKE = 0.25;
@@ -123,13 +124,15 @@ static int renew(cardan_run *run, const cardan_alpha *v, real h, real t)
     return status != 0 ? status : cardan_alpha_factor(run, v, h);
 }
 
-/* Whether what the next corrections will be is little enough; rate: by which they shrink. */
-static int enough(const cardan_alpha *v, real norm, real rate, real last)
+/* Whether what the next corrections will be is little enough; rate: by which they shrink.
+ *
+ * Where they do not although the tangent is new, rounding is all there is.
+ */
+static int enough(real norm, real rate, real last, int is_new)
 {
     if (norm == 0 || (rate < 1 && norm * rate <= 1 - rate))
         return 1;
-    /* a given step has no other choice than what rounding leaves */
-    return !v->adaptive && norm <= NOISE && norm > 0.5 * last;
+    return is_new && norm <= NOISE && norm > 0.5 * last;
 }
 
 /* The accelerations and multipliers of a step h to t_new; its end in `trial`.
@@ -157,8 +160,11 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         norm = status == 0 ? left_by(run, v, dx, &status) : 0;
         if (status != 0)
             return status;
-        rate = last < INFINITY ? norm / last : v->now[ALPHA_RATE];
-        if (enough(v, norm, rate, last)) {
+        /* what was measured in an earlier step is trusted less every time, at a given step never */
+        rate = v->adaptive ? pow(v->now[ALPHA_RATE], TRUST) : norm <= 1 ? 0.5 : 1;
+        if (last < INFINITY)
+            rate = norm / last;
+        if (enough(norm, rate, last, tangents > 0)) {
             v->now[ALPHA_RATE] = fmin(SLOW, fmax(rate, 1e-3));
             return 0;
         }
