@@ -27,10 +27,44 @@ int NAME(const cardan_in *in, real *out, real *work)
 """
 
 
-def function(folder: Path, name: str, body: str, entries: list[str]) -> Any:
-    """A C function with the interface of a loaded one."""
+# differences of the right-hand side above, quaternions by their direction
+DIFFERENCES = """
+    real x[NX + NR + 1], lower[NX + NR + 1], upper[NX + NR + 1], time[1];
+    cardan_in moved = *in;
+    int status;
+    for (int i = 0; i < NX + NR; i++) x[i] = i < NQ ? q[i] : i < NX ? u[i - NQ] : r[i - NX];
+    moved.q = x; moved.u = x + NQ; moved.r = x + NX; moved.t = time;
+    for (int j = 0; j <= NX + NR; j++) {
+        real *at = j < NX + NR ? x + j : time, held, h;
+        time[0] = t;
+        held = *at, h = 6e-6 * (1 + fabs(held));
+        *at = held + h; h = *at - held;
+        status = right(&moved, upper, work);
+        *at = held - h;
+        status = status ? status : right(&moved, lower, work);
+        if (status) return status;
+        *at = held;
+        for (int i = 0; i < NX; i++) {
+            real slope = (upper[i] - lower[i]) / (2 * h);
+            if (j < NX) out[i * NX + j] = slope;
+            else if (j == NX + NR) out[NX * NX + i] = slope;
+            else out[NX * NX + NX + i * NR + j - NX] = slope;
+        }
+    }
+    const int quaternions[] = {QUATERNIONS -1};
+    for (int k = 0; quaternions[k] >= 0; k++)
+        for (int i = 0; i < NX; i++) {
+            real *row = out + i * NX + quaternions[k], along = 0;
+            for (int j = 0; j < 4; j++) along += row[j] * q[quaternions[k] + j];
+            for (int j = 0; j < 4; j++) row[j] -= along * q[quaternions[k] + j];
+        }
+"""
+
+
+def function(folder: Path, name: str, body: str, entries: list[str], before: str = "") -> Any:
+    """A C function with the interface of a loaded one, and what stands before it."""
     path = folder / f"{name}.c"
-    path.write_text(HEAD.replace("NAME", name).replace("BODY", body))
+    path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
     library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
@@ -50,6 +84,7 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
     """
@@ -59,6 +94,7 @@ class Problem:
     nq: int = 1
     nu: int = 1
     power: str = ""
+    jacobian: str = ""
     inputs: tuple[str, ...] = ()
     quaternions: tuple[int, ...] = ()
     name: str = "problem"
@@ -96,7 +132,7 @@ class Problem:
             "bodies": [],
             "quaternions": list(self.quaternions),
             "multipliers": list(self.multipliers),
-            "available": ["rhs", "power"] if self.power else ["rhs"],
+            "available": ["rhs", "rhs_jacobian", *(["power"] if self.power else [])],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -109,13 +145,22 @@ class Problem:
         if name not in self._made:
             body = {
                 "rhs": self.rhs,
+                "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
             }[name]
             entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
-            self._made[name] = function(self.folder, name, body, entries)
+            before = self._before() if body == DIFFERENCES else ""
+            self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]
+
+    def _before(self) -> str:
+        """The right-hand side and the sizes that differences of it need."""
+        right = HEAD.replace("NAME", "right").replace("BODY", self.rhs)
+        sizes = {"NX": self.nx, "NQ": self.nq, "NR": self.nr}
+        sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
+        return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 
     def run(self, t: Any, x0: Any, **options: Any) -> Trajectory:
         """Simulate from a state."""

@@ -12,14 +12,14 @@ from cardan.analyses.integrators import INTEGRATORS, Integrator
 from kernels.problem import SWING, Problem, swing
 
 # steps at which the error is far from rounding and from the region where it is no power of h
-STEPS = {4: (0.02, 0.01, 0.005), 8: (0.1, 0.08, 0.05, 0.04)}
+STEPS = {4: (0.02, 0.01, 0.005), 5: (0.04, 0.02, 0.01), 8: (0.1, 0.08, 0.05, 0.04)}
 
 
 def fixed(method: Integrator, h: float) -> dict[str, Any]:
     """Options that make a method take steps of size h: an adaptive one never sees an error."""
     if not method.adaptive:
         return {"method": method.name, "step": h}
-    return {"method": method.name, "step": h, "max_step": h, "rtol": 1e9, "atol": 1e9}
+    return {"method": method.name, "step": h, "max_step": h, "rtol": 0, "atol": 1e9}
 
 
 def slope(steps: Any, errors: Any) -> float:

@@ -38,8 +38,6 @@ class Progress:
     steps: int = 0
     rejections: int = 0
     evaluations: int = 0
-    jacobians: int = 0
-    factorizations: int = 0
     count: int = 0
     nr: int = 0
     culprit: int = -1
@@ -48,6 +46,8 @@ class Progress:
     correction: float = 0.0
     projections: int = 0
     loosened: int = 0
+    jacobians: int = 0
+    factorizations: int = 0
 
 
 class PlainRunner:

@@ -40,9 +40,10 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "fresh is_dense rejected near_singular rounded"),
     (POINTER, "rows spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),
-    (COUNT, "steps rejections evaluations jacobians factorizations"),
-    (COUNT, "budget culprit model_status"),
-    (COUNT, "open_row projections loosened stop"),
+    (COUNT, "steps rejections evaluations budget culprit model_status"),
+    (COUNT, "open_row projections loosened"),
+    (COUNT, "jacobians factorizations"),
+    (COUNT, "stop"),
 )
 
 

@@ -12,7 +12,7 @@
  * Math. 129 (2015), section 4 (the stabilized index 2 form).
  */
 #include "alpha.h"
-#include "lu.h"
+#include "linear.h"
 #include <math.h>
 
 /* square of the sine of the angle to others at which a row still is one of its own: dependent.h */
@@ -208,7 +208,7 @@ int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h)
     run->factorizations++;
     v->now[ALPHA_MATRIX] = h;
     v->now[ALPHA_RATE] = 1;
-    if (cardan_lu_factor(n, v->matrix, v->order) == 0)
+    if (cardan_factor(n, v->matrix, v->order) == 0)
         return 0;
     v->now[ALPHA_MATRIX] = 0;
     return CARDAN_UNSOLVED;
@@ -243,7 +243,7 @@ void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx)
     const real scale = h == 0 ? 1 : h * h * v->beta * (1 - v->af) / (1 - v->am);
     const ptrdiff_t n = right_of(v, h, scale);
 
-    cardan_lu_solve(n, v->matrix, v->order, v->right);
+    cardan_substitute(n, v->matrix, v->order, v->right);
     for (ptrdiff_t i = 0; i < nu; i++) {
         dx[i] = v->weight[i] * v->right[i];
         if (h != 0)

@@ -36,12 +36,13 @@ static const real *on_constraints(cardan_run *run, real t, const real *y)
     return cardan_close(run, t, copy, 0) == 0 ? copy : y;
 }
 
-/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT.
+/* dx/dt (nx) and the powers of the sources at t, y; either may be NULL.
  *
  * Beside a singular position it is taken at the nearest state on the constraints: off them
  * accelerations grow with the inverse of the distance, on them nothing happens.
+ * Returns 0, CARDAN_MODEL or CARDAN_INPUT.
  */
-int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power)
 {
     cardan_in in;
     int status = inputs_at(run, t, y, !run->sampled);
@@ -51,11 +52,19 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
     if (run->near_singular)
         y = on_constraints(run, t, y);
     in = cardan_at(run, &t, y);
-    run->evaluations++;
-    status = cardan_call_model(run, &run->rhs, &in, f);
-    if (status == 0 && run->power.function)
-        status = cardan_call_model(run, &run->power, &in, f + run->nx);
+    if (xdot) {
+        run->evaluations++;
+        status = cardan_call_model(run, &run->rhs, &in, xdot);
+    }
+    if (status == 0 && power && run->power.function)
+        status = cardan_call_model(run, &run->power, &in, power);
     return status;
+}
+
+/* f = dy/dt (n) at t, y. Returns as cardan_evaluate. */
+int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+{
+    return cardan_evaluate(run, t, y, f, f + run->nx);
 }
 
 /* Make f the derivative at t, y unless it is. */

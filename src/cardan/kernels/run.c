@@ -12,7 +12,7 @@ size_t cardan_run_size(void)
     return sizeof(cardan_run);
 }
 
-/* y (n) inside a step from its dense output; theta in 0 ... 1, `rows` odd.
+/* y (n) inside a step from its dense output; theta in 0 ... 1.
  *
  * y_old + theta (F0 + (1 - theta) (F1 + theta (F2 + ...))): F0 alone is the chord, every further
  * row vanishes at both ends.

@@ -128,13 +128,13 @@ struct cardan_run {
 
     /* counters and answers */
     ptrdiff_t steps, rejections, evaluations;
-    ptrdiff_t jacobians, factorizations; /* of implicit methods */
     ptrdiff_t budget;      /* steps per call of cardan_run_drive */
     ptrdiff_t culprit;     /* entry of y that broke the run, -1 if none is to blame */
     ptrdiff_t model_status;
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
     ptrdiff_t loosened;    /* steps past singular positions that rounding kept from the tolerance */
+    ptrdiff_t jacobians, factorizations; /* of the implicit methods */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
 
@@ -176,6 +176,7 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work);
 void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work);
 
 /* what the methods build on: derivative.c, close.c and control.c */
+int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power);
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
@@ -191,6 +192,10 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
+/* implicit.c: the Jacobian of a run, for the methods that need one */
+ptrdiff_t cardan_jacobian_length(const cardan_run *run);
+int cardan_jacobian(cardan_run *run, real h, real *jacobian);
+
 /* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
 enum {
     cardan_rk4_stages = 4,
@@ -198,7 +203,11 @@ enum {
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
     cardan_alpha_stages = 1,
-    cardan_alpha_rows = 3
+    cardan_alpha_rows = 3,
+    cardan_radau_stages = 3,
+    cardan_radau_rows = 3,
+    cardan_rosenbrock_stages = 8,
+    cardan_rosenbrock_rows = 4
 };
 #define CARDAN_METHOD(run, name)                                                                   \
     ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
@@ -216,5 +225,13 @@ int cardan_alpha_init(cardan_run *run);
 int cardan_alpha_step(cardan_run *run);
 int cardan_alpha_dense(cardan_run *run);
 ptrdiff_t cardan_alpha_length(const cardan_run *run);
+int cardan_radau_init(cardan_run *run);
+int cardan_radau_step(cardan_run *run);
+int cardan_radau_dense(cardan_run *run);
+ptrdiff_t cardan_radau_length(const cardan_run *run);
+int cardan_rosenbrock_init(cardan_run *run);
+int cardan_rosenbrock_step(cardan_run *run);
+int cardan_rosenbrock_dense(cardan_run *run);
+ptrdiff_t cardan_rosenbrock_length(const cardan_run *run);
 
 #endif
