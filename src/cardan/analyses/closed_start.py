@@ -39,10 +39,11 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     Raises:
         ModelError: circuits that cannot be assembled with what is named.
     """
-    m = Mechanism(model, t, r)
-    if not m.closing.rows or "constraints" not in model.manifest["available"]:
+    manifest = model.manifest
+    if not manifest.get("multipliers") or "constraints" not in manifest["available"]:
         # the run itself projects what it is given
         return begin
+    m = Mechanism(model, t, r)
     place, speed = begin.x[: model.nq], begin.x[model.nq :]
     place = _positions(m, place, _named("q", model, q))
     speed = _speeds(m, place, speed, _named("u", model, u))

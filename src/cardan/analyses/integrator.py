@@ -22,6 +22,7 @@ class Integrator:
         stages: Derivatives it keeps.
         dense_rows: Rows of its dense output.
         adaptive: Whether it chooses its steps from rtol and atol.
+        charted: Whether it takes quaternions by their increments (a Lie group method).
         applies: Where it is the one to take, in words.
         source: Where it comes from.
         needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
@@ -40,6 +41,7 @@ class Integrator:
     adaptive: bool
     applies: str
     source: str
+    charted: bool = False
     needs: tuple[str, ...] = ()
     options: tuple[float, ...] = ()
     given_step: bool = False

@@ -33,6 +33,11 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
             f"solved{who}. Take step= or max_step= shorter; or the motion is singular there"
         )
+    if answer == abi.TURNED:
+        return "step_too_long", (
+            f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
+            "more than its increment can tell. Take step= shorter"
+        )
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:

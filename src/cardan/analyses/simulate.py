@@ -185,7 +185,8 @@ def _trajectory(
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
-        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions)
+        charted = runner.settings.method.charted
+        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions, charted)
     return Trajectory(
         t=t,
         x=y[:, : model.nx].copy(),

@@ -37,7 +37,8 @@ def export(
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
             default the dynamics and the energy.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-        integrators: ``"dop853"``, ``"rk4"``: their C comes along, and ``example.c`` simulates.
+        integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``: their C comes along, and ``example.c``
+            simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         loops: As :func:`cardan.compile` takes it.
 
