@@ -10,10 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.runtime import cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
+# those that take x' = f(t, x) as it comes; others step what mechanics gives them
+METHODS = {name: m for name, m in INTEGRATORS.items() if "balance" not in m.needs}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);

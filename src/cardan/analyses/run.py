@@ -129,6 +129,8 @@ class Runner:
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
+        options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
+        run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1

@@ -19,10 +19,10 @@ static int inputs_at(cardan_run *run, real t, const real *x, int asked)
     return 0;
 }
 
-/* r at t, for rows that come out; a sampled function keeps its value. */
-void cardan_inputs_at(cardan_run *run, real t, const real *x)
+/* r at t; a sampled function keeps its value. Returns 0 or CARDAN_INPUT. */
+int cardan_inputs_at(cardan_run *run, real t, const real *x)
 {
-    (void)inputs_at(run, t, x, !run->sampled);
+    return inputs_at(run, t, x, !run->sampled);
 }
 
 /* y (n) projected onto the constraints, or as it is where that does not work. */

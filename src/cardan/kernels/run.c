@@ -60,7 +60,7 @@ static int put(cardan_run *run, real t)
     if (status != 0)
         return status;
     row[0] = t;
-    cardan_inputs_at(run, t, row + 1);
+    (void)cardan_inputs_at(run, t, row + 1);
     for (ptrdiff_t i = 0; i < run->nr; i++)
         row[1 + run->n + i] = run->r[i];
     run->count++;

@@ -38,7 +38,8 @@ enum {
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
-    CARDAN_TURNED = -7     /* a rotation in one step is larger than its chart */
+    CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
+    CARDAN_UNSOLVED = -8   /* the equations of an implicit step were not solved */
 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
@@ -62,6 +63,12 @@ struct cardan_run {
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
+    cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
+    cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
+                                    q, G (rates, nu) */
+    cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
+    cardan_call qdot;
+    const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
@@ -164,7 +171,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
-void cardan_inputs_at(cardan_run *run, real t, const real *x);
+int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
 
@@ -204,6 +211,8 @@ enum {
     cardan_rk45_rows = 4,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
+    cardan_alpha_stages = 1,
+    cardan_alpha_rows = 3,
     cardan_radau_stages = 3,
     cardan_radau_rows = 3,
     cardan_rosenbrock_stages = 8,
@@ -225,6 +234,10 @@ int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
 ptrdiff_t cardan_dop853_length(const cardan_run *run);
+int cardan_alpha_init(cardan_run *run);
+int cardan_alpha_step(cardan_run *run);
+int cardan_alpha_dense(cardan_run *run);
+ptrdiff_t cardan_alpha_length(const cardan_run *run);
 int cardan_radau_init(cardan_run *run);
 int cardan_radau_step(cardan_run *run);
 int cardan_radau_dense(cardan_run *run);

@@ -125,6 +125,10 @@ class Joint(ABC):
         """The du with integrate(q0, du) = q1; by default q1 - q0."""
         return q1 - q0
 
+    def tangent(self, du: Matrix) -> Matrix:
+        """T: a change of du moves integrate(q, du) along the speeds by T times it; by default 1."""
+        return Matrix.identity(du.graph, len(du))
+
     @abstractmethod
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         """What must vanish where the joint closes a circuit: residuals of a relative pose.
@@ -309,6 +313,9 @@ class Reversed(Joint):
 
     def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
         return self.element.difference(q0, q1, **data)
+
+    def tangent(self, du: Matrix) -> Matrix:
+        return self.element.tangent(du)
 
     @property
     def quaternion(self) -> int | None:
