@@ -207,17 +207,17 @@ class Maximal:
             assert element.damping == 0
             pull = element.stiffness * (length - element.length) * (p_b - p_a) / length
             for place, point, force in ((a, p_a, pull), (b, p_b, -pull)):
-                self._push(load, place, poses, np.zeros(3), point, force)
+                self.push(load, place, poses, np.zeros(3), point, force)
             return
         assert element.kind == "joint_force"
         joint = self.scene.joints[element.joint]
         assert joint.kind.kind == "revolute"
         R, point = self.frame(poses, joint.parent)
         moment = R @ unit(joint.kind.axis) * element.force
-        self._push(load, joint.parent, poses, -moment, point, np.zeros(3))
-        self._push(load, joint.child, poses, moment, point, np.zeros(3))
+        self.push(load, joint.parent, poses, -moment, point, np.zeros(3))
+        self.push(load, joint.child, poses, moment, point, np.zeros(3))
 
-    def _push(
+    def push(
         self, load: Array, place: Any, poses: Poses, moment: Array, point: Array, force: Array
     ) -> None:
         body = place.body

@@ -187,6 +187,30 @@ def test_reactions_are_those_of_the_tree(pair: Pair) -> None:
     assert np.abs(found - wanted).max() < 1e5 * EPS * (1 + np.abs(wanted).max())
 
 
+@pytest.mark.parametrize("cut", [False, True], ids=["tree", "cut"])
+def test_reactions_balance_the_load(pair: Pair, cut: bool) -> None:
+    """Newton and Euler for the free body: besides the joint only gravity acts on it."""
+    equations = pair.cut if cut else pair.tree
+    q, u = pair.floating if cut else (pair.q, pair.u)
+    (udot,) = call(equations, "forward_dynamics", q=q, u=u).values()
+    (wrench,) = call(equations, "reaction", "tested", q=q, u=u, wrench=np.zeros(12)).values()
+    (pose,) = call(equations, "pose", "load", q=q).values()
+    (twist,) = call(equations, "velocity", "load", q=q, u=u).values()
+    (change,) = call(equations, "acceleration", "load", q=q, u=u, udot=udot).values()
+    (child,) = call(equations, "pose", "tested.child", q=q).values()
+    R, omega, alpha = pose[:3, :3], twist[:3], change[:3]
+    com, inertia = R @ [0.05, -0.1, 0.2], R @ np.array(INERTIA) @ R.T
+    acceleration = change[3:] + np.cross(alpha, com) + np.cross(omega, np.cross(omega, com))
+    force = 1.0 * (acceleration - np.array([0.3, 0.5, -9.81]))
+    moment = inertia @ alpha + np.cross(omega, inertia @ omega)
+    # declared the other way round it is the wrench on the arm, of which the load feels the opposite
+    sign = -1 if cut and pair.back else 1
+    turned, pushed = (sign * child[:3, :3] @ wrench[k : k + 3] for k in (0, 3))
+    arm = child[:3, 3] - pose[:3, 3] - com
+    found, wanted = np.array([turned + np.cross(arm, pushed), pushed]), np.array([moment, force])
+    assert np.abs(found - wanted).max() < 1e5 * EPS * (1 + np.abs(wanted).max())
+
+
 def test_constraints_do_no_work(pair: Pair) -> None:
     """Nothing drives the machine: its energy stays, to second order of a central difference."""
     q, u = pair.floating
