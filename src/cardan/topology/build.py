@@ -71,11 +71,17 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # the tree: bodies, frames, joints and their slots
     assembly = Assembly(scene, convert, rotors.place)
+    carried = {joint.joint.name for joint in closing if joint.carried}
+    # rotors sit where the joints do that they drive
+    late = [branch for branch in tree if rotors.place.get(branch.joint.name) in carried]
     for branch in tree:
-        assembly.add(branch)
-    assembly.couple()
+        if branch not in late:
+            assembly.add(branch)
     for joint in closing:
         assembly.close(joint)
+    for branch in late:
+        assembly.add(branch)
+    assembly.couple()
     parents = [rigid.parent for rigid in assembly.bodies]
     cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
     closures: tuple[Closure, ...] = ()
@@ -97,7 +103,7 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
-    bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
+    bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
     made = System(
         name=scene.name,
