@@ -35,6 +35,7 @@ def _forward(c: Context) -> tuple[Output, ...]:
 
 
 def _inverse(c: Context) -> tuple[Output, ...]:
+    c.with_friction_at(c.udot)
     return c.vector("tau", c.d.inverse(c.udot), "tau")
 
 
