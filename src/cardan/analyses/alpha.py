@@ -164,7 +164,7 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
         stages=1,
         dense_rows=3,
         adaptive=True,
-        applies="constraints and stiff forces at moderate accuracy; damps what steps do not resolve",
+        applies="constraints, stiff forces at moderate accuracy; damps what steps do not resolve",
         source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
         "A. Cardona, Numer. Math. 129 (2015)",
         needs=("balance", "balance_tangent", "move", "qdot"),

@@ -73,7 +73,8 @@ def _open(runner: Runner | PlainRunner) -> str:
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
     joint = next(row["joint"] for row in closing.rows if row["name"] == name)
-    who = f"motion is not defined here: joint '{joint}' ({level} of '{name}')"
+    kind = "constraint" if joint == name else "joint"
+    who = f"motion is not defined here: {kind} '{joint}' ({level} of '{name}')"
     if run.steps == 0 and run.correction <= 1:
         return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
     if not runner.settings.method.adaptive:
@@ -83,7 +84,21 @@ def _open(runner: Runner | PlainRunner) -> str:
             f"{who} would jump to another branch however short the step is. The position is "
             "singular: model.singular_positions(...) finds such positions"
         )
+    driven = _driven(runner)
+    if driven:
+        return (
+            f"{who} cannot stay closed. What is prescribed ({driven}) asks for more than the "
+            "mechanism can follow from here: it is at a dead point or at the end of its range"
+        )
     return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
+
+
+def _driven(runner: Runner | PlainRunner) -> str:
+    """Joints and constraints that time or inputs move, in words."""
+    joints = [j["name"] for j in runner.model.manifest["joints"] if j["prescribed"]]
+    written = [row["name"] for row in runner.closing.rows if row["name"] == row["joint"]]
+    moved = [name for name in written if f"{name}.motion" in runner.sources]
+    return ", ".join(f"'{name}'" for name in (*joints, *moved))
 
 
 def _culprit(runner: Runner | PlainRunner) -> str:

@@ -78,7 +78,7 @@ def _square(
 
 def move(c: Context) -> tuple[Output, ...]:
     """q moved by du, and T: a change of du moves the result along the speeds by T times it."""
-    g, system = c.k.graph, c.k.system
+    system = c.k.system
     step, nodes = c.d.block("du", system.nu), [ZERO] * system.nu**2
     for joint in system.joints:
         if joint.u >= 0:

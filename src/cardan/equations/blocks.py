@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 from ..elements.internal import Mode
 from ..elements.joints.joint import Component
+from ..elements.quantity import written_unit
 from ..ir.function import Block
-from ..topology.internals import full_name
+from ..topology.internals import full_name, slides
 from ..topology.system import System
 from .constraints import rows
 
@@ -49,7 +50,11 @@ def accelerated(unit: str) -> str:
 def internals(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of z."""
     return [
-        (full_name(force.name, state), state.unit, state.default)
+        (
+            full_name(force.name, state),
+            written_unit(state.unit, slides(system.joints, force.joints.values())),
+            state.default,
+        )
         for force in system.forces
         for state in force.element.internals()
     ]

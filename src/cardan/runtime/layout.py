@@ -82,6 +82,12 @@ class Layout:
         self.events = tuple(row["name"] for row in manifest.get("events", ()))
         self.multipliers = tuple(row["name"] for row in manifest.get("multipliers", ()))
         self.parts = tuple(part for body in manifest["bodies"] for part in body["parts"])
+        # bodies without parts only stand for joints: their frames are nobody's
+        self.part_of = {
+            row["name"]: row.get("part")
+            for row in manifest["frames"]
+            if row.get("part") is not None or row["body"] == "ground"
+        }
 
     @cached_property
     def places(self) -> dict[str, dict[str, slice]]:

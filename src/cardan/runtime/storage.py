@@ -121,7 +121,7 @@ def _variables(motion: Trajectory) -> Variables:
 
 def _bodies(motion: Trajectory) -> list[str]:
     """Frames whose motion goes into the file: one of every body that moves."""
-    bodies = [body["parts"][0] for body in motion.manifest["bodies"]]
+    bodies = [body["parts"][0] for body in motion.manifest["bodies"] if body["parts"]]
     if motion.model is None:
         return [body for body in bodies if f"pose {body}" in motion.stored]
     if "pose" not in motion.manifest.get("available", ()):
