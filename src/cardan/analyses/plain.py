@@ -40,6 +40,7 @@ class Progress:
     evaluations: int = 0
     count: int = 0
     nr: int = 0
+    nlam: int = 0
     culprit: int = -1
     model_status: int = 0
     open_row: int = -1

@@ -82,6 +82,7 @@ class Runner:
         run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
+        run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
 
     def _allocate(self) -> None:
@@ -200,7 +201,7 @@ class Runner:
         """
         run = self.record
         run.capacity = ROWS if times is None else len(times)
-        self.rows = np.empty((run.capacity, 1 + self.n + self.model.nr))
+        self.rows = np.empty((run.capacity, 1 + self.n + self.model.nr + run.nlam))
         run.rows = self.rows.ctypes.data
         if times is not None:
             self._times = np.ascontiguousarray(times)

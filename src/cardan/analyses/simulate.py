@@ -148,7 +148,7 @@ def _run(
                 run.count = 0
             show(min(1.0, abs(run.t - over.start) / over.length))
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    table = np.concatenate(rows) if rows else np.empty((0, 1 + runner.n + run.nr))
+    table = np.concatenate(rows) if rows else np.empty((0, 1 + runner.n + run.nr + run.nlam))
     if not len(table):
         table = _first_row(runner, over, begin)
     status, message = explain(runner, answer, over)
@@ -174,14 +174,16 @@ def _run(
 def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
     """The start alone, for a run that broke down there."""
     rest = np.zeros(runner.n - len(begin.x))
-    return np.concatenate([[over.start], begin.x, rest, runner.signals.constants])[None, :]
+    known = [[over.start], begin.x, rest, runner.signals.constants]
+    return np.concatenate([*known, np.zeros(runner.record.nlam)])[None, :]
 
 
 def _trajectory(
     runner: Runner | PlainRunner, table: Array, spreads: list[Array] | None, conduct: Conduct
 ) -> Trajectory:
     model, n = runner.model, runner.n
-    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n :].copy()
+    t, y, lam = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n + model.nr :]
+    r = table[:, 1 + n : 1 + n + model.nr].copy()
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
@@ -199,4 +201,5 @@ def _trajectory(
         dense=dense,
         inputs_at=runner.signals.recorded(t, r).at,
         ledger=runner.ledger,
+        stored={"multipliers": lam.copy()} if runner.record.nlam else {},
     )

@@ -54,7 +54,8 @@ int cardan_run_at(cardan_run *run, real t, real *y)
 /* Write a row for time t. */
 static int put(cardan_run *run, real t)
 {
-    real *row = run->rows + run->count * (1 + run->n + run->nr);
+    real *row = run->rows + run->count * (1 + run->n + run->nr + run->nlam);
+    real theta = run->t == run->t_old ? 1 : (t - run->t_old) / (run->t - run->t_old);
     int status = cardan_run_at(run, t, row + 1);
 
     if (status != 0)
@@ -63,6 +64,9 @@ static int put(cardan_run *run, real t)
     (void)cardan_inputs_at(run, t, row + 1);
     for (ptrdiff_t i = 0; i < run->nr; i++)
         row[1 + run->n + i] = run->r[i];
+    /* of the second order between the steps too */
+    for (ptrdiff_t i = 0; i < run->nlam; i++)
+        row[1 + run->n + run->nr + i] = run->lam[i] + theta * (run->lam[run->nlam + i] - run->lam[i]);
     run->count++;
     return 0;
 }
@@ -117,7 +121,7 @@ static int sizes_fit(const cardan_run *run)
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
-           && fits(run->capacity, 1 + run->n + run->nr)
+           && fits(run->nlam, 4) && fits(run->capacity, 1 + run->n + run->nr + run->nlam)
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
            && fits(run->positions, 16) && fits(run->rates, 16);

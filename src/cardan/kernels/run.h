@@ -123,8 +123,10 @@ struct cardan_run {
     ptrdiff_t near_singular; /* whether derivatives of the present step are taken on constraints */
     ptrdiff_t rounded;       /* whether rounding may explain its errors */
 
-    /* rows that come out: t, y, r */
-    real *rows;    /* (capacity, 1 + n + nr) */
+    /* rows that come out: t, y, r, lam */
+    real *rows;    /* (capacity, 1 + n + nr + nlam) */
+    real *lam;     /* (2, nlam) at t_old and t, where the method finds multipliers itself */
+    ptrdiff_t nlam;
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;

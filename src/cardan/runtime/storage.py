@@ -32,6 +32,7 @@ FORMAT = 1
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 ENDINGS = ("", ".nc", ".nc3", ".cdf")
+KEPT = ("kinetic", "potential", "constraints", "multipliers")
 LEFT_OUT = ("functions", "sha256", "available")
 COLUMNS = "largest before projection, when, largest after it, when"
 
@@ -113,6 +114,8 @@ def _variables(motion: Trajectory) -> Variables:
     if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
         residuals = np.stack([*motion.constraints.values()], axis=-1)
         found["constraints"] = (("time", "position_constraint"), residuals, {})
+    if "multipliers" in motion.stored:
+        found["multipliers"] = (("time", "multiplier"), motion.stored["multipliers"], {})
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
         found[f"pose_{k}"] = (("time", "axis", "column"), pose, {"frame": body})
@@ -190,7 +193,7 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     conduct = json.loads(notes["conduct"])
     conduct["defaulted"] = tuple(conduct["defaulted"])
-    stored = {k: values[k] for k in ("kinetic", "potential", "constraints") if k in values}
+    stored = {k: values[k] for k in KEPT if k in values}
     ledger = Ledger.of(manifest["multipliers"], values["ledger"]) if "ledger" in values else None
     return Trajectory(
         t=t,

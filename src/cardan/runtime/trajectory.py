@@ -261,6 +261,19 @@ class Trajectory:
 
     # what a model shows along the motion
 
+    @property
+    def multipliers(self) -> dict[str, Array]:
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none.
+
+        Those that the method found along with the motion, else those of the accelerations at its
+        states. Where rows follow from others their forces are not unique: then they are basic.
+        """
+        rows = self.manifest.get("multipliers", ())
+        if rows and "multipliers" not in self.stored:
+            model = self._model("the multipliers")
+            self.stored["multipliers"] = model.multipliers(self.q, self.u, t=self.t, r=self._r)
+        return {row["name"]: self.stored["multipliers"][:, k] for k, row in enumerate(rows)}
+
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""
         key = f"pose {frame}"
