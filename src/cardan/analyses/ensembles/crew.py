@@ -25,28 +25,11 @@ from ..settings import Settings
 from ..signals import Signals
 from ..times import Span
 from . import lanes as records
+from .varied import Varied
 
 Array = NDArray[np.float64]
 NOT_RUN = -1000  # answer of a run that has not begun
 UNITS = 8  # bytes of a number
-
-
-@dataclass(frozen=True)
-class Starts:
-    """What the runs of a block differ by.
-
-    Attributes:
-        x: States (count, nx).
-        r: Constant inputs (count, nr).
-        p: Parameters (count, np); None where all have those of the model.
-    """
-
-    x: Array
-    r: Array
-    p: Array | None
-
-    def __len__(self) -> int:
-        return len(self.x)
 
 
 @dataclass(frozen=True)
@@ -139,37 +122,39 @@ class Crew:
         """End soon, from any thread: runs under way are given up."""
         self.driver.stop = 1
 
-    def run(self, starts: Starts) -> Ends:
+    def run(self, part: Varied) -> Ends:
         """All runs of a block."""
-        count, run = len(starts), self.runners[0].record
-        x, answers = np.empty_like(starts.x), np.full(count, NOT_RUN, dtype=np.intp)
+        count, run = part.runs, self.runners[0].record
+        x0 = np.concatenate([part.block("q"), part.block("u")], axis=1)
+        r, p = part.block("r"), part.block("p") if part.own_parameters else None
+        x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
         rows = np.full((count, len(self.times), 1 + run.n + run.nr), np.nan)
         ends = (abi.Run * count)()
         d = self.driver
-        keep = self._own(starts)
-        d.x0, d.r, d.count = starts.x.ctypes.data, starts.r.ctypes.data, count
+        keep = self._own(p)
+        d.x0, d.r, d.count = x0.ctypes.data, r.ctypes.data, count
         d.rows = rows.ctypes.data if len(self.times) else None
         d.x, d.ends, d.answers = x.ctypes.data, ctypes.addressof(ends), answers.ctypes.data
-        abreast = self._abreast(starts) if self.width > 1 else None
+        abreast = self._abreast(p is not None) if self.width > 1 else None
         d.abreast = ctypes.addressof(abreast[0]) if abreast else None
         self.drive(d)
         del keep, abreast
         return self._ends(x, rows, answers, ends)
 
-    def _own(self, starts: Starts) -> list[Any]:
+    def _own(self, p: Array | None) -> list[Any]:
         """Prepared parameters of every run for every function that is called."""
         d = self.driver
         d.own, d.own_count, d.w, d.w_size = None, 0, None, 0
-        if starts.p is None:
+        if p is None:
             return []
         pointers = [
             (name.removesuffix("_w"), getattr(abi.Run, name).offset)
-            for name, _ in abi.Run._fields_
+            for name in (field[0] for field in abi.Run._fields_)
             if name.endswith("_w") and getattr(self.runners[0].record, name)
         ]
         own, keep = (records.Own * len(pointers))(), []
         for row, (name, offset) in zip(own, pointers, strict=True):
-            w = np.ascontiguousarray(self.model._function(name).prepared(starts.p))
+            w = np.ascontiguousarray(self.model._function(name).prepared(p))
             keep.append(w)
             row.offset, row.base, row.stride = offset, w.ctypes.data, w.shape[1]
             if name == "rhs":
@@ -177,9 +162,8 @@ class Crew:
         d.own, d.own_count = ctypes.addressof(own), len(own)
         return [own, *keep]
 
-    def _abreast(self, starts: Starts) -> tuple[Any, ...]:
-        """The record of lanes, and what keeps its memory."""
-        own = starts.p is not None
+    def _abreast(self, own: bool) -> tuple[Any, ...]:
+        """The record of lanes, and what keeps its memory; ``own``: parameters per run."""
         function, width, run = self.model._function("rhs"), self.width, self.runners[0].record
         built = function.caller.batch.ready(own)
         assert built is not None
@@ -193,9 +177,8 @@ class Crew:
         self.driver.move = abi.address(library, "cardan_abreast_move")
         a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count
         a.rtol, a.atol = self.how.rtol, self.how.atol
-        scalars = "t h t_new at error culprit taken failed evaluations"
-        sizes = dict.fromkeys(scalars.split(), 1)
-        sizes |= dict.fromkeys("y f trial next".split(), n)
+        sizes = dict.fromkeys(records.PER_LANE.split(), 1)
+        sizes |= dict.fromkeys(("y", "f", "trial", "next"), n)
         sizes |= {"k": run.stages * n, "spread": run.dense_rows * n, "r": run.nr, "s": run.ns}
         sizes |= {"at_rest": len(self.runners[0].views["at_rest"]), "work": function.work_size}
         sizes |= {"w": len(function.w) if own else 0}
@@ -212,7 +195,8 @@ class Crew:
         self, x: Array, rows: Array, answers: NDArray[np.intp], ends: ctypes.Array[abi.Run]
     ) -> Ends:
         """Answers in words and numbers."""
-        table = np.frombuffer(ends, dtype=np.dtype(abi.Run))
+        layout: Any = np.dtype(abi.Run)
+        table = np.frombuffer(memoryview(ends).cast("B"), dtype=layout)
         begun = answers != NOT_RUN
         x[~begun] = np.nan
         status, messages = ["finished"] * len(x), {}

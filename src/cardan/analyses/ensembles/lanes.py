@@ -1,4 +1,4 @@
-"""The records of ``kernels/ensemble.h`` and ``kernels/abreast.h`` for Python, and what is in them."""
+"""The records of ``kernels/ensemble.h`` and ``kernels/abreast.h`` for Python."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ from .. import record
 
 Array = NDArray[np.float64]
 POINTER, COUNT, REAL = record.POINTER, record.COUNT, record.REAL
+PER_LANE = "t h t_new at error culprit taken failed evaluations"
 ABREAST: tuple[tuple[Any, str], ...] = (
     (POINTER, "rhs w owner inputs alone quaternions"),
     (COUNT, "quaternion_count n nq nu nr"),
     (POINTER, "trial_step dense"),
     (REAL, "rtol atol"),
-    (POINTER, "t h t_new at error culprit taken failed evaluations"),
+    (POINTER, PER_LANE),
     (POINTER, "y f trial next k spread r s at_rest work"),
 )
 ENSEMBLE: tuple[tuple[Any, str], ...] = (
