@@ -72,7 +72,7 @@ static int put(cardan_run *run, real t)
 }
 
 /* Rows of the present step that are still to be written. */
-static int write_rows(cardan_run *run)
+int cardan_write_rows(cardan_run *run)
 {
     int status = 0;
     real direction = run->stops[run->stop_count - 1] - run->t_start;
@@ -151,7 +151,7 @@ int cardan_run_start(cardan_run *run)
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
     run->row_open = 1;
-    return status == 0 ? write_rows(run) : status;
+    return status == 0 ? cardan_write_rows(run) : status;
 }
 
 /* Step until the run is over, the budget is spent, or there is no room for a row. */
@@ -160,7 +160,7 @@ int cardan_run_drive(cardan_run *run)
     int status;
 
     for (ptrdiff_t i = 0; i < run->budget; i++) {
-        status = write_rows(run);
+        status = cardan_write_rows(run);
         if (status != 0)
             return status;
         if (run->stop)
@@ -178,6 +178,6 @@ int cardan_run_drive(cardan_run *run)
             return status;
         run->row_open = 1;
     }
-    status = write_rows(run);
+    status = cardan_write_rows(run);
     return status != 0 ? status : CARDAN_MORE;
 }
