@@ -82,6 +82,11 @@ class Runner:
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
 
+    def loosen(self, slack: float) -> None:
+        """Let residuals up to a slack, without units, count as none."""
+        self.closing = self.closing.loosened(slack)
+        self.record.size = self.closing.size
+
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
         model, method, n = self.model, self.settings.method, self.n
