@@ -165,6 +165,10 @@ class PlainRunner:
         self._times, self._all = times, dense
         self._kept, self._next_time = [], 1
 
+    def loosen(self, slack: float) -> None:
+        """As :meth:`.run.Runner.loosen`."""
+        self.closer.closing = self.closer.closing.loosened(slack)
+
     @property
     def closing(self) -> Closing:
         """The constraints."""

@@ -85,6 +85,11 @@ class Runner:
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
 
+    def loosen(self, slack: float) -> None:
+        """Let residuals up to a slack, without units, count as none."""
+        self.closing = self.closing.loosened(slack)
+        self.record.size = self.closing.size
+
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
         model, method, n = self.model, self.settings.method, self.n

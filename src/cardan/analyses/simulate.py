@@ -86,7 +86,9 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    motion = _run(runner_of(model, how, given), over, begin, given, progress)
+    runner = runner_of(model, how, given)
+    runner.loosen(begin.slack)
+    motion = _run(runner, over, begin, given, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)

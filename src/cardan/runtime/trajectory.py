@@ -197,7 +197,8 @@ class Trajectory:
         if self.ledger is not None and self.model is not None:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
-            values[:, :nx] = project(self.model, times, values[:, :nx], self._r_at(times))
+            r = self._r_at(times)
+            values[:, :nx] = project(self.model, times, values[:, :nx], r, self.ledger)
         return values
 
     def _r_at(self, times: Array) -> Array:
