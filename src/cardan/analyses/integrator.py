@@ -19,6 +19,7 @@ class Integrator:
         adaptive: Whether it chooses its steps from rtol and atol.
         applies: Where it is the one to take, in words.
         source: Where it comes from.
+        needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
     """
 
     name: str
@@ -30,3 +31,4 @@ class Integrator:
     adaptive: bool
     applies: str
     source: str
+    needs: tuple[str, ...] = ()

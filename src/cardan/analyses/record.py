@@ -19,7 +19,9 @@ INPUTS = ctypes.CFUNCTYPE(
 
 FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense length"),
-    (POINTER, "rhs rhs_w power power_w inputs signals quaternions"),
+    (POINTER, "rhs rhs_w power power_w"),
+    (POINTER, "rhs_jacobian rhs_jacobian_w"),
+    (POINTER, "inputs signals quaternions"),
     (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (COUNT, "positions rates"),

@@ -64,6 +64,7 @@ class Runner:
         self.powered = power
         self.closing = Closing.of(model)
         self.closers = [model._function(name) for name in self.closing.functions]
+        self.needed = [model._function(name) for name in settings.method.needs]
         outputs = self.functions[-1].outputs if power else []
         self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
@@ -95,7 +96,7 @@ class Runner:
             "spread": method.dense_rows * n,
             "r": model.nr,
             "at_rest": max(model.nu, 6 * parts),
-            "work": max(f.work_size for f in [*self.functions, *self.closers]),
+            "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
             "closing": self.library.cardan_closing_length(self.record),
             "own": abi.length(self.library, method.kernel, self.record),
             "ledger": 4 * (self.closing.positions + self.closing.rates),
@@ -122,9 +123,10 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
-        for name, closer in zip(self.closing.functions, self.closers, strict=True):
-            setattr(run, name, closer.address)
-            setattr(run, f"{name}_w", self._pointer(closer.w))
+        names = (*self.closing.functions, *settings.method.needs)
+        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
+            setattr(run, name, function.address)
+            setattr(run, f"{name}_w", self._pointer(function.w))
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CompilerMissing, SolveError, SolveWarning
+from ..errors import CompilerMissing, ModelError, SolveError, SolveWarning
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.conduct import Conduct
@@ -95,8 +95,16 @@ def simulate(
 
 def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
-    power = "power" in model.manifest["available"]
+    available = model.manifest["available"]
+    power = "power" in available
+    for name in how.method.needs:
+        if name not in available:
+            raise ModelError(
+                f"method '{how.method.name}' needs the function '{name}', which model "
+                f"'{model.name}' lacks: cd.compile(..., functions=[..., '{name}'])"
+            )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
+    called += how.method.needs
     # side by side, as both must be compiled
     model.prepare(*called)
     if all(model._function(name).address for name in called) and _integrators(model):

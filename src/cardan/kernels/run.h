@@ -59,6 +59,8 @@ struct cardan_run {
     /* the model */
     cardan_call rhs;
     cardan_call power; /* of every source */
+    /* those that some methods need, by their record in Python */
+    cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
