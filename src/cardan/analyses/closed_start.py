@@ -43,10 +43,10 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     if not m.closing.rows or "constraints" not in model.manifest["available"]:
         # the run itself projects what it is given
         return begin
-    place, speed = begin.x[: model.nq], begin.x[model.nq :]
+    place, speed, internal = model.parts_of(begin.x)
     place = _positions(m, place, _named("q", model, q))
     speed = _speeds(m, place, speed, _named("u", model, u))
-    return replace(begin, x=np.concatenate([place, speed]))
+    return replace(begin, x=np.concatenate([place, speed, internal]))
 
 
 def _named(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:

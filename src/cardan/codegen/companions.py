@@ -9,7 +9,10 @@ from . import header
 from .naming import comment
 
 # files every integrator needs, and those of each
-RUN = ("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c")
+RUN = (
+    *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
+    *("events.h", "events.c", "search.c", "dips.c"),
+)
 INTEGRATORS = {"rk4": ("rk4.c",), "dop853": ("dop853.c", "dop853_tables.h")}
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity")
