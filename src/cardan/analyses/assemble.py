@@ -152,7 +152,7 @@ def finish(
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
     m.slack = m.slack or slack(m, q)
-    rest = initial_state(model.manifest, {}, {})[0][model.nq :]
+    rest = initial_state(model.manifest, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, rest), None
     if "forward_dynamics" in model.manifest["available"]:
         rates = accelerations(m, q, velocities, udot)

@@ -46,11 +46,11 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
         # the run itself projects what it is given
         return begin
     m = Mechanism(model, t, r)
-    place, speed = begin.x[: model.nq], begin.x[model.nq :]
+    place, speed, internal = model.parts_of(begin.x)
     place = _positions(m, place, _named("q", model, q))
     m.slack = m.slack or slack(m, place)
     speed = _speeds(m, place, speed, _named("u", model, u))
-    return replace(begin, x=np.concatenate([place, speed]), slack=m.slack)
+    return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
 
 
 def _named(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:

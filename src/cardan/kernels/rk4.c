@@ -17,7 +17,7 @@ int cardan_rk4_init(cardan_run *run)
 /* End of the next step: on the grid of the segment, or the stop if that is as near. */
 static real grid(const cardan_run *run)
 {
-    real stop = run->stops[run->next_stop];
+    real stop = run->until;
     real t = run->segment + (real)(run->in_segment + 1) * run->h;
 
     return (stop - t) / run->h < 1e-9 ? stop : t;
