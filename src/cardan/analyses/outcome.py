@@ -28,6 +28,11 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
             "The motion is singular there, or rtol and atol are tighter than it can be computed"
         )
+    if answer == abi.UNSOLVED:
+        return "not_solved", (
+            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
+            f"solved{who}. Take step= or max_step= shorter; or the motion is singular there"
+        )
     if answer == abi.TURNED:
         return "step_too_long", (
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "

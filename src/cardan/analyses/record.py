@@ -10,7 +10,8 @@ from ..errors import BuildError
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
-NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN = -1, -2, -3, -4, -5, -6
+UNSOLVED, TURNED = -8, -10
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(
@@ -20,7 +21,7 @@ INPUTS = ctypes.CFUNCTYPE(
 FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense length"),
     (POINTER, "rhs rhs_w power power_w"),
-    (POINTER, "rhs_jacobian rhs_jacobian_w"),
+    (POINTER, "energy energy_w rhs_jacobian rhs_jacobian_w"),
     (POINTER, "inputs signals quaternions"),
     (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),

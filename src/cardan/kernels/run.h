@@ -37,8 +37,9 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
-    CARDAN_TURNED = -7     /* a rotation in one step is larger than its chart */
+    CARDAN_TURNED = -10     /* a rotation in one step is larger than its chart */
 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
@@ -61,6 +62,7 @@ struct cardan_run {
     cardan_call rhs;
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
+    cardan_call energy;       /* kinetic, potential, total */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
@@ -196,6 +198,8 @@ enum {
     cardan_rk4_rows = 3,
     cardan_rk45_stages = 7,
     cardan_rk45_rows = 4,
+    cardan_midpoint_stages = 3,
+    cardan_midpoint_rows = 3,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7
 };
@@ -211,6 +215,10 @@ int cardan_rk45_init(cardan_run *run);
 int cardan_rk45_step(cardan_run *run);
 int cardan_rk45_dense(cardan_run *run);
 ptrdiff_t cardan_rk45_length(const cardan_run *run);
+int cardan_midpoint_init(cardan_run *run);
+int cardan_midpoint_step(cardan_run *run);
+int cardan_midpoint_dense(cardan_run *run);
+ptrdiff_t cardan_midpoint_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
