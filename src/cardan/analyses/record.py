@@ -23,7 +23,7 @@ INPUTS = ctypes.CFUNCTYPE(
 FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense length"),
     (POINTER, "rhs rhs_w power power_w"),
-    (POINTER, "rhs_jacobian rhs_jacobian_w"),
+    (POINTER, "energy energy_w rhs_jacobian rhs_jacobian_w"),
     (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
     (POINTER, "options"),
     (POINTER, "inputs signals quaternions"),

@@ -38,9 +38,9 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
-    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_STORM = -9,     /* events go on and on at one time */
     CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
 };
@@ -84,6 +84,7 @@ struct cardan_run {
     cardan_call rhs;
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
+    cardan_call energy;       /* kinetic, potential, total */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
     cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
     cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
@@ -262,6 +263,8 @@ enum {
     cardan_rk4_rows = 3,
     cardan_rk45_stages = 7,
     cardan_rk45_rows = 4,
+    cardan_midpoint_stages = 3,
+    cardan_midpoint_rows = 3,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
     cardan_alpha_stages = 1,
@@ -283,6 +286,10 @@ int cardan_rk45_init(cardan_run *run);
 int cardan_rk45_step(cardan_run *run);
 int cardan_rk45_dense(cardan_run *run);
 ptrdiff_t cardan_rk45_length(const cardan_run *run);
+int cardan_midpoint_init(cardan_run *run);
+int cardan_midpoint_step(cardan_run *run);
+int cardan_midpoint_dense(cardan_run *run);
+ptrdiff_t cardan_midpoint_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
