@@ -57,7 +57,8 @@ _SLOTS = {'t': 0,
  'tau': 11,
  'wrench': 12,
  'du': 13,
- 'q0': 14}
+ 'q0': 14,
+ 'e': 15}
 
 class SingularError(ArithmeticError):
     """A linear system of the model has no solution at the given state."""
@@ -116,10 +117,10 @@ cdef object _call(
     prepare(&p[0], &w[0])
     result = np.empty((count, out_size))
     cdef double[::1] out = result.reshape(-1) if count * out_size else np.empty(1)
-    cdef const double *at[15]
-    cdef Py_ssize_t step[15]
+    cdef const double *at[16]
+    cdef Py_ssize_t step[16]
     cdef double[::1] flat
-    for k in range(15):
+    for k in range(16):
         at[k], step[k] = NULL, 0
     held = []
     for block, array in zip(blocks, arrays):
@@ -137,7 +138,7 @@ cdef object _call(
         for i in range(count):
             one = f(<const cardan_in *>at, &out[0] + i * out_size, work)
             status |= one
-            for k in range(15):
+            for k in range(16):
                 if at[k] != NULL:
                     at[k] += step[k]
     free(work)

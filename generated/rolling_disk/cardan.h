@@ -107,6 +107,7 @@ typedef struct cardan_in {
     const real *wrench; /* wrenches on bodies, torque before force */
     const real *du;     /* finite increment along u */
     const real *q0;     /* coordinates an increment starts from */
+    const real *e;      /* events that happened: 1 or 0 each */
 } cardan_in;
 
 /* elementary functions of one number; lanes.h makes them functions of `real` */

@@ -56,6 +56,7 @@ _PUBLIC: dict[str, str] = {
             "TorsionSpring",
             "JointForce",
             "Damping",
+            "Friction",
             "Drive",
         ),
         "elements.forces",

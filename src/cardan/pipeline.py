@@ -54,6 +54,8 @@ STANDARD = (
     "multipliers",
     "close_position",
     "close_velocity",
+    "events",
+    "transition",
     "integrate",
     "difference",
     "derivative",

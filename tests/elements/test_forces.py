@@ -13,7 +13,7 @@ import sympy
 
 import cardan as cd
 from cardan.elements.forces import FORCES
-from cardan.elements.forces.force import Action, ForceElement
+from cardan.elements.forces.force import Action, ForceElement, Places
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.derivative import gradient
 from cardan.ir.graph import Graph
@@ -41,6 +41,8 @@ INSTANCES: dict[str, ForceElement] = {
     "elastic drive": cd.Drive(
         "one", inertia=0.1, ratio=20.0, torque=0.6, friction=0.02, stiffness=90.0, damping=1.5
     ),
+    "dry friction": cd.Friction("one", 0.7, static=0.9, stribeck=0.1, viscous=0.2, against=0.3),
+    "smooth friction": cd.Friction("one", 0.7, smooth=0.05),
 }
 FRAMES, JOINTS = {"A": 0, "B": 1}, {"one": 0, "two": 1, "rotor": 2}
 # positions and rotation vectors of two frames, coordinates of three joints; then their rates
@@ -105,7 +107,11 @@ class Bench:
     def act(self) -> tuple[Action, ...]:
         frames = {role: FRAMES[name] for role, name in self.element.frames().items()}
         joints = {role: JOINTS[name] for role, name in self.element.joints().items()}
-        return self.element.act(self.motion, self.data, frames, joints | {"rotor": JOINTS["rotor"]})
+        joints |= {"rotor": JOINTS["rotor"]}
+        none = Matrix.zeros(self.motion.graph, 0)
+        modes = block(self.motion.graph, "s", len(self.element.modes()))
+        at = Places(self.motion, self.data, frames, joints, none, modes)
+        return self.element.act(at)
 
     def value(self, x: Matrix | Scalar, kind: str = "mp", **values: Any) -> Any:
         return numbers(x, kind, **(self.parameters | self.state | values))

@@ -42,21 +42,21 @@ static int run_{name}(void)
 {{
     real *p = copy(given_p, {np}), *w = room({name}_w_size), *work = room({name}_work_size);
     real *out = room({count} * {name}_out_size);
-    real *block[15] = {{NULL}};
-    const real *at[15] = {{NULL}};
-    size_t stride[15] = {{0}};
+    real *block[16] = {{NULL}};
+    const real *at[16] = {{NULL}};
+    size_t stride[16] = {{0}};
     ptrdiff_t failed;
     int status;
 
     prepare_{name}(p, w);
 {blocks}
-    for (int k = 0; k < 15; k++)
+    for (int k = 0; k < 16; k++)
         at[k] = block[k];
     at[7] = w;
     status = cardan_map({name}, at, stride, {count}, out, {name}_out_size, work, &failed);
     for (size_t k = 0; k < {count} * (size_t){name}_out_size; k++)
         printf("%.17g\\n", out[k]);
-    for (int k = 0; k < 15; k++)
+    for (int k = 0; k < 16; k++)
         free(block[k]);
     free(p);
     free(w);

@@ -39,6 +39,7 @@ MEANING = {
     "wrench": "wrenches on bodies: torque, force",
     "du": "finite increment along the speeds",
     "q0": "coordinates at the start of the increment",
+    "e": "events that happened, 1 or 0",
 }
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from ..elements.internal import Mode
 from ..elements.joints.joint import Component
 from ..ir.function import Block
+from ..topology.internals import full_name
 from ..topology.system import System
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
@@ -43,6 +45,29 @@ def accelerated(unit: str) -> str:
     return unit + "^2" if unit.endswith("/s") else unit + "/s"
 
 
+def internals(system: System) -> list[tuple[str, str, float]]:
+    """(name, unit, default) of every entry of z."""
+    return [
+        (full_name(force.name, state), state.unit, state.default)
+        for force in system.forces
+        for state in force.element.internals()
+    ]
+
+
+def discrete(system: System) -> list[tuple[str, Mode]]:
+    """Name and description of every entry of s."""
+    return [
+        (full_name(force.name, mode), mode)
+        for force in system.forces
+        for mode in force.element.modes()
+    ]
+
+
+def event_names(system: System) -> list[str]:
+    """Name of every event."""
+    return [full_name(force.name, event) for force, event in system.events]
+
+
 def parts(system: System) -> list[str]:
     """Names of the user's bodies that move, in the order of the block ``wrench``."""
     return [part.name for body in system.bodies for part in body.parts]
@@ -62,10 +87,14 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
     axes = ("mx", "my", "mz", "fx", "fy", "fz")
     moments = ("N*m",) * 3 + ("N",) * 3
     touched = parts(system)
+    z, modes = internals(system), tuple(name for name, _ in discrete(system))
+    happening = tuple(event_names(system))
     listed = [
         Block("t", ("t",), ("s",)),
         Block("q", tuple(n for n, _, _ in q), tuple(unit for _, unit, _ in q)),
         Block("u", names, units),
+        Block("z", tuple(n for n, _, _ in z), tuple(unit for _, unit, _ in z)),
+        Block("s", modes, ("",) * len(modes)),
         Block("r", tuple(i.name for i in system.inputs), tuple(i.unit for i in system.inputs)),
         Block(
             "p", tuple(p.name for p in system.parameters), tuple(p.unit for p in system.parameters)
@@ -75,6 +104,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("wrench", tuple(f"{n}.{a}" for n in touched for a in axes), moments * len(touched)),
         Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),
         Block("q0", tuple(f"{n}.0" for n, _, _ in q), tuple(unit for _, unit, _ in q)),
+        Block("e", happening, ("",) * len(happening)),
     ]
     return {block.name: block for block in listed}
 

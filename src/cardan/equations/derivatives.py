@@ -21,9 +21,10 @@ from ..ir.matrix import Matrix
 from ..ir.request import Request
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
+from .context import Context
 from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
-from .functions import RECIPES, Context
+from .functions import RECIPES
 from .newton_euler_derivatives import Derivatives
 from .treatments import Bound
 from .treatments.treatment import by_multipliers

@@ -174,6 +174,15 @@ class Dynamics:
             drive + across @ self.constraints.gamma,
         )
 
+    def pushed(self, jacobian: Matrix, residual: Matrix) -> tuple[Matrix, Matrix]:
+        """du (nu, 1) and impulses P with M du = Jᵀ P and J du = -residual."""
+        rest, nothing = Matrix.zeros(self.k.graph, jacobian.columns), self.k.block("u", 0, 0)
+        mass = (
+            self._regular(self.mass_matrix, rest)[0] if self.k.system.closed else self.mass_matrix
+        )
+        problem = Bound(mass, rest, jacobian, -residual, nothing, nothing)
+        return Multipliers().accelerations(problem)
+
     def projected(self, mass: Matrix, jacobian: Matrix, residual: Matrix) -> Matrix:
         """The smallest change du (nu, 1) in the metric of M with G du = -residual."""
         rest = Matrix.zeros(self.k.graph, mass.rows)

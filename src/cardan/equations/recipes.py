@@ -8,9 +8,9 @@ import re
 from ..errors import DerivationError, near
 from ..topology.system import System
 from . import blocks, functions
+from .context import Recipe
 from .derivatives import derivative, request_of
 from .directions import BLOCKS
-from .functions import Recipe
 from .rhs_jacobian import rhs_jacobian
 
 RECIPES: dict[str, Recipe] = functions.RECIPES | {
@@ -85,6 +85,10 @@ def missing(system: System, name: str) -> str:
         return (
             f"function '{name}' is one of systems with constraints; nothing binds the speeds of "
             f"'{system.name}'"
+        )
+    if RECIPES[name].happens and not system.events:
+        return (
+            f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"
         )
     if RECIPES[name].solved and not system.closures:
         return (

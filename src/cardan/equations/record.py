@@ -19,10 +19,10 @@ from . import blocks
 from .base import BaseParameters, base_parameters
 from .classification import Classification, classification
 from .constraints import Row, rows
+from .context import Context
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
-from .functions import Context
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
 from .readable import Readable
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
+ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "tau", "wrench", "du", "q0", "e")
 
 
 @dataclass(frozen=True)
@@ -240,6 +240,8 @@ class Equations(Readable):
         units = {b.name: b.units for b in self.blocks.values()}
         names["qdot"] = tuple(f"{n}dot" for n in names["q"])
         units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
+        names["zdot"] = tuple(f"{n}dot" for n in names["z"])
+        units["zdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["z"])
         results = RECIPES[name].build(
             Context(Dynamics(k, self.method, self.treatment), names, units, of)
         )

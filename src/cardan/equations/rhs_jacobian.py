@@ -12,35 +12,36 @@ from collections.abc import Sequence
 from ..ir.function import Output
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import inner
+from .context import Context
 from .derivatives import columns_of, with_mass_matrix
 from .directions import Direction, directions
-from .functions import RECIPES, Context
+from .functions import RECIPES
 
 # column of a coordinate: numbers of directions and the node by which each counts
 Shares = list[tuple[int, int]]
 
 
 def rhs_jacobian(c: Context) -> tuple[Output, ...]:
-    """d rhs / d x (nx, nx) with x = [q, u], / d t (nx), and, where there are inputs, / d r.
+    """d rhs / d x (nx, nx) with x = [q, u, z], / d t (nx), and, where there are inputs, / d r.
 
     A unit quaternion counts by its direction: along itself nothing changes.
     """
     c, g = with_mass_matrix(c), c.k.graph
     along, shares = _coordinates(c)
-    blocks = [directions(c.k, block, c.names) for block in ("u", "t", "r")]
+    internal = [Direction("z", n, z, {g.var("z", n): ONE}) for n, z in enumerate(c.names["z"])]
+    u, t, r = (directions(c.k, block, c.names) for block in ("u", "t", "r"))
     outputs = RECIPES["rhs"].build(c)
-    found = columns_of(c, "rhs", outputs, [*along, *(d for block in blocks for d in block)])
+    found = columns_of(c, "rhs", outputs, [*along, *u, *internal, *t, *r])
     by_q = [
         [inner(g, [found[n][i] for n, _ in own], [f for _, f in own]) for i in range(len(found[0]))]
         for own in shares
     ]
-    # what is left comes as it was asked for: u, t, r
-    rest, nu = found[len(along) :], c.k.system.nu
+    rest, count = found[len(along) :], len(u) + len(internal)
     rows = [name for output in outputs for name in output.entries]
-    states = (*c.names["q"], *c.names["u"])
-    by_t = Output("d_t", (len(rows),), tuple(rest[nu]), tuple(f"{row},t" for row in rows))
-    result = (_matrix("d_x", rows, states, [*by_q, *rest[:nu]]), by_t)
-    return (*result, _matrix("d_r", rows, c.names["r"], rest[nu + 1 :])) if blocks[2] else result
+    states = (*c.names["q"], *c.names["u"], *c.names["z"])
+    by_t = Output("d_t", (len(rows),), tuple(rest[count]), tuple(f"{row},t" for row in rows))
+    result = (_matrix("d_x", rows, states, [*by_q, *rest[:count]]), by_t)
+    return (*result, _matrix("d_r", rows, c.names["r"], rest[count + 1 :])) if r else result
 
 
 def _matrix(

@@ -10,9 +10,9 @@ typedef int cardan_single(const double *const *in, double *out, double *work);
 
 /* f at n states, CARDAN_LANES at a time.
  *
- * blocks   15 pointers in the order of cardan_in, NULL where nothing is given or read
- * strides  15 distances from one state to the next, 0 for a block that all states share
- * sizes    15 numbers of entries
+ * blocks   16 pointers in the order of cardan_in, NULL where nothing is given or read
+ * strides  16 distances from one state to the next, 0 for a block that all states share
+ * sizes    16 numbers of entries
  * out      n results of out_size numbers, one behind the other
  * memory   aligned for `real`: CARDAN_LANES numbers for every entry of a block and of the result,
  *          each rounded up to a multiple of CARDAN_LANES, and for the work memory of f

@@ -7,8 +7,8 @@
 
 /* f at n states.
  *
- * blocks   15 pointers in the order of cardan_in, NULL where nothing is given
- * strides  15 distances from one state to the next, 0 for a block that all states share
+ * blocks   16 pointers in the order of cardan_in, NULL where nothing is given
+ * strides  16 distances from one state to the next, 0 for a block that all states share
  * out      n results of out_stride numbers
  * work     work memory of f
  * failed   index of the first state at which f returned a status other than 0, else -1

@@ -20,6 +20,8 @@ from libc.string cimport memset
 import numpy as np
 
 NAME = "cython"
+# of the interface it was built for
+BLOCK_COUNT = BLOCKS
 
 cdef extern from "map.h" nogil:
     ctypedef struct cardan_in:
@@ -34,9 +36,9 @@ ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
 ctypedef void (*preparation)(const double *, double *) noexcept nogil
 
 cdef enum:
-    BLOCKS = 15
+    BLOCKS = 16
     ARGUMENTS = 12
-    PLACES = 2
+    PLACES = 3
     SMALL_WORK = 512
     LONG = 20000
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .calling import Caller
 
 NAME = "ctypes"
-SLOTS = 15
+SLOTS = 16
 Pointers = ctypes.c_void_p * SLOTS
 Strides = ctypes.c_size_t * SLOTS
 FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
@@ -44,7 +44,7 @@ def run(
 
     Args:
         address: The C function.
-        blocks: 15 arrays in the order of cardan_in, float64; only where they start matters.
+        blocks: 16 arrays in the order of cardan_in, float64; only where they start matters.
         strides: Numbers from one state to the next, 0 for a block all states share.
         out: (count, output size), C-contiguous.
         work_size: Numbers of work memory.

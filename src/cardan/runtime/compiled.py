@@ -228,10 +228,16 @@ class CompiledModel(Analyzed):
 
     def split(self, x: ArrayLike) -> tuple[Array, Array]:
         """q (..., nq) and u (..., nu) of a state x (..., nx): views where x is an array."""
+        return self.parts_of(x)[:2]
+
+    def parts_of(self, x: ArrayLike) -> tuple[Array, Array, Array]:
+        """q (..., nq), u (..., nu) and z (..., nz) of a state x (..., nx), as :meth:`split`."""
         array = numbers("x", x)
         if array.ndim == 0 or array.shape[-1] != self.nx:
-            raise ArgumentError(f"x has shape {array.shape}, expected (..., {self.nx}): [q, u]")
-        return array[..., : self.nq], array[..., self.nq :]
+            blocks = "[q, u, z]" if self.nz else "[q, u]"
+            raise ArgumentError(f"x has shape {array.shape}, expected (..., {self.nx}): {blocks}")
+        nq, end = self.nq, self.nq + self.nu
+        return array[..., :nq], array[..., nq:end], array[..., end:]
 
     def initial(self, q: Values | None = None, u: Values | None = None) -> Array:
         """A state x (nx,) from named values; the rest from q0 and u0 of the joints, then 0."""

@@ -82,8 +82,33 @@ class Described(Derivatives):
 
     @property
     def nx(self) -> int:
-        """Length of the state x = [q, u]."""
-        return self.nq + self.nu
+        """Length of the state x = [q, u, z]."""
+        return self.nq + self.nu + self.nz
+
+    @property
+    def internals(self) -> tuple[str, ...]:
+        """Names of the internal states z of elements."""
+        return self._layout.internals
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """Names of the discrete states s of elements."""
+        return self._layout.modes
+
+    @property
+    def event_names(self) -> tuple[str, ...]:
+        """Names of everything that can happen to elements."""
+        return self._layout.events
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states."""
+        return len(self.internals)
+
+    @property
+    def ns(self) -> int:
+        """Number of discrete states."""
+        return len(self.modes)
 
     @property
     def nr(self) -> int:

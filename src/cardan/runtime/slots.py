@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0"
+BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0 e"
 ORDER = tuple(BLOCKS.split())
 SLOT = {name: k for k, name in enumerate(ORDER)}

@@ -10,7 +10,7 @@ from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..model.model import Model
 from ..model.origins import located
-from . import announcements, motion
+from . import announcements, internals, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
 from .circuits import independent
@@ -92,7 +92,8 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     # what expressions may speak of, then the expressions
     convert.moving = True
     atoms = _atoms(scene, assembly)
-    forces = tuple([_force(model, assembly, name) for name in scene.forces])
+    places = internals.numbered(scene, convert)
+    forces = tuple([_force(model, assembly, name, places[name]) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
@@ -156,21 +157,21 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     return atoms
 
 
-def _force(model: Model, assembly: Assembly, name: str) -> Force:
-    """A force element with its data, frames and joints found."""
+def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
+    """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
-    units = [assembly.joints[j].element.coordinates[0].unit for j in joints.values()]
+    sliding = internals.slides(assembly.joints, joints.values())
     with convert.graph.made_by(name, "data"):
         data = {
-            key: convert.quantity(entry, _dotted(name, key), sliding="m" in units)
+            key: convert.quantity(entry, _dotted(name, key), sliding)
             for key, entry in element.quantities().items()
         }
         frames = {
             role: assembly.frame(model.place(f"force '{name}'", place, role), f"{name}.{role}")
             for role, place in element.frames().items()
         }
-    return Force(name, element, data, frames, joints)
+    return Force(name, element, data, frames, joints, *slots)
 
 
 def _dotted(owner: str, quantity: str) -> str:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..elements.forces.force import ForceElement
+from ..elements.internal import Event
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import Graph
 
@@ -227,13 +228,19 @@ class Closure:
 
 @dataclass(frozen=True)
 class Force:
-    """A force element with its data converted; frames and joints by number."""
+    """A force element with its data converted; frames and joints by number.
+
+    ``z``, ``s``, ``e``: its first slots among internal states, modes and events.
+    """
 
     name: str
     element: ForceElement
     data: dict[str, tuple[int, int, Nodes]]
     frames: dict[str, int]
     joints: dict[str, int]
+    z: int = 0
+    s: int = 0
+    e: int = 0
 
 
 @dataclass(frozen=True)
@@ -316,7 +323,23 @@ class System:
     def closed(self) -> bool:
         """Whether its speeds are bound by anything beyond the tree."""
         rolling = any(joint.element.slips for joint in self.joints)
-        return bool(self.cuts or self.constraints) or rolling
+        holding = any(force.element.holding() for force in self.forces)
+        return bool(self.cuts or self.constraints) or rolling or holding
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states of elements."""
+        return sum(len(force.element.internals()) for force in self.forces)
+
+    @property
+    def ns(self) -> int:
+        """Number of modes of elements."""
+        return sum(len(force.element.modes()) for force in self.forces)
+
+    @property
+    def events(self) -> tuple[tuple[Force, Event], ...]:
+        """Everything that can happen, with the element it happens to."""
+        return tuple((force, event) for force in self.forces for event in force.element.events())
 
     def depth(self) -> int:
         """Number of joints on the longest path from the ground."""

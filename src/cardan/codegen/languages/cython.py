@@ -14,7 +14,7 @@ from ..naming import mangle
 SUFFIX = ".pyx"
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
 # as cardan_in has them
-_BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0"
+_BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0 e"
 BLOCKS = tuple(_BLOCKS.split())
 MEANING = {
     "t": "time [s], (...)",
@@ -126,10 +126,10 @@ cdef object _call(
     prepare(&p[0], &w[0])
     result = np.empty((count, out_size))
     cdef double[::1] out = result.reshape(-1) if count * out_size else np.empty(1)
-    cdef const double *at[15]
-    cdef Py_ssize_t step[15]
+    cdef const double *at[16]
+    cdef Py_ssize_t step[16]
     cdef double[::1] flat
-    for k in range(15):
+    for k in range(16):
         at[k], step[k] = NULL, 0
     held = []
     for block, array in zip(blocks, arrays):
@@ -147,7 +147,7 @@ cdef object _call(
         for i in range(count):
             one = f(<const cardan_in *>at, &out[0] + i * out_size, work)
             status |= one
-            for k in range(15):
+            for k in range(16):
                 if at[k] != NULL:
                     at[k] += step[k]
     free(work)
