@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 STAGES = 12  # derivatives of a step of DOP853
 LEAST = 2.3e-14  # SciPy takes no smaller rtol
+FAR = 1e150
 
 
 class Broken(Exception):
@@ -81,40 +82,86 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
 
 
 def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
-    """Steps of SciPy's DOP853 from here to a stop.
+    """Steps of SciPy's DOP853 from here to a stop."""
+    from scipy.integrate import DOP853
+
+    run, solver = runner.record, _solver(DOP853, runner, runner.derivative, stop)
+    for spent in _steps(runner, solver):
+        run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
+        yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+
+
+def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of SciPy's Radau from here to a stop, with the Jacobian of the model."""
+    from scipy.integrate import Radau
+
+    run = runner.record
+
+    def right(t: float, y: Array) -> Array:
+        # as the Jacobian takes quaternions
+        own = y.copy()
+        runner.normalize(own)
+        # a step to where there is no derivative is one that goes much too far
+        return np.nan_to_num(runner.derivative(t, own), nan=FAR, posinf=FAR, neginf=-FAR)
+
+    def jacobian(t: float, y: Array, *_: Any) -> Array:
+        run.jacobians += 1
+        found = runner.jacobian(t, y)
+        if not np.isfinite(found).all():
+            raise Broken(abi.NOT_FINITE)
+        return found
+
+    def spread() -> Array:
+        first, second, third = solver.dense_output().Q.T
+        return np.stack([first + second + third, -second - third, -third])
+
+    solver, factored = _solver(Radau, runner, right, stop, jac=jacobian), run.factorizations
+    for _ in _steps(runner, solver):
+        # two systems each time
+        run.factorizations = factored + solver.nlu // 2
+        yield Step(solver.t, solver.y.copy(), spread)
+
+
+def _solver(
+    kind: Any, runner: PlainRunner, right: Callable[[float, Array], Array], stop: float, **more: Any
+) -> Any:
+    """A solver of SciPy that goes on from here.
 
     The energies of the sources take no part in the error control: their tolerance is infinite,
     and the mean over all entries is made one over the state.
     """
-    from scipy.integrate import DOP853
-
     run, how = runner.record, runner.settings
     share = math.sqrt(max(runner.nx, 1) / runner.n) if runner.n else 1.0
     atol = np.full(runner.n, how.atol * share)
     atol[runner.nx :] = math.inf
-    wanted = abs(run.h)
-    length = abs(stop - run.t)
-    solver = DOP853(
-        runner.derivative,
+    return kind(
+        right,
         run.t,
         runner.views["y"].copy(),
         stop,
         max_step=how.max_step,
         rtol=max(how.rtol * share, LEAST) if how.rtol else LEAST,
         atol=atol,
-        first_step=min(wanted, length) if wanted else None,
+        first_step=min(abs(run.h), abs(stop - run.t)) if run.h else None,
+        **more,
     )
+
+
+def _steps(runner: PlainRunner, solver: Any) -> Iterator[int]:
+    """Every good step of a solver; yields the evaluations spent before it."""
+    run, stop = runner.record, solver.t_bound
+    wanted = abs(run.h)
     closed = runner.quaternions or runner.closing.rows
     while solver.status == "running":
         spent, before = solver.nfev, (solver.t, solver.y, solver.f)
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
-        run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
         if closed and not _closed(runner, solver):
             # again from before, shorter
             solver.h_abs = 0.25 * abs(solver.t - before[0])
             (solver.t, solver.y, solver.f), solver.status = before, "running"
+            solver.LU_real = solver.LU_complex = None
             run.rejections += 1
             if solver.h_abs < 16 * np.spacing(max(abs(solver.t), abs(stop))):
                 raise Broken(abi.OPEN)
@@ -124,7 +171,7 @@ def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
         run.h = math.copysign(wanted, solver.direction)
         if closed:
             solver.f = runner.derivative(solver.t, solver.y)
-        yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+        yield spent
 
 
 def _closed(runner: PlainRunner, solver: Any) -> bool:
@@ -138,4 +185,8 @@ def _closed(runner: PlainRunner, solver: Any) -> bool:
     return runner.record.correction <= 1
 
 
-METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {"DOP853": dop853, "RK4": rk4}
+METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {
+    "DOP853": dop853,
+    "RK4": rk4,
+    "Radau": radau,
+}
