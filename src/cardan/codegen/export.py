@@ -37,7 +37,8 @@ def export(
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
             default the dynamics and the energy.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-        integrators: ``"dop853"``, ``"rk4"``: their C comes along, and ``example.c`` simulates.
+        integrators: ``"dop853"``, ``"rk4"``, ``"radau"``, ``"rosenbrock"``: their C comes along,
+            and ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         loops: As :func:`cardan.compile` takes it.
 
@@ -54,8 +55,9 @@ def export(
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
     if wanted:
-        called = ("rhs", *(name for name in companions.CLOSING if name in known))
-        asked += [(name, None) for name in called if (name, None) not in asked]
+        needed = (name for one in wanted for name in companions.NEEDS.get(one, ()))
+        called = ("rhs", *(name for name in companions.CLOSING if name in known), *needed)
+        asked += [(name, None) for name in dict.fromkeys(called) if (name, None) not in asked]
     for name, _ in asked:
         if name not in known:
             raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
