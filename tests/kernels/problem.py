@@ -10,10 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.runtime import cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
+# those that take x' = f(t, x) as it comes; others step what mechanics gives them
+METHODS = {name: m for name, m in INTEGRATORS.items() if "balance" not in m.needs}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -209,4 +212,28 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "nq": 2,
         "nu": 2,
     }
+    return Problem(folder, **(given | changed))
+
+
+# the fast heavy top: 15 kg one meter along y from its fixed point, speeds in body axes
+TOP = """
+    real w = q[0], x = q[1], y = q[2], z = q[3], a = u[0], b = u[1], c = u[2];
+    real gx = -9.81 * 2 * (x * z - w * y), gz = -9.81 * (1 - 2 * (x * x + y * y));
+    out[0] = 0.5 * (-x * a - y * b - z * c); out[1] = 0.5 * (w * a + y * c - z * b);
+    out[2] = 0.5 * (w * b + z * a - x * c); out[3] = 0.5 * (w * c + x * b - y * a);
+    out[4] = (15 * gz - (15.234375 - 0.46875) * b * c) / 15.234375;
+    out[5] = 0;
+    out[6] = (-15 * gx - (0.46875 - 15.234375) * a * b) / 15.234375;
+"""
+TOP_START = [1, 0, 0, 0, 0, 150, -4.61538]
+# at 0.1 s, by a Taylor series in 40 digits
+TOP_THERE = [
+    *(0.3318229126083008, 0.177338056666937, 0.9149751591387279, -0.1458260144308886),
+    *(4.808941331728092, 150.0, 1.02830075671833),
+]
+
+
+def top(folder: Path, **changed: Any) -> Problem:
+    """The fast heavy top of Geradin and Cardona (2001), chapter 5."""
+    given: dict[str, Any] = {"rhs": TOP, "nq": 4, "nu": 3, "quaternions": (0,)}
     return Problem(folder, **(given | changed))

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from .plain import PlainRunner
 
 Array = NDArray[np.float64]
-STAGES = 12  # derivatives of a step of DOP853
 LEAST = 2.3e-14  # SciPy takes no smaller rtol
 FAR = 1e150
 
@@ -82,17 +81,21 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
 
 
 def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
-    """Steps of SciPy's DOP853 from here to a stop."""
+    """Steps of SciPy's DOP853."""
     from scipy.integrate import DOP853
 
-    run, solver = runner.record, _solver(DOP853, runner, runner.derivative, stop)
-    for spent in _steps(runner, solver):
-        run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
-        yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+    return adaptive(DOP853, runner, stop, lambda solver: np.array(solver.dense_output().F))
+
+
+def rk45(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of SciPy's RK45."""
+    from scipy.integrate import RK45
+
+    return adaptive(RK45, runner, stop, _quartic)
 
 
 def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
-    """Steps of SciPy's Radau from here to a stop, with the Jacobian of the model."""
+    """Steps of SciPy's Radau, with the Jacobian of the model."""
     from scipy.integrate import Radau
 
     run = runner.record
@@ -111,21 +114,38 @@ def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
             raise Broken(abi.NOT_FINITE)
         return found
 
-    def spread() -> Array:
+    def spread(solver: Any) -> Array:
         first, second, third = solver.dense_output().Q.T
         return np.stack([first + second + third, -second - third, -third])
 
-    solver, factored = _solver(Radau, runner, right, stop, jac=jacobian), run.factorizations
-    for _ in _steps(runner, solver):
-        # two systems each time
-        run.factorizations = factored + solver.nlu // 2
-        yield Step(solver.t, solver.y.copy(), spread)
+    return adaptive(Radau, runner, stop, spread, right, jac=jacobian)
 
 
-def _solver(
-    kind: Any, runner: PlainRunner, right: Callable[[float, Array], Array], stop: float, **more: Any
-) -> Any:
-    """A solver of SciPy that goes on from here.
+def _quartic(solver: Any) -> Array:
+    """Rows of the dense output of RK45: values and slopes at both ends, then the fourth power."""
+    dense = solver.dense_output()
+    h, q = dense.h, dense.Q
+    rise = solver.y - dense.y_old
+    first, last = h * q[:, 0], h * (q @ np.arange(1.0, 5.0))
+    return np.stack([rise, first - rise, 2 * rise - first - last, h * q[:, 3]])
+
+
+def adaptive(
+    kind: Any,
+    runner: PlainRunner,
+    stop: float,
+    spread: Callable[[Any], Array],
+    right: Callable[[float, Array], Array] | None = None,
+    **more: Any,
+) -> Iterator[Step]:
+    """Steps of an adaptive method of SciPy from here to a stop.
+
+    Args:
+        kind: The method.
+        runner, stop: As of every method.
+        spread: Its dense output in the rows that are kept.
+        right: Right-hand side in place of the derivative of the run.
+        more: Other arguments of the method.
 
     The energies of the sources take no part in the error control: their tolerance is infinite,
     and the mean over all entries is made one over the state.
@@ -134,34 +154,34 @@ def _solver(
     share = math.sqrt(max(runner.nx, 1) / runner.n) if runner.n else 1.0
     atol = np.full(runner.n, how.atol * share)
     atol[runner.nx :] = math.inf
-    return kind(
-        right,
+    wanted = abs(run.h)
+    length = abs(stop - run.t)
+    solver = kind(
+        right or runner.derivative,
         run.t,
         runner.views["y"].copy(),
         stop,
         max_step=how.max_step,
         rtol=max(how.rtol * share, LEAST) if how.rtol else LEAST,
         atol=atol,
-        first_step=min(abs(run.h), abs(stop - run.t)) if run.h else None,
+        first_step=min(wanted, length) if wanted else None,
         **more,
     )
-
-
-def _steps(runner: PlainRunner, solver: Any) -> Iterator[int]:
-    """Every good step of a solver; yields the evaluations spent before it."""
-    run, stop = runner.record, solver.t_bound
-    wanted = abs(run.h)
     closed = runner.quaternions or runner.closing.rows
     while solver.status == "running":
-        spent, before = solver.nfev, (solver.t, solver.y, solver.f)
+        spent, factored, before = solver.nfev, solver.nlu, (solver.t, solver.y, solver.f)
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
+        if hasattr(kind, "n_stages"):
+            run.rejections += max(0, (solver.nfev - spent) // kind.n_stages - 1)
+        # of two systems each time
+        run.factorizations += (solver.nlu - factored) // 2
         if closed and not _closed(runner, solver):
             # again from before, shorter
+            solver.LU_real = solver.LU_complex = None
             solver.h_abs = 0.25 * abs(solver.t - before[0])
             (solver.t, solver.y, solver.f), solver.status = before, "running"
-            solver.LU_real = solver.LU_complex = None
             run.rejections += 1
             if solver.h_abs < 16 * np.spacing(max(abs(solver.t), abs(stop))):
                 raise Broken(abi.OPEN)
@@ -171,7 +191,7 @@ def _steps(runner: PlainRunner, solver: Any) -> Iterator[int]:
         run.h = math.copysign(wanted, solver.direction)
         if closed:
             solver.f = runner.derivative(solver.t, solver.y)
-        yield spent
+        yield Step(solver.t, solver.y.copy(), lambda: spread(solver))
 
 
 def _closed(runner: PlainRunner, solver: Any) -> bool:
@@ -187,6 +207,7 @@ def _closed(runner: PlainRunner, solver: Any) -> bool:
 
 METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {
     "DOP853": dop853,
+    "RK45": rk45,
     "RK4": rk4,
     "Radau": radau,
 }

@@ -10,7 +10,8 @@ from ..errors import BuildError
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
-NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN = -1, -2, -3, -4, -5, -6
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
+UNSOLVED = -8
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(
@@ -21,12 +22,14 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense length"),
     (POINTER, "rhs rhs_w power power_w"),
     (POINTER, "rhs_jacobian rhs_jacobian_w"),
+    (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
+    (POINTER, "options"),
     (POINTER, "inputs signals quaternions"),
-    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled"),
+    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (COUNT, "positions rates"),
     (REAL, "size"),
-    (POINTER, "y y_old trial k f r s spread at_rest work closing own ledger"),
+    (POINTER, "y y_old trial k f r s spread at_rest work closing chart own ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
@@ -79,8 +82,9 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
-    library.cardan_closing_length.argtypes = [record]
-    library.cardan_closing_length.restype = COUNT
+    for name in ("cardan_closing_length", "cardan_chart_length"):
+        getattr(library, name).argtypes = [record]
+        getattr(library, name).restype = COUNT
     return library
 
 

@@ -19,6 +19,7 @@ from ..runtime.dense import Dense
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
+from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
 from .outcome import explain
 from .plain import PlainRunner
@@ -38,7 +39,7 @@ def simulate(
     x0: ArrayLike | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
-    method: str = "auto",
+    method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
     step: float | None = None,
@@ -95,6 +96,9 @@ def simulate(
 
 def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
+    if how.method.suited is not None:
+        method, words = how.method.suited(model, how.method)
+        how = replace(how, method=method, words=f"{words}, {how.words}")
     available = model.manifest["available"]
     power = "power" in available
     for name in how.method.needs:
@@ -181,7 +185,8 @@ def _trajectory(
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
-        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions)
+        charted = runner.settings.method.charted
+        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions, charted)
     return Trajectory(
         t=t,
         x=y[:, : model.nx].copy(),

@@ -9,9 +9,13 @@ from . import header
 from .naming import comment
 
 # files every integrator needs, and those of each with the functions it calls beside rhs
-RUN = ("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c")
+RUN = (
+    *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
+    *("explicit.h", "explicit.c", "chart.c"),
+)
 INTEGRATORS = {
     "rk4": ("rk4.c",),
+    "rk45": ("rk45.c",),
     "dop853": ("dop853.c", "dop853_tables.h"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "tau", "wrench", "du", "q0", "e")
+ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", "du", "q0", "e")
 
 
 @dataclass(frozen=True)
@@ -352,7 +352,7 @@ class Equations(Readable):
             directory: A new or empty one, or an earlier export, which is replaced.
             functions: Names, or pairs such as ``("pose", "hand")``.
             language: ``"cython"``, or ``"c"`` without the package.
-            integrators: ``"dop853"``, ``"rk4"``, ``"radau"``, ...: to simulate from C.
+            integrators: ``"dop853"``, ``"rk45"``, ``"radau"``, ...: to simulate from C.
             reproducible: Equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
 

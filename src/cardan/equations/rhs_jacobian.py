@@ -22,26 +22,26 @@ Shares = list[tuple[int, int]]
 
 
 def rhs_jacobian(c: Context) -> tuple[Output, ...]:
-    """d rhs / d x (nx, nx) with x = [q, u, z], / d t (nx), and, where there are inputs, / d r.
+    """d rhs / d x (nx, nx), x = [q, u, z], / d t (nx), and, where there are inputs, / d r.
 
     A unit quaternion counts by its direction: along itself nothing changes.
     """
     c, g = with_mass_matrix(c), c.k.graph
     along, shares = _coordinates(c)
-    internal = [Direction("z", n, z, {g.var("z", n): ONE}) for n, z in enumerate(c.names["z"])]
-    u, t, r = (directions(c.k, block, c.names) for block in ("u", "t", "r"))
+    blocks = [directions(c.k, block, c.names) for block in ("u", "z", "t", "r")]
     outputs = RECIPES["rhs"].build(c)
-    found = columns_of(c, "rhs", outputs, [*along, *u, *internal, *t, *r])
+    found = columns_of(c, "rhs", outputs, [*along, *(d for block in blocks for d in block)])
     by_q = [
-        [inner(g, [found[n][i] for n, _ in own], [f for _, f in own]) for i in range(len(found[0]))]
-        for own in shares
+        [inner(g, [found[n][i] for n, _ in s], [f for _, f in s]) for i in range(len(found[0]))]
+        for s in shares
     ]
-    rest, count = found[len(along) :], len(u) + len(internal)
+    # what is left comes as it was asked for: u, z, t, r
+    rest, own = found[len(along) :], c.k.system.nu + c.k.system.nz
     rows = [name for output in outputs for name in output.entries]
     states = (*c.names["q"], *c.names["u"], *c.names["z"])
-    by_t = Output("d_t", (len(rows),), tuple(rest[count]), tuple(f"{row},t" for row in rows))
-    result = (_matrix("d_x", rows, states, [*by_q, *rest[:count]]), by_t)
-    return (*result, _matrix("d_r", rows, c.names["r"], rest[count + 1 :])) if r else result
+    by_t = Output("d_t", (len(rows),), tuple(rest[own]), tuple(f"{row},t" for row in rows))
+    result = (_matrix("d_x", rows, states, [*by_q, *rest[:own]]), by_t)
+    return (*result, _matrix("d_r", rows, c.names["r"], rest[own + 1 :])) if blocks[3] else result
 
 
 def _matrix(

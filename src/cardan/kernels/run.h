@@ -37,7 +37,9 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
-    CARDAN_OPEN = -6       /* no state near the step fulfills the constraints: see `open_row` */
+    CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
+    CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
+    CARDAN_UNSOLVED = -8   /* the equations of an implicit step were not solved */
 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
@@ -61,12 +63,19 @@ struct cardan_run {
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
+    cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
+    cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
+                                    q, G (rates, nu) */
+    cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
+    cardan_call qdot;
+    const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
     ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */
     ptrdiff_t signal_count, quaternion_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
+    ptrdiff_t charted; /* 1: an explicit method takes quaternions by their increments: chart.c */
 
     /* constraints: each function writes the closed block, then the residuals of the given one */
     cardan_call close_position; /* q (nq), residuals (positions) */
@@ -82,10 +91,12 @@ struct cardan_run {
     real *f;        /* (n) derivative at t, y; valid while `fresh` */
     real *r;        /* (nr) inputs as last asked for */
     real *s;        /* (ns) discrete states, constant between events */
-    real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense` */
+    real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense`; if
+                       charted, of the increments of quaternions */
     const real *at_rest; /* zeros for the blocks tau and wrench */
     real *work;     /* work of the functions of the model */
     real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
+    real *chart;    /* cardan_chart_length(run) numbers, NULL unless charted */
     real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
     real *ledger;   /* (positions + rates, 4): the largest residual before projection and when,
                        the largest after it and when; NULL without constraints */
@@ -160,7 +171,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
-void cardan_inputs_at(cardan_run *run, real t, const real *x);
+int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
 
@@ -174,11 +185,14 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
 int cardan_commit(cardan_run *run, real t, const real *y);
+int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
 real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h);
+ptrdiff_t cardan_chart_length(const cardan_run *run);
+void cardan_leave_inside(const cardan_run *run, real theta, real *y);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
@@ -193,8 +207,12 @@ int cardan_jacobian(cardan_run *run, real h, real *jacobian);
 enum {
     cardan_rk4_stages = 4,
     cardan_rk4_rows = 3,
+    cardan_rk45_stages = 7,
+    cardan_rk45_rows = 4,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
+    cardan_alpha_stages = 1,
+    cardan_alpha_rows = 3,
     cardan_radau_stages = 3,
     cardan_radau_rows = 3,
     cardan_rosenbrock_stages = 8,
@@ -208,10 +226,18 @@ int cardan_rk4_init(cardan_run *run);
 int cardan_rk4_step(cardan_run *run);
 int cardan_rk4_dense(cardan_run *run);
 ptrdiff_t cardan_rk4_length(const cardan_run *run);
+int cardan_rk45_init(cardan_run *run);
+int cardan_rk45_step(cardan_run *run);
+int cardan_rk45_dense(cardan_run *run);
+ptrdiff_t cardan_rk45_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
 ptrdiff_t cardan_dop853_length(const cardan_run *run);
+int cardan_alpha_init(cardan_run *run);
+int cardan_alpha_step(cardan_run *run);
+int cardan_alpha_dense(cardan_run *run);
+ptrdiff_t cardan_alpha_length(const cardan_run *run);
 int cardan_radau_init(cardan_run *run);
 int cardan_radau_step(cardan_run *run);
 int cardan_radau_dense(cardan_run *run);

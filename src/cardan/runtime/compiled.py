@@ -84,6 +84,7 @@ class CompiledModel(Analyzed):
         self._layout = Layout(self._objects.manifest)
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
+        self._doubted: set[str] = set()
         self._calls = _Calls(self._function)
 
     def __repr__(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC
+from abc import ABC, abstractmethod
 from typing import Any
 
 import numpy as np
@@ -262,12 +262,21 @@ class Dynamics(Kinematics, ABC):
         Args:
             joint: A joint with motion or a fixed one.
             tau, wrenches: As for :meth:`forward_dynamics`: the system accelerates under them.
+
+        Where redundant constraints leave it undetermined one of the possible wrenches comes out,
+        and a SolveWarning says so once for each joint; see ``model.redundancy(q)``.
         """
         block = None
         if wrenches is not None:
             outside.refuse_ground(self, wrenches, joint)
             block = outside.by_part(self, wrenches, q, r=r, t=t, parameters=parameters)
-        return self._evaluate(("reaction", joint), (t, q, u, r, tau, block, z, s), parameters, out)
+        found = self._evaluate(("reaction", joint), (t, q, u, r, tau, block, z, s), parameters, out)
+        self._doubt(joint, q, t, r)
+        return found
+
+    @abstractmethod
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where the reaction of a joint is not determined at states."""
 
     def outputs(
         self,

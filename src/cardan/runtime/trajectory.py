@@ -116,7 +116,7 @@ class Trajectory:
         return self.x[:, self.nq :]
 
     def __getitem__(self, name: str) -> Array:
-        """History of a coordinate, speed, input or output, (nt,) or (nt, n) for several.
+        """History of a coordinate, speed, input, output or multiplier, (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -128,12 +128,16 @@ class Trajectory:
         follow = followers.names(self.manifest)
         if name in follow:
             return followers.history(self, name)
-        known = [*self._places, *follow, *self._outputs]
-        if name in self._outputs:
-            outputs: Array = self._model(f"output '{name}'").outputs(
-                self.q, self.u, t=self.t, r=self._r
-            )
-            return outputs[:, self._outputs.index(name)]
+        for what, names, function in (
+            ("output", self._outputs, "outputs"),
+            ("multiplier", [row["name"] for row in self.manifest["multipliers"]], "multipliers"),
+        ):
+            if name in names:
+                model = self._model(f"{what} '{name}'")
+                table: Array = getattr(model, function)(self.q, self.u, t=self.t, r=self._r)
+                return table[:, names.index(name)]
+        forces = [row["name"] for row in self.manifest["multipliers"]]
+        known = [*self._places, *follow, *self._outputs, *forces]
         raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
 
     @cached_property
