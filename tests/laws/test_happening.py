@@ -37,7 +37,7 @@ def test_dry_friction_takes_the_same_amplitude_every_half_cycle() -> None:
     assert motion["x"][-1] == pytest.approx(wanted[-1], abs=1e-9)
     assert abs(motion["x.u"][-1]) < 1e-12
     assert motion["rail"][-1] == 2
-    assert np.abs(motion.drift.energy).max() < 1e-9
+    assert np.abs(motion.drift.energy).max() < 1e-8
 
 
 def test_a_ball_bounces_until_it_settles() -> None:
@@ -180,7 +180,7 @@ def test_a_run_ends_where_friction_has_no_unique_solution() -> None:
     assert motion.status == "event"
     assert "'rail.jam'" in motion.message
     assert 0 < motion.t[-1] < 5
-    # where mu |dR/dD| is 1
+    # where mu |dR/dD| is 1, but for a thousandth
     model = cd.compile(scene)
     value = model.events(motion.q[-1], motion.u[-1], s=motion.s[-1])
     assert value[-1] == pytest.approx(0.0, abs=1e-8)
