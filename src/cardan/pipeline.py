@@ -56,9 +56,13 @@ STANDARD = (
     "close_velocity",
     "events",
     "transition",
+    "balance",
+    "balance_tangent",
+    "move",
     "integrate",
     "difference",
     "derivative",
+    "rhs_jacobian",
 )
 
 

@@ -38,6 +38,7 @@ def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.Com
 CASES: dict[str, tuple[str, Any, dict[str, Any]]] = {
     "adaptive": ("double", 1.0, {"q": {"elbow": 0.4}, **FINE}),
     "fixed step": ("double", 0.3, {"q": {"elbow": 0.4}, "method": "RK4", "step": 1e-3}),
+    "order 5": ("double", 1.0, {"q": {"elbow": 0.4}, "method": "RK45", **FINE}),
     "backward": ("double", (1.0, 0.2), {"u": {"elbow": 0.4}, **FINE}),
     "at times": ("double", np.linspace(0, 1, 13), {"q": {"elbow": 0.4}, **FINE}),
     "corners": (

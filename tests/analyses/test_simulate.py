@@ -94,7 +94,7 @@ MISTAKES: list[tuple[Any, dict[str, Any], type[Exception], str]] = [
     (np.array([1.0]), {}, cd.ModelError, "at least two"),
     ([[0, 1]], {}, ValueError, r"shape \(1, 2\)"),
     ("soon", {}, ValueError, "'soon'"),
-    (1.0, {"method": "RK5"}, cd.ModelError, "Did you mean 'RK4'"),
+    (1.0, {"method": "RK5"}, cd.ModelError, "Did you mean 'RK45'"),
     (1.0, {"method": "dop853"}, cd.ModelError, "Did you mean 'DOP853'"),
     (1.0, {"rtol": -1}, cd.ModelError, "rtol=-1"),
     (1.0, {"rtol": 0, "atol": 0}, cd.ModelError, "one may be 0"),

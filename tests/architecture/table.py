@@ -51,6 +51,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("residual", "implicit"),
         )
     },
+    ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),

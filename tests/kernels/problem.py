@@ -10,11 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.errors import CompilerMissing
 from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
+# those that take x' = f(t, x) as it comes; others step what mechanics gives them
+METHODS = {name: m for name, m in INTEGRATORS.items() if "balance" not in m.needs}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -23,16 +26,50 @@ int NAME(const cardan_in *in, real *out, real *work)
     const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
     const real *z = in->z, *s = in->s, *e = in->e;
     (void)t; (void)q; (void)u; (void)r; (void)work; (void)z; (void)s; (void)e;
-    BODY
+    { BODY }
     return 0;
 }
 """
 
 
-def function(folder: Path, name: str, body: str, entries: list[str]) -> Any:
-    """A C function with the interface of a loaded one."""
+# differences of the right-hand side above, quaternions by their direction
+DIFFERENCES = """
+    real x[NX + NR + 1], lower[NX + NR + 1], upper[NX + NR + 1], time[1];
+    cardan_in moved = *in;
+    int status;
+    for (int i = 0; i < NX + NR; i++) x[i] = i < NQ ? q[i] : i < NX ? u[i - NQ] : r[i - NX];
+    moved.q = x; moved.u = x + NQ; moved.r = x + NX; moved.t = time;
+    for (int j = 0; j <= NX + NR; j++) {
+        real *at = j < NX + NR ? x + j : time, held, h;
+        time[0] = t;
+        held = *at, h = 6e-6 * (1 + fabs(held));
+        *at = held + h; h = *at - held;
+        status = right(&moved, upper, work);
+        *at = held - h;
+        status = status ? status : right(&moved, lower, work);
+        if (status) return status;
+        *at = held;
+        for (int i = 0; i < NX; i++) {
+            real slope = (upper[i] - lower[i]) / (2 * h);
+            if (j < NX) out[i * NX + j] = slope;
+            else if (j == NX + NR) out[NX * NX + i] = slope;
+            else out[NX * NX + NX + i * NR + j - NX] = slope;
+        }
+    }
+    const int quaternions[] = {QUATERNIONS -1};
+    for (int k = 0; quaternions[k] >= 0; k++)
+        for (int i = 0; i < NX; i++) {
+            real *row = out + i * NX + quaternions[k], along = 0;
+            for (int j = 0; j < 4; j++) along += row[j] * q[quaternions[k] + j];
+            for (int j = 0; j < 4; j++) row[j] -= along * q[quaternions[k] + j];
+        }
+"""
+
+
+def function(folder: Path, name: str, body: str, entries: list[str], before: str = "") -> Any:
+    """A C function with the interface of a loaded one, and what stands before it."""
     path = folder / f"{name}.c"
-    path.write_text(HEAD.replace("NAME", name).replace("BODY", body))
+    path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
     library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
@@ -59,6 +96,7 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
         z, s: Names of internal and discrete states.
@@ -73,6 +111,7 @@ class Problem:
     nq: int = 1
     nu: int = 1
     power: str = ""
+    jacobian: str = ""
     inputs: tuple[str, ...] = ()
     quaternions: tuple[int, ...] = ()
     name: str = "problem"
@@ -148,7 +187,7 @@ class Problem:
                 for k, kind in enumerate(self.kinds)
             ],
             "ticks": list(self.ticks),
-            "available": [name for name in WRITTEN if getattr(self, name)],
+            "available": ["rhs_jacobian", *(name for name in WRITTEN if getattr(self, name))],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -163,6 +202,7 @@ class Problem:
         if name not in self._made:
             body = {
                 "rhs": self.rhs,
+                "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
@@ -170,8 +210,16 @@ class Problem:
                 "transition": self.transition,
             }[name]
             entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
-            self._made[name] = function(self.folder, name, body, entries)
+            before = self._before() if body == DIFFERENCES else ""
+            self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]
+
+    def _before(self) -> str:
+        """The right-hand side and the sizes that differences of it need."""
+        right = HEAD.replace("NAME", "right").replace("BODY", self.rhs)
+        sizes = {"NX": self.nx, "NQ": self.nq, "NR": self.nr}
+        sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
+        return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 
     def run(self, t: Any, x0: Any, **options: Any) -> Trajectory:
         """Simulate from a state."""
@@ -220,4 +268,28 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "nq": 2,
         "nu": 2,
     }
+    return Problem(folder, **(given | changed))
+
+
+# the fast heavy top: 15 kg one meter along y from its fixed point, speeds in body axes
+TOP = """
+    real w = q[0], x = q[1], y = q[2], z = q[3], a = u[0], b = u[1], c = u[2];
+    real gx = -9.81 * 2 * (x * z - w * y), gz = -9.81 * (1 - 2 * (x * x + y * y));
+    out[0] = 0.5 * (-x * a - y * b - z * c); out[1] = 0.5 * (w * a + y * c - z * b);
+    out[2] = 0.5 * (w * b + z * a - x * c); out[3] = 0.5 * (w * c + x * b - y * a);
+    out[4] = (15 * gz - (15.234375 - 0.46875) * b * c) / 15.234375;
+    out[5] = 0;
+    out[6] = (-15 * gx - (0.46875 - 15.234375) * a * b) / 15.234375;
+"""
+TOP_START = [1, 0, 0, 0, 0, 150, -4.61538]
+# at 0.1 s, by a Taylor series in 40 digits
+TOP_THERE = [
+    *(0.3318229126083008, 0.177338056666937, 0.9149751591387279, -0.1458260144308886),
+    *(4.808941331728092, 150.0, 1.02830075671833),
+]
+
+
+def top(folder: Path, **changed: Any) -> Problem:
+    """The fast heavy top of Geradin and Cardona (2001), chapter 5."""
+    given: dict[str, Any] = {"rhs": TOP, "nq": 4, "nu": 3, "quaternions": (0,)}
     return Problem(folder, **(given | changed))

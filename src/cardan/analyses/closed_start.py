@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
-from .assemble import STARTS, choose, outside, search, search_from
+from .assemble import STARTS, choose, outside
 from .consistent import speeds
 from .mechanism import Mechanism
 from .meeting import Found
 from .redundancy import rank_of
+from .searches import search, search_from
 from .settings import Start
 from .targets import Target, read
 from .unassembled import explain, turned_round
@@ -39,10 +40,11 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     Raises:
         ModelError: circuits that cannot be assembled with what is named.
     """
-    m = Mechanism(model, t, r)
-    if not m.closing.rows or "constraints" not in model.manifest["available"]:
+    manifest = model.manifest
+    if not manifest.get("multipliers") or "constraints" not in manifest["available"]:
         # the run itself projects what it is given
         return begin
+    m = Mechanism(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
     place = _positions(m, place, _named("q", model, q))
     speed = _speeds(m, place, speed, _named("u", model, u))
@@ -85,7 +87,7 @@ def _assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
         nearest = search_from(m, wished, q)
         if nearest.met and nearest.cost <= NEARLY**2:
             return nearest
-        explain(m, goals, found, lambda some: search(m, some, q, 6, 0), NAMED)
+        explain(m, goals, found, lambda n, some: search(n, some, q, 6, 0), NAMED)
     return choose(m, met, [], q)
 
 

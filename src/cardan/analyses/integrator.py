@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ..runtime.compiled import CompiledModel
 
 
 @dataclass(frozen=True)
@@ -17,9 +22,14 @@ class Integrator:
         stages: Derivatives it keeps.
         dense_rows: Rows of its dense output.
         adaptive: Whether it chooses its steps from rtol and atol.
+        charted: Whether it takes quaternions by their increments (a Lie group method).
         applies: Where it is the one to take, in words.
         source: Where it comes from.
         needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
+        options: Numbers that its kernel reads, before the one that says whether it is adaptive.
+        given_step: Whether it is adaptive, but steps as told where a step is given.
+        suited: What it makes of itself for a model, with words to print; raises ModelError where
+            that is none for it.
     """
 
     name: str
@@ -31,4 +41,8 @@ class Integrator:
     adaptive: bool
     applies: str
     source: str
+    charted: bool = False
     needs: tuple[str, ...] = ()
+    options: tuple[float, ...] = ()
+    given_step: bool = False
+    suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = None

@@ -34,6 +34,7 @@ class Found:
         cost: Weighted sum of squares of what should hold.
         freedoms: Steps that keep what must hold, to first order.
         turned: Cut joint of which an axis is turned round there, "" if none.
+        first: Whether the search began at the start that was given.
     """
 
     q: Array
@@ -41,6 +42,7 @@ class Found:
     cost: float
     freedoms: int
     turned: str = ""
+    first: bool = False
 
     @property
     def closed(self) -> bool:
@@ -68,8 +70,7 @@ class Conditions:
 
     def hard_jacobian(self, q: Array) -> Array:
         """Their derivatives along steps (n, nu)."""
-        count = self.m.closing.positions
-        parts = [self.m.jacobian(q)[:count]]
+        parts = [self.m.jacobian(q)[: self.m.positions]]
         return np.concatenate([*parts, *(target.jacobian(self.m, q) for target in self.held)])
 
     def soft(self, q: Array) -> Array:

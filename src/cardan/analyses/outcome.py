@@ -30,6 +30,16 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         )
     if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
         return _event(runner, answer, at)
+    if answer == abi.UNSOLVED:
+        return "not_solved", (
+            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
+            f"solved{who}. Take step= or max_step= shorter; or the motion is singular there"
+        )
+    if answer == abi.TURNED:
+        return "step_too_long", (
+            f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
+            "more than its increment can tell. Take step= shorter"
+        )
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
@@ -68,7 +78,8 @@ def _open(runner: Runner | PlainRunner) -> str:
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
     joint = next(row["joint"] for row in closing.rows if row["name"] == name)
-    who = f"motion is not defined here: joint '{joint}' ({level} of '{name}')"
+    kind = "constraint" if joint == name else "joint"
+    who = f"motion is not defined here: {kind} '{joint}' ({level} of '{name}')"
     if run.steps == 0 and run.correction <= 1:
         return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
     if not runner.settings.method.adaptive:
@@ -78,7 +89,21 @@ def _open(runner: Runner | PlainRunner) -> str:
             f"{who} would jump to another branch however short the step is. The position is "
             "singular: model.singular_positions(...) finds such positions"
         )
+    driven = _driven(runner)
+    if driven:
+        return (
+            f"{who} cannot stay closed. What is prescribed ({driven}) asks for more than the "
+            "mechanism can follow from here: it is at a dead point or at the end of its range"
+        )
     return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
+
+
+def _driven(runner: Runner | PlainRunner) -> str:
+    """Joints and constraints that time or inputs move, in words."""
+    joints = [j["name"] for j in runner.model.manifest["joints"] if j["prescribed"]]
+    written = [row["name"] for row in runner.closing.rows if row["name"] == row["joint"]]
+    moved = [name for name in written if f"{name}.motion" in runner.sources]
+    return ", ".join(f"'{name}'" for name in (*joints, *moved))
 
 
 def _culprit(runner: Runner | PlainRunner) -> str:

@@ -48,6 +48,8 @@ class Progress:
     correction: float = 0.0
     projections: int = 0
     loosened: int = 0
+    jacobians: int = 0
+    factorizations: int = 0
     occurred: int = 0
     log_count: int = 0
 

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from .plain import PlainRunner
 
 Array = NDArray[np.float64]
-STAGES = 12  # derivatives of a step of DOP853
 LEAST = 2.3e-14  # SciPy takes no smaller rtol
 
 
@@ -81,20 +80,51 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
 
 
 def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
-    """Steps of SciPy's DOP853 from here to a stop.
+    """Steps of SciPy's DOP853."""
+    from scipy.integrate import DOP853
+
+    return adaptive(DOP853, runner, stop, lambda solver: np.array(solver.dense_output().F))
+
+
+def rk45(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of SciPy's RK45."""
+    from scipy.integrate import RK45
+
+    return adaptive(RK45, runner, stop, _quartic)
+
+
+def _quartic(solver: Any) -> Array:
+    """Rows of the dense output of RK45: values and slopes at both ends, then the fourth power."""
+    dense = solver.dense_output()
+    h, q = dense.h, dense.Q
+    rise = solver.y - dense.y_old
+    first, last = h * q[:, 0], h * (q @ np.arange(1.0, 5.0))
+    return np.stack([rise, first - rise, 2 * rise - first - last, h * q[:, 3]])
+
+
+def adaptive(
+    kind: Any,
+    runner: PlainRunner,
+    stop: float,
+    spread: Callable[[Any], Array],
+) -> Iterator[Step]:
+    """Steps of an adaptive method of SciPy from here to a stop.
+
+    Args:
+        kind: The method.
+        runner, stop: As of every method.
+        spread: Its dense output in the rows that are kept.
 
     The energies of the sources take no part in the error control: their tolerance is infinite,
     and the mean over all entries is made one over the state.
     """
-    from scipy.integrate import DOP853
-
     run, how = runner.record, runner.settings
     share = math.sqrt(max(runner.nx, 1) / runner.n) if runner.n else 1.0
     atol = np.full(runner.n, how.atol * share)
     atol[runner.nx :] = math.inf
     wanted = abs(run.h)
     length = abs(stop - run.t)
-    solver = DOP853(
+    solver = kind(
         runner.derivative,
         run.t,
         runner.views["y"].copy(),
@@ -110,7 +140,7 @@ def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
-        run.rejections += max(0, (solver.nfev - spent) // STAGES - 1)
+        run.rejections += max(0, (solver.nfev - spent) // kind.n_stages - 1)
         if closed and not _closed(runner, solver):
             # again from before, shorter
             solver.h_abs = 0.25 * abs(solver.t - before[0])
@@ -124,7 +154,7 @@ def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
         run.h = math.copysign(wanted, solver.direction)
         if closed:
             solver.f = runner.derivative(solver.t, solver.y)
-        yield Step(solver.t, solver.y.copy(), lambda: np.array(solver.dense_output().F))
+        yield Step(solver.t, solver.y.copy(), lambda: spread(solver))
 
 
 def _closed(runner: PlainRunner, solver: Any) -> bool:
@@ -138,4 +168,8 @@ def _closed(runner: PlainRunner, solver: Any) -> bool:
     return runner.record.correction <= 1
 
 
-METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {"DOP853": dop853, "RK4": rk4}
+METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {
+    "DOP853": dop853,
+    "RK45": rk45,
+    "RK4": rk4,
+}

@@ -93,6 +93,7 @@ class Runner:
         run.ne, run.watched = self.may.model, self.may.watched
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
+        run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
@@ -110,6 +111,7 @@ class Runner:
             "at_rest": max(model.nu, 6 * parts),
             "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
             "closing": self.library.cardan_closing_length(self.record),
+            "chart": self.library.cardan_chart_length(self.record),
             "own": abi.length(self.library, method.kernel, self.record),
             "e": len(self.may.rows),
             "board": self.library.cardan_board_length(self.record),
@@ -141,6 +143,8 @@ class Runner:
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
+        options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
+        run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import initial_state
+from .alpha import GeneralizedAlpha, method_of
 from .integrators import INTEGRATORS, Integrator
 
 Array = NDArray[np.float64]
@@ -44,7 +45,7 @@ class Settings:
 
 
 def settings(
-    method: str,
+    method: str | GeneralizedAlpha,
     rtol: float,
     atol: float,
     step: float | None,
@@ -54,7 +55,7 @@ def settings(
     """Checked settings.
 
     Args:
-        method: Name of an integrator, or ``"auto"``.
+        method: Name of an integrator, or ``"auto"``; or one with choices of its own.
         rtol, atol, step, max_step: As ``simulate`` takes them.
         length: Duration of the run, None if it has no end yet [s].
 
@@ -63,6 +64,8 @@ def settings(
             does not take.
     """
     chosen = integrator(method)
+    if chosen.given_step and step is not None:
+        chosen = replace(chosen, adaptive=False)
     for name, value in (("rtol", rtol), ("atol", atol)):
         if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
             raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
@@ -92,12 +95,14 @@ def _fixed(
     return Settings(chosen, 0.0, 1.0, taken, math.inf, f"step {taken:g} s{origin}")
 
 
-def integrator(name: str) -> Integrator:
-    """An integrator by its name.
+def integrator(name: str | GeneralizedAlpha) -> Integrator:
+    """An integrator by its name, or with choices of its own.
 
     Raises:
         ModelError: there is none.
     """
+    if isinstance(name, GeneralizedAlpha):
+        return method_of(name)
     if name == "auto":
         return INTEGRATORS[DEFAULT]
     if name not in INTEGRATORS:

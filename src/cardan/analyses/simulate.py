@@ -20,6 +20,7 @@ from ..runtime.events import Happened
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
+from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, happenings
 from .outcome import explain
@@ -42,7 +43,7 @@ def simulate(
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
     events: Mapping[str, Any] | None = None,
-    method: str = "auto",
+    method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
     step: float | None = None,
@@ -109,6 +110,9 @@ def runner_of(
     model: CompiledModel, how: Settings, given: Signals, may: Happenings = NOTHING
 ) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
+    if how.method.suited is not None:
+        method, words = how.method.suited(model, how.method)
+        how = replace(how, method=method, words=f"{words}, {how.words}")
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -170,6 +174,8 @@ def _run(
         "steps": run.steps,
         "rejections": run.rejections,
         "evaluations": run.evaluations,
+        "jacobians": run.jacobians,
+        "factorizations": run.factorizations,
         "projections": run.projections,
         "loosened": run.loosened,
         "events": run.occurred,
@@ -204,7 +210,8 @@ def _trajectory(
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
-        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions)
+        charted = runner.settings.method.charted
+        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions, charted)
     return Trajectory(
         t=t,
         x=y[:, : model.nx].copy(),

@@ -11,9 +11,14 @@ from .naming import comment
 # files every integrator needs, and those of each
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
+    *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "events.c", "search.c", "dips.c"),
 )
-INTEGRATORS = {"rk4": ("rk4.c",), "dop853": ("dop853.c", "dop853_tables.h")}
+INTEGRATORS = {
+    "rk4": ("rk4.c",),
+    "rk45": ("rk45.c",),
+    "dop853": ("dop853.c", "dop853_tables.h"),
+}
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity")
 

@@ -259,5 +259,6 @@ def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
 
 
 def _frame(system: System, frame: Frame) -> dict[str, Any]:
-    part = system.bodies[frame.body].parts[frame.part].name if frame.body >= 0 else None
+    parts = system.bodies[frame.body].parts if frame.body >= 0 else ()
+    part = parts[frame.part].name if parts else None
     return {"name": frame.name, "body": _body(system, frame.body), "part": part}

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 
 from ..elements.internal import Mode
 from ..elements.joints.joint import Component
+from ..elements.quantity import written_unit
 from ..ir.function import Block
-from ..topology.internals import full_name
+from ..topology.internals import full_name, slides
 from ..topology.system import System
+from .constraints import rows
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
 
@@ -21,23 +23,23 @@ def entries(head: str, components: Sequence[Component]) -> list[str]:
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of q."""
-    rows: list[tuple[str, str, float]] = []
+    found: list[tuple[str, str, float]] = []
     for joint in system.joints:
         if joint.q >= 0:
             names = entries(joint.name, joint.element.coordinates)
             parts = zip(names, joint.element.coordinates, strict=True)
-            rows += [(name, c.unit, c.default) for name, c in parts]
-    return rows
+            found += [(name, c.unit, c.default) for name, c in parts]
+    return found
 
 
 def speeds(system: System) -> list[tuple[str, str]]:
     """(name, unit) of every entry of u: ``elbow.u``, ``ball.u.x``."""
-    rows: list[tuple[str, str]] = []
+    found: list[tuple[str, str]] = []
     for joint in system.joints:
         if joint.u >= 0:
             names = entries(f"{joint.name}.u", joint.element.speeds)
-            rows += zip(names, (c.unit for c in joint.element.speeds), strict=True)
-    return rows
+            found += zip(names, (c.unit for c in joint.element.speeds), strict=True)
+    return found
 
 
 def accelerated(unit: str) -> str:
@@ -48,7 +50,11 @@ def accelerated(unit: str) -> str:
 def internals(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of z."""
     return [
-        (full_name(force.name, state), state.unit, state.default)
+        (
+            full_name(force.name, state),
+            written_unit(state.unit, slides(system.joints, force.joints.values())),
+            state.default,
+        )
         for force in system.forces
         for state in force.element.internals()
     ]
@@ -86,7 +92,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
     forces = tuple(FORCE_UNITS.get(unit, "") for unit in units)
     axes = ("mx", "my", "mz", "fx", "fy", "fz")
     moments = ("N*m",) * 3 + ("N",) * 3
-    touched = parts(system)
+    touched, bound = parts(system), rows(system)
     z, modes = internals(system), tuple(name for name, _ in discrete(system))
     happening = tuple(event_names(system))
     listed = [
@@ -100,6 +106,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
             "p", tuple(p.name for p in system.parameters), tuple(p.unit for p in system.parameters)
         ),
         Block("udot", tuple(f"{n}dot" for n in names), rates),
+        Block("lam", tuple(row.name for row in bound), tuple(row.force_unit for row in bound)),
         Block("tau", tuple(f"{n}.tau" for n in names), forces),
         Block("wrench", tuple(f"{n}.{a}" for n in touched for a in axes), moments * len(touched)),
         Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),

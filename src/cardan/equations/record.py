@@ -26,7 +26,7 @@ from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
 from .readable import Readable
-from .recipes import RECIPES, about, c_name, check, is_told, missing
+from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "tau", "wrench", "du", "q0", "e")
+ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", "du", "q0", "e")
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Equations(Readable):
         """How the system may be told for a function."""
         if not is_told(name, of):
             return [((), self.system)]
-        rigid = name == "derivative"
+        rigid = name in DIFFERENTIATED
         if rigid not in self._systems:
             wanted = () if self.chosen else self.rewrites
             self._systems[rigid] = candidates(self.system, self.method, wanted, rigid)
@@ -352,7 +352,7 @@ class Equations(Readable):
             directory: A new or empty one, or an earlier export, which is replaced.
             functions: Names, or pairs such as ``("pose", "hand")``.
             language: ``"cython"``, or ``"c"`` without the package.
-            integrators: ``"dop853"``, ``"rk4"``: to simulate from C.
+            integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``: to simulate from C.
             reproducible: Equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
 

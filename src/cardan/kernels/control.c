@@ -102,9 +102,11 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
     *h = copysign(fmin(fabs(run->h), run->max_step), run->h);
     if (fabs(*h) < least(run) && fabs(left) > least(run))
         return CARDAN_TOO_SMALL;
-    /* stretch a little rather than leave a sliver before the stop */
+    /* the step that t can tell: roundings of many times would add up */
     *t_new = run->t + *h;
-    if (fabs(left) <= fmax(fabs(*h), fmin(1.01 * fabs(*h), run->max_step))) {
+    *h = *t_new - run->t;
+    /* stretch a little rather than leave a sliver before the stop */
+    if (fabs(left) <= fmax(fabs(*h) + least(run), fmin(1.01 * fabs(*h), run->max_step))) {
         *h = left;
         *t_new = stop;
     }

@@ -19,10 +19,10 @@ static int inputs_at(cardan_run *run, real t, const real *x, int asked)
     return 0;
 }
 
-/* r at t, for rows that come out; a sampled function keeps its value. */
-void cardan_inputs_at(cardan_run *run, real t, const real *x)
+/* r at t; a sampled function keeps its value. Returns 0 or CARDAN_INPUT. */
+int cardan_inputs_at(cardan_run *run, real t, const real *x)
 {
-    (void)inputs_at(run, t, x, !run->sampled);
+    return inputs_at(run, t, x, !run->sampled);
 }
 
 /* y (n) projected onto the constraints, or as it is where that does not work. */
@@ -36,12 +36,13 @@ static const real *on_constraints(cardan_run *run, real t, const real *y)
     return cardan_close(run, t, copy, 0) == 0 ? copy : y;
 }
 
-/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT.
+/* dx/dt (nx) and the powers of the sources at t, y; either may be NULL.
  *
  * Beside a singular position it is taken at the nearest state on the constraints: off them
  * accelerations grow with the inverse of the distance, on them nothing happens.
+ * Returns 0, CARDAN_MODEL or CARDAN_INPUT.
  */
-int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power)
 {
     cardan_in in;
     int status = inputs_at(run, t, y, !run->sampled);
@@ -51,11 +52,19 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
     if (run->near_singular)
         y = on_constraints(run, t, y);
     in = cardan_at(run, &t, y);
-    run->evaluations++;
-    status = cardan_call_model(run, &run->rhs, &in, f);
-    if (status == 0 && run->power.function)
-        status = cardan_call_model(run, &run->power, &in, f + run->nx);
+    if (xdot) {
+        run->evaluations++;
+        status = cardan_call_model(run, &run->rhs, &in, xdot);
+    }
+    if (status == 0 && power && run->power.function)
+        status = cardan_call_model(run, &run->power, &in, power);
     return status;
+}
+
+/* f = dy/dt (n) at t, y. Returns as cardan_evaluate. */
+int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+{
+    return cardan_evaluate(run, t, y, f, f + run->nx);
 }
 
 /* Make f the derivative at t, y unless it is. */
@@ -133,6 +142,22 @@ static const real SHARE = 0.05;
  */
 int cardan_commit(cardan_run *run, real t, const real *y)
 {
+    return cardan_commit_known(run, t, y, -1);
+}
+
+/* The derivative at t, next (n): that of stage `known` where nothing changed the state since. */
+static int next_derivative(cardan_run *run, real t, const real *next, int known, real *f)
+{
+    if (known < 0 || run->quaternion_count + run->positions + run->rates > 0)
+        return cardan_derivative(run, t, next, f);
+    for (ptrdiff_t i = 0; i < run->n; i++)
+        f[i] = run->k[known * run->n + i];
+    return 0;
+}
+
+/* The same, of a method whose stage `known` is at the end of the step; -1 where none is. */
+int cardan_commit_known(cardan_run *run, real t, const real *y, int known)
+{
     real *next = run->trial;
     int status;
 
@@ -156,7 +181,7 @@ int cardan_commit(cardan_run *run, real t, const real *y)
     if (status != 0)
         return status;
     /* y_old serves as room for the new derivative until nothing can fail any more */
-    status = cardan_derivative(run, t, next, run->y_old);
+    status = next_derivative(run, t, next, known, run->y_old);
     if (status == 0) {
         run->culprit = cardan_not_finite(run->y_old, run->n);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : 0;

@@ -1,4 +1,5 @@
-/* Coefficients of DOP853, for dop853.c alone. Stages are counted from 0; entries not named are 0.
+/* Coefficients of DOP853 and the sums they stand in, for dop853.c and lane_dop853.c: one text, so
+ * that lanes do what single runs do. Stages are counted from 0; entries not named are 0.
  *
  * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
  * section II.5 and appendix; decimals as they round to doubles.
@@ -9,7 +10,7 @@
 #include "cardan.h"
 
 /* nodes */
-static const real C[16] = {
+static const double C[16] = {
     [1] = 0.05260015195876773, [2] = 0.0789002279381516, [3] = 0.1183503419072274,
     [4] = 0.2816496580927726, [5] = 0.3333333333333333, [6] = 0.25, [7] = 0.3076923076923077,
     [8] = 0.6512820512820513, [9] = 0.6, [10] = 0.8571428571428571, [11] = 1.0, [12] = 1.0,
@@ -17,7 +18,7 @@ static const real C[16] = {
 };
 
 /* weights of the stages; row 12 is the solution, rows 13 to 15 serve the dense output */
-static const real A[16][16] = {
+static const double A[16][16] = {
     [1] = {
         [0] = 0.05260015195876773,
     },
@@ -83,20 +84,20 @@ static const real A[16][16] = {
 };
 
 /* differences to embedded solutions of order 3 and 5 */
-static const real E3[12] = {
+static const double E3[12] = {
     [0] = -0.18980075407240762, [5] = 4.450312892752409, [6] = 1.8915178993145003,
     [7] = -5.801203960010585, [8] = -0.4226823213237919, [9] = -0.1521609496625161,
     [10] = 0.20136540080403034, [11] = 0.02265179219836082,
 };
 
-static const real E5[12] = {
+static const double E5[12] = {
     [0] = 0.01312004499419488, [5] = -1.2251564463762044, [6] = -0.4957589496572502,
     [7] = 1.6643771824549864, [8] = -0.35032884874997366, [9] = 0.3341791187130175,
     [10] = 0.08192320648511571, [11] = -0.022355307863886294,
 };
 
 /* the four highest rows of the dense output */
-static const real D[4][16] = {
+static const double D[4][16] = {
     [0] = {
         [0] = -8.428938276109013, [5] = 0.5667149535193777, [6] = -3.0689499459498917,
         [7] = 2.38466765651207, [8] = 2.117034582445028, [9] = -0.871391583777973,
@@ -122,5 +123,64 @@ static const real D[4][16] = {
         [13] = 96.32455395918828, [14] = -39.17726167561544, [15] = -149.72683625798564,
     },
 };
+
+/* Entry i of n of derivative j; the names are those of the functions that use the sums. */
+#define K(j) k[(j) * n + i]
+
+/* The stages of a step, one after the other: STAGE(s, sum) makes derivative s at y + h sum. */
+#define DOP853_STAGES(STAGE)                                                                       \
+    STAGE(1, A[1][0] * K(0))                                                                       \
+    STAGE(2, A[2][0] * K(0) + A[2][1] * K(1))                                                      \
+    STAGE(3, A[3][0] * K(0) + A[3][2] * K(2))                                                      \
+    STAGE(4, A[4][0] * K(0) + A[4][2] * K(2) + A[4][3] * K(3))                                     \
+    STAGE(5, A[5][0] * K(0) + A[5][3] * K(3) + A[5][4] * K(4))                                     \
+    STAGE(6, A[6][0] * K(0) + A[6][3] * K(3) + A[6][4] * K(4) + A[6][5] * K(5))                    \
+    STAGE(7, A[7][0] * K(0) + A[7][3] * K(3) + A[7][4] * K(4) + A[7][5] * K(5) + A[7][6] * K(6))   \
+    STAGE(8, A[8][0] * K(0) + A[8][3] * K(3) + A[8][4] * K(4) + A[8][5] * K(5) + A[8][6] * K(6)    \
+                 + A[8][7] * K(7))                                                                 \
+    STAGE(9, A[9][0] * K(0) + A[9][3] * K(3) + A[9][4] * K(4) + A[9][5] * K(5) + A[9][6] * K(6)    \
+                 + A[9][7] * K(7) + A[9][8] * K(8))                                                \
+    STAGE(10, A[10][0] * K(0) + A[10][3] * K(3) + A[10][4] * K(4) + A[10][5] * K(5)                \
+                  + A[10][6] * K(6) + A[10][7] * K(7) + A[10][8] * K(8) + A[10][9] * K(9))         \
+    STAGE(11, A[11][0] * K(0) + A[11][3] * K(3) + A[11][4] * K(4) + A[11][5] * K(5)                \
+                  + A[11][6] * K(6) + A[11][7] * K(7) + A[11][8] * K(8) + A[11][9] * K(9)          \
+                  + A[11][10] * K(10))
+
+/* the solution is y + h times this */
+#define DOP853_SOLUTION                                                                            \
+    (A[12][0] * K(0) + A[12][5] * K(5) + A[12][6] * K(6) + A[12][7] * K(7) + A[12][8] * K(8)       \
+     + A[12][9] * K(9) + A[12][10] * K(10) + A[12][11] * K(11))
+
+/* its differences to the embedded ones, for a step of length 1: E is E3 or E5 */
+#define DOP853_DIFFERENCE(E)                                                                       \
+    (E[0] * K(0) + E[5] * K(5) + E[6] * K(6) + E[7] * K(7) + E[8] * K(8) + E[9] * K(9)             \
+     + E[10] * K(10) + E[11] * K(11))
+
+/* The stages of the dense output; derivative 12 is that at the end of the step. */
+#define DOP853_DENSE_STAGES(STAGE)                                                                 \
+    STAGE(13, A[13][0] * K(0) + A[13][6] * K(6) + A[13][7] * K(7) + A[13][8] * K(8)                \
+                  + A[13][9] * K(9) + A[13][10] * K(10) + A[13][11] * K(11) + A[13][12] * K(12))   \
+    STAGE(14, A[14][0] * K(0) + A[14][5] * K(5) + A[14][6] * K(6) + A[14][7] * K(7)                \
+                  + A[14][10] * K(10) + A[14][11] * K(11) + A[14][12] * K(12)                      \
+                  + A[14][13] * K(13))                                                             \
+    STAGE(15, A[15][0] * K(0) + A[15][5] * K(5) + A[15][6] * K(6) + A[15][7] * K(7)                \
+                  + A[15][8] * K(8) + A[15][12] * K(12) + A[15][13] * K(13) + A[15][14] * K(14))
+
+/* Rows of the dense output: chord, both end slopes, four that use all derivatives. */
+#define DOP853_SPREAD(number)                                                                      \
+    spread[i] = rise;                                                                              \
+    spread[n + i] = h * K(0) - rise;                                                               \
+    spread[2 * n + i] = 2 * rise - h * (K(12) + K(0));                                             \
+    for (ptrdiff_t row = 0; row < 4; row++) {                                                      \
+        number sum = D[row][0] * K(0);                                                             \
+        for (ptrdiff_t s = 5; s < 16; s++) sum += D[row][s] * K(s);                                \
+        spread[(3 + row) * n + i] = h * sum;                                                       \
+    }
+
+/* Error of a step of size h from sums of squares over n entries: behaves like h^8. */
+static inline double dop853_error(double h, double n, double sum5, double sum3)
+{
+    return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt(n * (sum5 + 0.01 * sum3));
+}
 
 #endif

@@ -41,9 +41,10 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
     size_t closing = (size_t)cardan_closing_length(run), own = (size_t)run->length(run);
     size_t ledger = 4 * (size_t)(run->positions + run->rates);
     size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
+    size_t chart = (size_t)cardan_chart_length(run);
 
-    return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + own + ledger
-           + events;
+    return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + chart + own
+           + ledger + events;
 }
 
 /* The next piece of a block. */
@@ -74,6 +75,7 @@ void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
     run->at_rest = take(&next, (ptrdiff_t)rest);
     run->work = take(&next, (ptrdiff_t)work);
     run->closing = take(&next, cardan_closing_length(run));
+    run->chart = take(&next, cardan_chart_length(run));
     run->own = take(&next, run->length(run));
     run->e = take(&next, run->ne + run->watched);
     run->board = take(&next, cardan_board_length(run));

@@ -4,7 +4,7 @@
  * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
  * sections II.1 and II.6.
  */
-#include "run.h"
+#include "explicit.h"
 #include <math.h>
 
 /* h is the wanted step; its sign comes from the direction of the run. */
@@ -34,37 +34,30 @@ int cardan_rk4_step(cardan_run *run)
 {
     static const real c[4] = {0, 0.5, 0.5, 1};
     ptrdiff_t n = run->n;
-    real *k = run->k, *y = run->y, *trial = run->trial;
+    real *k = run->k, *trial = run->trial;
     real t_new = grid(run), h = t_new - run->t;
     int status = cardan_refresh(run);
+    const real *y = cardan_enter(run, run->y, run->f, k);
 
     run->culprit = -1;
-    for (ptrdiff_t i = 0; i < n; i++)
-        k[i] = run->f[i];
     for (int s = 1; s < 4 && status == 0; s++) {
         for (ptrdiff_t i = 0; i < n; i++)
             trial[i] = y[i] + h * c[s] * k[(s - 1) * n + i];
-        status = cardan_derivative(run, s < 3 ? run->t + c[s] * h : t_new, trial, k + s * n);
+        status = cardan_slope(run, s < 3 ? run->t + c[s] * h : t_new, trial, k + s * n);
     }
     if (status != 0)
         return status;
     for (ptrdiff_t i = 0; i < n; i++)
         trial[i] = y[i] + h / 6 * (k[i] + 2 * (k[n + i] + k[2 * n + i]) + k[3 * n + i]);
+    cardan_leave(run, trial);
     return cardan_commit(run, t_new, trial);
 }
 
 /* Cubic through values and derivatives at both ends of the last step. */
 int cardan_rk4_dense(cardan_run *run)
 {
-    ptrdiff_t n = run->n;
-    real h = run->t - run->t_old;
-
-    for (ptrdiff_t i = 0; i < n; i++) {
-        real rise = run->y[i] - run->y_old[i];
-        run->spread[i] = rise;
-        run->spread[n + i] = h * run->k[i] - rise;
-        run->spread[2 * n + i] = 2 * rise - h * (run->k[i] + run->f[i]);
-    }
+    /* the second derivative of the step is needed no more */
+    cardan_hermite(run, run->k, run->k + run->n);
     run->is_dense = 1;
     return 0;
 }

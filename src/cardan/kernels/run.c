@@ -14,7 +14,7 @@ size_t cardan_run_size(void)
     return sizeof(cardan_run);
 }
 
-/* y (n) inside a step from its dense output; theta in 0 ... 1, `rows` odd.
+/* y (n) inside a step from its dense output; theta in 0 ... 1.
  *
  * y_old + theta (F0 + (1 - theta) (F1 + theta (F2 + ...))): F0 alone is the chord, every further
  * row vanishes at both ends.
@@ -46,6 +46,7 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     if (status != 0)
         return status;
     cardan_interpolate(run->dense_rows, run->n, (t - run->t_old) / h, run->y_old, run->spread, y);
+    cardan_leave_inside(run, (t - run->t_old) / h, y);
     cardan_normalize(run, y);
     /* where that does not close, the polynomial is as good as anything */
     status = cardan_close(run, t, y, 0);
@@ -66,7 +67,7 @@ static int put(cardan_run *run, real t)
     if (status != 0)
         return status;
     row[0] = t;
-    cardan_inputs_at(run, t, row + 1);
+    (void)cardan_inputs_at(run, t, row + 1);
     for (ptrdiff_t i = 0; i < run->nr; i++)
         row[1 + run->n + i] = run->r[i];
     for (ptrdiff_t i = 0; i < run->ns; i++)
@@ -133,7 +134,7 @@ static int sizes_fit(const cardan_run *run)
         || !fits(run->nq, 4) || !fits(run->nu, 4) || !fits(run->nz, 4))
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
-           && fits(run->stages, run->n) && fits(run->dense_rows, run->n)
+           && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
            && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->capacity, width(run))
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)

@@ -39,8 +39,10 @@ enum {
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
-    CARDAN_STORM = -7,     /* events go on and on at one time */
-    CARDAN_CHATTER = -8    /* an event happens ever again within no time to speak of */
+    CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
+    CARDAN_STORM = -9,     /* events go on and on at one time */
+    CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
 };
 
 /* What happens where the value of an event falls through zero. An event of the first four kinds is
@@ -83,12 +85,19 @@ struct cardan_run {
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
+    cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
+    cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
+                                    q, G (rates, nu) */
+    cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
+    cardan_call qdot;
+    const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
     ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */
     ptrdiff_t signal_count, quaternion_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
+    ptrdiff_t charted; /* 1: an explicit method takes quaternions by their increments: chart.c */
 
     /* constraints: each function writes the closed block, then the residuals of the given one */
     cardan_call close_position; /* q (nq), residuals (positions) */
@@ -112,10 +121,12 @@ struct cardan_run {
     real *f;        /* (n) derivative at t, y; valid while `fresh` */
     real *r;        /* (nr) inputs as last asked for */
     real *s;        /* (ns) discrete states, constant between events */
-    real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense` */
+    real *spread;   /* (dense_rows, n) dense output of the last step; valid while `is_dense`; if
+                       charted, of the increments of quaternions */
     const real *at_rest; /* zeros for the blocks tau and wrench */
     real *work;     /* work of the functions of the model */
     real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
+    real *chart;    /* cardan_chart_length(run) numbers, NULL unless charted */
     real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
     real *e;        /* (ne + watched) 1: happens at t */
     real *board;    /* cardan_board_length(run) numbers: what is known of the events */
@@ -168,6 +179,7 @@ struct cardan_run {
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
     ptrdiff_t loosened;    /* steps past singular positions that rounding kept from the tolerance */
+    ptrdiff_t jacobians, factorizations; /* of the implicit methods */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
 
@@ -200,7 +212,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
-void cardan_inputs_at(cardan_run *run, real t, const real *x);
+int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
 
@@ -209,23 +221,27 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work);
 void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work);
 
 /* what the methods build on: derivative.c, close.c and control.c */
+int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power);
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
 void cardan_restart(cardan_run *run);
 int cardan_commit(cardan_run *run, real t, const real *y);
+int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
 real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h);
+ptrdiff_t cardan_chart_length(const cardan_run *run);
+void cardan_leave_inside(const cardan_run *run, real theta, real *y);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
-/* events.c and dips.c */
+/* events.c */
 ptrdiff_t cardan_board_length(const cardan_run *run);
 int cardan_events_start(cardan_run *run);
 int cardan_events_seek(cardan_run *run);
@@ -234,12 +250,24 @@ int cardan_events_full(const cardan_run *run);
 int cardan_events_due(const cardan_run *run);
 int cardan_events_tick(cardan_run *run);
 
+/* implicit.c: the Jacobian of a run, for the methods that need one */
+ptrdiff_t cardan_jacobian_length(const cardan_run *run);
+int cardan_jacobian(cardan_run *run, real h, real *jacobian);
+
 /* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
 enum {
     cardan_rk4_stages = 4,
     cardan_rk4_rows = 3,
+    cardan_rk45_stages = 7,
+    cardan_rk45_rows = 4,
     cardan_dop853_stages = 16,
-    cardan_dop853_rows = 7
+    cardan_dop853_rows = 7,
+    cardan_alpha_stages = 1,
+    cardan_alpha_rows = 3,
+    cardan_radau_stages = 3,
+    cardan_radau_rows = 3,
+    cardan_rosenbrock_stages = 8,
+    cardan_rosenbrock_rows = 4
 };
 #define CARDAN_METHOD(run, name)                                                                   \
     ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
@@ -249,9 +277,25 @@ int cardan_rk4_init(cardan_run *run);
 int cardan_rk4_step(cardan_run *run);
 int cardan_rk4_dense(cardan_run *run);
 ptrdiff_t cardan_rk4_length(const cardan_run *run);
+int cardan_rk45_init(cardan_run *run);
+int cardan_rk45_step(cardan_run *run);
+int cardan_rk45_dense(cardan_run *run);
+ptrdiff_t cardan_rk45_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
 ptrdiff_t cardan_dop853_length(const cardan_run *run);
+int cardan_alpha_init(cardan_run *run);
+int cardan_alpha_step(cardan_run *run);
+int cardan_alpha_dense(cardan_run *run);
+ptrdiff_t cardan_alpha_length(const cardan_run *run);
+int cardan_radau_init(cardan_run *run);
+int cardan_radau_step(cardan_run *run);
+int cardan_radau_dense(cardan_run *run);
+ptrdiff_t cardan_radau_length(const cardan_run *run);
+int cardan_rosenbrock_init(cardan_run *run);
+int cardan_rosenbrock_step(cardan_run *run);
+int cardan_rosenbrock_dense(cardan_run *run);
+ptrdiff_t cardan_rosenbrock_length(const cardan_run *run);
 
 #endif

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from .calling import Array
 from .described import Described
+from .evaluation import State
 
 if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
@@ -24,9 +25,21 @@ if TYPE_CHECKING:
 class Analyzed(Described):
     """A model with analyses of its circuits."""
 
+    _doubted: set[str]
+
     @property
     def _itself(self) -> CompiledModel:
         return cast("CompiledModel", self)
+
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where redundant constraints leave the reaction of a joint undetermined."""
+        if joint in self._doubted:
+            return
+        self._doubted.add(joint)
+        if self.manifest["multipliers"] and "constraint_jacobian" in self.manifest["available"]:
+            from ..analyses.redundancy import doubt
+
+            doubt(self._itself, joint, q, t, r)
 
     def assemble(self, targets: Mapping[str, Any] | None = None, **options: Any) -> Assembly:
         """A state at which circuits close and targets are met: assembly, inverse kinematics.

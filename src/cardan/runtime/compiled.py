@@ -84,6 +84,7 @@ class CompiledModel(Analyzed):
         self._layout = Layout(self._objects.manifest)
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
+        self._doubted: set[str] = set()
         self._calls = _Calls(self._function)
 
     def __repr__(self) -> str:
@@ -326,7 +327,9 @@ class CompiledModel(Analyzed):
         from .saved import digest, restore, texts
 
         self._objects.write(
-            name for name in self.manifest["available"] if name not in (*NAMED, "derivative")
+            name
+            for name in self.manifest["available"]
+            if name not in (*NAMED, "derivative", "rhs_jacobian")
         )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)

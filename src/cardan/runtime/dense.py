@@ -21,12 +21,14 @@ class Dense:
         y: Values there (n + 1, size).
         spreads: F0, F1, ... of every step (n, rows, size).
         quaternions: First entries of the quaternions; values come out with unit length.
+        charted: Whether rows hold increments (0, rotation vector in body axes) at quaternions.
     """
 
     t: Array
     y: Array
     spreads: Array
     quaternions: tuple[int, ...]
+    charted: bool = False
 
     def at(self, times: Array) -> Array:
         """Values (m, size) at times (m,), which must lie inside the run."""
@@ -41,11 +43,14 @@ class Dense:
         for row in range(self.spreads.shape[1] - 1, -1, -1):
             total = (total + self.spreads[step, row]) * (theta if row % 2 == 0 else 1 - theta)
         values: Array = self.y[step] + total
-        # at the end of the run the sum may miss the last bit
-        values[times == self.t[-1]] = self.y[-1]
+        for start in self.quaternions if self.charted else ():
+            four = slice(start, start + 4)
+            values[:, four] = turned(self.y[step, four], total[:, start + 1 : start + 4])
         for start in self.quaternions:
             q = values[:, start : start + 4]
             q /= np.linalg.norm(q, axis=1, keepdims=True)
+        # at the end of the run the sum may miss the last bit
+        values[times == self.t[-1]] = self.y[-1]
         return values
 
 
@@ -76,3 +81,11 @@ def shortened(spread: Array, part: float) -> Array:
             result[j] = a[0]
         a[0] -= result[j]
     return result
+
+
+def turned(q: Array, v: Array) -> Array:
+    """Quaternions (m, 4) turned by rotation vectors v (m, 3) in body axes: q exp(v / 2)."""
+    half = 0.5 * np.linalg.norm(v, axis=1, keepdims=True)
+    w, by = np.cos(half), 0.5 * np.sinc(half / np.pi) * v
+    first = q[:, :1] * w - (q[:, 1:] * by).sum(axis=1, keepdims=True)
+    return np.hstack([first, q[:, :1] * by + w * q[:, 1:] + np.cross(q[:, 1:], by)])

@@ -51,7 +51,7 @@ class Described(Derivatives):
     @property
     def frames(self) -> tuple[str, ...]:
         """Names of the frames that pose, velocity and others take."""
-        return tuple(row["name"] for row in self.manifest["frames"])
+        return tuple(self.part_of)
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -61,14 +61,14 @@ class Described(Derivatives):
     @property
     def part_of(self) -> dict[str, str | None]:
         """Frame -> the body it is fixed to, None for the ground."""
-        return {row["name"]: row.get("part") for row in self.manifest["frames"]}
+        return self._layout.part_of
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints: those of the tree, those that are cut, those that are fixed."""
         cut = self.manifest.get("cuts", [])
         moving = [row["name"] for row in (*self.manifest["joints"], *cut)]
-        return (*moving, *self.manifest["fixed"])
+        return (*dict.fromkeys(moving), *self.manifest["fixed"])
 
     @property
     def nq(self) -> int:

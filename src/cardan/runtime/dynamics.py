@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC
+from abc import ABC, abstractmethod
 from typing import Any
 
 import numpy as np
@@ -77,6 +77,28 @@ class Dynamics(Kinematics, ABC):
         """
         values = (t, q, u, r, z, s, events)
         return self._evaluate(("transition", None), values, parameters, out)
+
+    def rhs_jacobian(
+        self,
+        t: ArrayLike,
+        x: ArrayLike,
+        r: State | None = None,
+        *,
+        s: State | None = None,
+        parameters: Values | None = None,
+    ) -> tuple[Array, Array, Array]:
+        """Partial derivatives of :meth:`rhs` by the state x as it is stored, by t and by inputs.
+
+        A unit quaternion counts by its direction alone: along itself nothing changes. Derivatives
+        along the speeds instead: ``derivative("rhs", wrt="q")``.
+
+        Returns:
+            d rhs / d x (..., nx, nx), d rhs / d t (..., nx), d rhs / d r (..., nx, nr).
+        """
+        flat = self._evaluate(("rhs_jacobian", None), (t, x, r, s), parameters, None)
+        lead, n = flat.shape[:-1], np.shape(x)[-1]
+        by_x, by_t, by_r = np.split(flat, [n * n, n * n + n], axis=-1)
+        return by_x.reshape(*lead, n, n), by_t, by_r.reshape(*lead, n, by_r.shape[-1] // max(n, 1))
 
     def forward_dynamics(
         self,
@@ -240,12 +262,21 @@ class Dynamics(Kinematics, ABC):
         Args:
             joint: A joint with motion or a fixed one.
             tau, wrenches: As for :meth:`forward_dynamics`: the system accelerates under them.
+
+        Where redundant constraints leave it undetermined one of the possible wrenches comes out,
+        and a SolveWarning says so once for each joint; see ``model.redundancy(q)``.
         """
         block = None
         if wrenches is not None:
             outside.refuse_ground(self, wrenches, joint)
             block = outside.by_part(self, wrenches, q, r=r, t=t, parameters=parameters)
-        return self._evaluate(("reaction", joint), (t, q, u, r, tau, block, z, s), parameters, out)
+        found = self._evaluate(("reaction", joint), (t, q, u, r, tau, block, z, s), parameters, out)
+        self._doubt(joint, q, t, r)
+        return found
+
+    @abstractmethod
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where the reaction of a joint is not determined at states."""
 
     def outputs(
         self,

@@ -13,6 +13,7 @@ from .slots import SLOT
 
 READS = {
     "rhs": "t x r s",
+    "rhs_jacobian": "t x r s",
     "forward_dynamics": "t q u z s r tau",
     "inverse_dynamics": "t q u udot z s r",
     "mass_matrix": "t q r",
@@ -42,6 +43,9 @@ READS = {
     "close_velocity": "t q u r z s",
     "events": "t q u r z s",
     "transition": "t q u r z s e",
+    "balance": "t q u udot lam r z s",
+    "balance_tangent": "t q u udot lam r z s",
+    "move": "q du",
     "integrate": "q du",
     "difference": "q0 q",
 }
@@ -50,8 +54,9 @@ READS = {
 NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
 # arguments that have a default
 OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
-# functions that have derivatives
-SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference"))
+# functions that have no derivatives: along increments, or derivatives themselves
+APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "difference")
+SMOOTH = tuple(name for name in READS if name not in APART)
 FUNCTIONS = (*READS, "derivative")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
@@ -75,7 +80,14 @@ class Layout:
         self.internals = tuple(row["name"] for row in manifest["z"])
         self.modes = tuple(row["name"] for row in manifest["s"])
         self.events = tuple(row["name"] for row in manifest.get("events", ()))
+        self.multipliers = tuple(row["name"] for row in manifest.get("multipliers", ()))
         self.parts = tuple(part for body in manifest["bodies"] for part in body["parts"])
+        # bodies without parts only stand for joints: their frames are nobody's
+        self.part_of = {
+            row["name"]: row.get("part")
+            for row in manifest["frames"]
+            if row.get("part") is not None or row["body"] == "ground"
+        }
 
     @cached_property
     def places(self) -> dict[str, dict[str, slice]]:
@@ -90,15 +102,20 @@ class Layout:
         r = {name: slice(k, k + 1) for k, name in enumerate(self.inputs)}
         own = {
             block: {name: slice(k, k + 1) for k, name in enumerate(names)}
-            for block, names in (("z", self.internals), ("s", self.modes), ("e", self.events))
+            for block, names in self._own.items()
         }
         return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | own
 
     def names(self, block: str) -> tuple[str, ...]:
         """Name of every entry of a block."""
-        own = {"q": self.coordinates, "q0": self.coordinates, "r": self.inputs}
-        own |= {"z": self.internals, "s": self.modes, "e": self.events}
+        own = {"q": self.coordinates, "q0": self.coordinates, "r": self.inputs} | self._own
         return own.get(block, self.speeds)
+
+    @property
+    def _own(self) -> dict[str, tuple[str, ...]]:
+        """Blocks that only some systems have."""
+        own = {"z": self.internals, "s": self.modes, "e": self.events}
+        return own | {"lam": self.multipliers}
 
     def start(self, block: str) -> Array:
         """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
@@ -124,6 +141,7 @@ class Layout:
             self._vector("u", "speeds"),
             self._vector("udot", "accelerations of"),
             self._vector("du", "increments along"),
+            self._vector("lam", "multipliers"),
             self._vector("tau", "forces along", np.zeros(nu)),
             self._vector("r", "inputs", self.start("r")),
             self._vector("z", "internal states", self.start("z")),

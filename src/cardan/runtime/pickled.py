@@ -39,6 +39,7 @@ def digest(values: Mapping[str, Any]) -> str:
     arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"])]
     if values["dense"] is not None:
         arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
+        found.update(repr(values["dense"].charted).encode())
     for array in (*arrays, *_sorted(values["numbers"])):
         found.update(repr(np.shape(array)).encode())
         found.update(np.ascontiguousarray(array, dtype=np.float64).tobytes())

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .compiled import CompiledModel
 
 FORMAT = 1
+DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 ENDINGS = ("", ".nc", ".nc3", ".cdf")
 LEFT_OUT = ("functions", "sha256", "available")
@@ -102,7 +103,7 @@ def _variables(motion: Trajectory) -> Variables:
         names = {"names": _list(motion.sources), "units": "J"}
         found["work"] = (("time", "source"), motion.given, names)
     if motion.dense is not None:
-        found["spreads"] = (("step", "row", "entry"), motion.dense.spreads, {})
+        found[DENSE[motion.dense.charted]] = (("step", "row", "entry"), motion.dense.spreads, {})
     available = set(manifest.get("available", ()))
     if "kinetic" in motion.stored or "energy" in available:
         found["kinetic"] = (("time",), motion.energy.kinetic, {"units": "J"})
@@ -120,7 +121,7 @@ def _variables(motion: Trajectory) -> Variables:
 
 def _bodies(motion: Trajectory) -> list[str]:
     """Frames whose motion goes into the file: one of every body that moves."""
-    bodies = [body["parts"][0] for body in motion.manifest["bodies"]]
+    bodies = [body["parts"][0] for body in motion.manifest["bodies"] if body["parts"]]
     if motion.model is None:
         return [body for body in bodies if f"pose {body}" in motion.stored]
     if "pose" not in motion.manifest.get("available", ()):
@@ -182,9 +183,11 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
     given = block("work", 0)
     sources = json.loads(notes["sources"])
     dense = None
-    if "spreads" in values:
-        rows = np.concatenate([q, u, given], axis=1)
-        dense = Dense(t, rows, values["spreads"], tuple(manifest["quaternions"]))
+    for charted, name in enumerate(DENSE):
+        if name in values:
+            rows = np.concatenate([q, u, given], axis=1)
+            quaternions = tuple(manifest["quaternions"])
+            dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     conduct = json.loads(notes["conduct"])
     conduct["defaulted"] = tuple(conduct["defaulted"])
     stored = {k: values[k] for k in ("kinetic", "potential", "constraints") if k in values}

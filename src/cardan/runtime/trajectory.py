@@ -135,7 +135,9 @@ class Trajectory:
         return self.happened.events(self.x.shape[1])
 
     def __getitem__(self, name: str) -> Array:
-        """History of a coordinate, speed, state of an element, input or output, (nt,) or (nt, n).
+        """History of a coordinate, speed, state of an element, input, output or multiplier.
+
+        (nt,), or (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -147,12 +149,16 @@ class Trajectory:
         follow = followers.names(self.manifest)
         if name in follow:
             return followers.history(self, name)
-        known = [*self._places, *follow, *self._outputs]
-        if name in self._outputs:
-            outputs: Array = self._model(f"output '{name}'").outputs(
-                self.q, self.u, t=self.t, r=self._r, **self._own
-            )
-            return outputs[:, self._outputs.index(name)]
+        for what, names, function in (
+            ("output", self._outputs, "outputs"),
+            ("multiplier", [row["name"] for row in self.manifest["multipliers"]], "multipliers"),
+        ):
+            if name in names:
+                call = getattr(self._model(f"{what} '{name}'"), function)
+                table: Array = call(self.q, self.u, t=self.t, r=self._r, **self._own)
+                return table[:, names.index(name)]
+        forces = [row["name"] for row in self.manifest["multipliers"]]
+        known = [*self._places, *follow, *self._outputs, *forces]
         raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
 
     @cached_property
@@ -220,7 +226,8 @@ class Trajectory:
         if self.ledger is not None and self.model is not None:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
-            values[:, :nx] = project(self.model, times, values[:, :nx], self._r_at(times))
+            r, modes = self._r_at(times), self.happened.modes(self.t, times)
+            values[:, :nx] = project(self.model, times, values[:, :nx], r, modes)
         return values
 
     def _r_at(self, times: Array) -> Array:
@@ -239,9 +246,10 @@ class Trajectory:
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
+        known = self.happened
         rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
         return replace(
-            self, t=at, x=y[:, :nx], r=r, happened=self.happened.resampled(self.t, at), **rest
+            self, t=at, x=y[:, :nx], r=r, happened=replace(known, s=known.modes(self.t, at)), **rest
         )
 
     # energy

@@ -223,7 +223,8 @@ def _check(model: CompiledModel, scene: Scene, truth: Truth, name: str) -> Check
     if name == "forward_dynamics":
         value = model.forward_dynamics(q, u, tau=truth.tau, **given)
         return Check(name, _balance(scene, truth, value, truth.tau))
-    xdot = model.rhs(truth.t, np.concatenate([q, u], axis=-1), truth.r)
+    z = np.broadcast_to(model._layout.start("z"), (len(q), model.nz))
+    xdot = model.rhs(truth.t, np.concatenate([q, u, z], axis=-1), truth.r)
     qdot, udot = model.split(xdot)
     error = max(_rates_error(scene, truth, qdot), _balance(scene, truth, udot, np.zeros(model.nu)))
     return Check(name, error)

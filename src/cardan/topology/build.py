@@ -71,11 +71,17 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # the tree: bodies, frames, joints and their slots
     assembly = Assembly(scene, convert, rotors.place)
+    carried = {joint.joint.name for joint in closing if joint.carried}
+    # rotors sit where the joints do that they drive
+    late = [branch for branch in tree if rotors.place.get(branch.joint.name) in carried]
     for branch in tree:
-        assembly.add(branch)
-    assembly.couple()
+        if branch not in late:
+            assembly.add(branch)
     for joint in closing:
         assembly.close(joint)
+    for branch in late:
+        assembly.add(branch)
+    assembly.couple()
     parents = [rigid.parent for rigid in assembly.bodies]
     cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
     closures: tuple[Closure, ...] = ()
@@ -91,13 +97,13 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # what expressions may speak of, then the expressions
     convert.moving = True
-    atoms = _atoms(scene, assembly)
     places = internals.numbered(scene, convert)
+    atoms = _atoms(scene, assembly)
     forces = tuple([_force(model, assembly, name, places[name]) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
-    bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
+    bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
     made = System(
         name=scene.name,
@@ -134,6 +140,9 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     convert = assembly.convert
     atoms: dict[str, Atom] = {}
     for name, entry in scene.atoms.items():
+        if entry.quantity == "state":
+            internals.check_state(name, scene, convert)
+            continue
         if entry.quantity in ("q", "u"):
             number = assembly.joint_number.get(entry.place)
             if number is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from ..elements.internal import Event, Internal, Mode
-from ..errors import ModelError
+from ..errors import ModelError, near
 from ..model.model import Model
 from .convert import Converter
 from .system import Joint
@@ -23,13 +23,28 @@ def numbered(model: Model, convert: Converter) -> dict[str, tuple[int, int, int]
         element = force.element
         found[name] = z, s, e
         for state in element.internals():
-            _define(convert, full_name(name, state), "z", z, state.unit)
+            _define(convert, full_name(name, state), "z", z)
             z += 1
         for mode in element.modes():
-            _define(convert, full_name(name, mode), "s", s, "")
+            _define(convert, full_name(name, mode), "s", s)
             s += 1
         e += len(element.events())
     return found
+
+
+def check_state(name: str, model: Model, convert: Converter) -> None:
+    """Whether an element keeps a state of this name.
+
+    Raises:
+        ModelError: none does.
+    """
+    known: list[str] = []
+    for force, entry in model.forces.items():
+        known += [full_name(force, state) for state in entry.element.internals()]
+        known += [full_name(force, mode) for mode in entry.element.modes()]
+    if name not in known:
+        listed = near(name, known).replace(" Known:", " States:")
+        raise ModelError(f"state('{name}'): no force element keeps such a state.{listed}")
 
 
 def slides(joints: Sequence[Joint], numbers: Iterable[int]) -> bool:
@@ -47,10 +62,10 @@ def full_name(owner: str, part: Internal | Mode | Event) -> str:
     return f"{owner}.{part.name}" if part.name else owner
 
 
-def _define(convert: Converter, name: str, block: str, slot: int, unit: str) -> None:
+def _define(convert: Converter, name: str, block: str, slot: int) -> None:
     if name in convert.symbols:
         raise ModelError(
             f"'{name}' is an internal state of a force element, and a parameter, an input or the "
             "motion of a joint or frame too; rename one of them"
         )
-    convert.define(name, convert.graph.var(block, slot), unit or None)
+    convert.define(name, convert.graph.var(block, slot))

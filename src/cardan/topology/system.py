@@ -89,6 +89,8 @@ class Body:
     Attributes:
         name: Name of its first part.
         parent: Body it is jointed to, -1 for the ground.
+        parts: Bodies of the user; none where it only stands for the far side of a joint that closes
+            a circuit with coordinates of its own.
         mass, first_moment, inertia: Sums over its parts, or what the equations of motion need of
             them where inertia was regrouped.
         second_moment: The integral of x xᵀ dm (9) where regrouping gave it; else it follows from
@@ -193,6 +195,9 @@ class Cut:
             of the circuit; the others hold by themselves.
         reason: Why this joint was cut.
         group: What the circuit moves in: "planar", "spherical" or "".
+        carrier: Number of the tree joint of this name: it keeps its coordinates and moves a body
+            without mass or parts, which ``element`` holds on the child. None where the joint
+            itself is ``element``.
     """
 
     name: str
@@ -205,6 +210,7 @@ class Cut:
     rows: tuple[int, ...]
     reason: str = ""
     group: str = ""
+    carrier: int | None = None
 
 
 @dataclass(frozen=True)
@@ -312,7 +318,8 @@ class System:
     @property
     def moving_joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, then of those that are cut."""
-        return (*(joint.name for joint in self.joints), *(cut.name for cut in self.closing))
+        cuts = (cut.name for cut in self.closing)
+        return tuple(dict.fromkeys([*(joint.name for joint in self.joints), *cuts]))
 
     @property
     def closing(self) -> tuple[Cut, ...]:

@@ -3,8 +3,22 @@
 from __future__ import annotations
 
 from ..integrator import Integrator
-from . import dop853, rk4
+from . import (
+    dop853,
+    generalized_alpha,
+    hht,
+    newmark,
+    radau,
+    rk4,
+    rk45,
+    rkmk4,
+    rkmk45,
+    rkmk853,
+    rosenbrock,
+)
 
-INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (dop853, rk4)}
+EXPLICIT = (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4)
+IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark)
+INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (*EXPLICIT, *IMPLICIT)}
 
 __all__ = ["INTEGRATORS", "Integrator"]

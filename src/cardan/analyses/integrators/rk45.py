@@ -1,0 +1,17 @@
+"""Runge-Kutta method of order 5 by Dormand and Prince."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+
+METHOD = Integrator(
+    name="RK45",
+    kernel="rk45",
+    order=5,
+    dense_order=4,
+    stages=7,
+    dense_rows=4,
+    adaptive=True,
+    applies="rough tolerances; many short segments between events, as what is inside costs nothing",
+    source="J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26",
+)

@@ -1,0 +1,18 @@
+"""RK4 as a Lie group method of Munthe-Kaas: quaternions by their increments."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+
+METHOD = Integrator(
+    name="RKMK4",
+    kernel="rk4",
+    order=4,
+    dense_order=3,
+    stages=4,
+    dense_rows=3,
+    adaptive=False,
+    charted=True,
+    applies="a fixed step and bodies that spin fast: a steady spin is exact",
+    source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
+)

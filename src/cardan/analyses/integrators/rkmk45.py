@@ -1,0 +1,18 @@
+"""RK45 as a Lie group method of Munthe-Kaas: quaternions by their increments."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+
+METHOD = Integrator(
+    name="RKMK45",
+    kernel="rk45",
+    order=5,
+    dense_order=4,
+    stages=7,
+    dense_rows=4,
+    adaptive=True,
+    charted=True,
+    applies="as RK45, where bodies spin fast: a steady spin costs no steps",
+    source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
+)

@@ -1,0 +1,56 @@
+/* Trials of a step by an adaptive explicit method, and cubic dense output.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "explicit.h"
+#include <math.h>
+
+/* One accepted step from t, y. */
+int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
+{
+    int status = cardan_refresh(run);
+
+    while (status == 0 && !run->stop) {
+        real h, t_new, error = 0;
+        int failed;
+
+        status = cardan_trial_step(run, &h, &t_new);
+        if (status != 0)
+            return status;
+        run->culprit = -1;
+        failed = method->stages(run, h);
+        if (failed == 0) {
+            error = method->error(run, h, cardan_against(run, run->trial));
+            if (error <= run->allowed) {
+                cardan_leave(run, run->trial);
+                failed = cardan_commit_known(run, t_new, run->trial, method->ends);
+            }
+            failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
+        }
+        if (failed == 0 && error <= run->allowed) {
+            cardan_accept_step(run, h, fmax(error, run->correction), method->order);
+            return 0;
+        }
+        status = cardan_reject_step(run, h, error, method->order, failed);
+    }
+    return status != 0 ? status : CARDAN_STOPPED;
+}
+
+/* First three rows of the dense output of the last step: chord, then values and slopes.
+ *
+ * `first` (n) is the derivative at its start; at its end it is written to `last` (n), in the chart
+ * where there is one.
+ */
+void cardan_hermite(cardan_run *run, const real *first, real *last)
+{
+    const ptrdiff_t n = run->n;
+    const real h = run->t - run->t_old;
+    real *spread = run->spread;
+
+    cardan_arrive(run, spread, last);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const real rise = spread[i];
+        spread[n + i] = h * first[i] - rise;
+        spread[2 * n + i] = 2 * rise - h * (last[i] + first[i]);
+    }
+}
