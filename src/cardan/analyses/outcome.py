@@ -28,8 +28,6 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
             "The motion is singular there, or rtol and atol are tighter than it can be computed"
         )
-    if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
-        return _event(runner, answer, at)
     if answer == abi.UNSOLVED:
         return "not_solved", (
             f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
@@ -40,6 +38,8 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
             "more than its increment can tell. Take step= shorter"
         )
+    if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
+        return _event(runner, answer, at)
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:

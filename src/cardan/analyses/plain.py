@@ -42,6 +42,7 @@ class Progress:
     evaluations: int = 0
     count: int = 0
     nr: int = 0
+    nlam: int = 0
     culprit: int = -1
     model_status: int = 0
     open_row: int = -1
@@ -109,6 +110,20 @@ class PlainRunner:
         if self.sources:
             self.call(self.functions[1], t, y, result[self.nx :])
         return result
+
+    def jacobian(self, t: float, y: Array) -> Array:
+        """d(dy/dt)/dy (n, n) at t, y: that of the state; nothing depends on energies.
+
+        Raises:
+            Broken: the function has no result.
+        """
+        self.at(t, y)
+        nx, nr = self.nx, self.record.nr
+        numbers = np.empty(nx * (nx + 1 + nr))
+        self.call(self.model._function("rhs_jacobian"), t, y, numbers)
+        found = np.zeros((self.n, self.n))
+        found[:nx, :nx] = numbers[: nx * nx].reshape(nx, nx)
+        return found
 
     def call(
         self, function: LoadedFunction, t: float, y: Array, out: Array, e: Array | None = None
@@ -204,6 +219,10 @@ class PlainRunner:
         """Say which rows to write, as :meth:`.run.Runner.want`; dense output is always kept."""
         self._times, self._all = times, dense
         self._kept, self._next_time = [], 0
+
+    def loosen(self, slack: float) -> None:
+        """As :meth:`.run.Runner.loosen`."""
+        self.closer.closing = self.closer.closing.loosened(slack)
 
     @property
     def closing(self) -> Closing:

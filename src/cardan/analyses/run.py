@@ -93,7 +93,13 @@ class Runner:
         run.ne, run.watched = self.may.model, self.may.watched
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
+        run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+
+    def loosen(self, slack: float) -> None:
+        """Let residuals up to a slack, without units, count as none."""
+        self.closing = self.closing.loosened(slack)
+        self.record.size = self.closing.size
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
@@ -243,7 +249,8 @@ class Runner:
         """
         run = self.record
         run.capacity = ROWS if times is None else len(times)
-        self.rows = np.empty((run.capacity, 1 + self.n + self.model.nr + self.model.ns))
+        width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
+        self.rows = np.empty((run.capacity, width))
         run.rows = self.rows.ctypes.data
         if times is not None:
             self._times = np.ascontiguousarray(times)

@@ -114,10 +114,18 @@ def integrator(name: str | GeneralizedAlpha) -> Integrator:
 
 @dataclass(frozen=True)
 class Start:
-    """Where a run starts: the state and which of its entries nobody named."""
+    """Where a run starts.
+
+    Attributes:
+        x: The state (nx,).
+        defaulted: Those of its entries that nobody named.
+        slack: Residual, in sizes of the mechanism, up to which circuits count as closed because
+            conditions that say the same twice disagree; 0 where they agree.
+    """
 
     x: Array
     defaulted: tuple[str, ...]
+    slack: float = 0.0
 
     def named(self, model: CompiledModel) -> dict[str, float]:
         """Every entry by its name."""

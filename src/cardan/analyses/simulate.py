@@ -98,7 +98,9 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    motion = _run(runner_of(model, how, given, may), over, begin, given, progress)
+    runner = runner_of(model, how, given, may)
+    runner.loosen(begin.slack)
+    motion = _run(runner, over, begin, given, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -166,7 +168,8 @@ def _run(
                 run.count = 0
             show(min(1.0, abs(run.t - over.start) / over.length))
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    table = np.concatenate(rows) if rows else np.empty((0, 1 + runner.n + run.nr + runner.model.ns))
+    width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
+    table = np.concatenate(rows) if rows else np.empty((0, width))
     if not len(table):
         table = _first_row(runner, over, begin)
     status, message = explain(runner, answer, over)
@@ -194,8 +197,9 @@ def _run(
 def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
     """The start alone, for a run that broke down there."""
     rest = np.zeros(runner.n - len(begin.x))
-    modes = runner.model._layout.start("s")
-    return np.concatenate([[over.start], begin.x, rest, runner.signals.constants, modes])[None, :]
+    modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
+    known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
+    return np.concatenate(known)[None, :]
 
 
 def _trajectory(
@@ -207,6 +211,7 @@ def _trajectory(
 ) -> Trajectory:
     model, n, end = runner.model, runner.n, 1 + runner.n + runner.model.nr
     t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
+    s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
@@ -224,5 +229,6 @@ def _trajectory(
         dense=dense,
         inputs_at=runner.signals.recorded(t, r).at,
         ledger=runner.ledger,
-        happened=Happened(table[:, end:].copy(), runner.may.rows, log),
+        stored={"multipliers": lam.copy()} if runner.record.nlam else {},
+        happened=Happened(s.copy(), runner.may.rows, log),
     )

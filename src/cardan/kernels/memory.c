@@ -40,8 +40,8 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
 
     size_t closing = (size_t)cardan_closing_length(run), own = (size_t)run->length(run);
     size_t ledger = 4 * (size_t)(run->positions + run->rates);
-    size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
     size_t chart = (size_t)cardan_chart_length(run);
+    size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
 
     return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + chart + own
            + ledger + events;

@@ -55,13 +55,14 @@ int cardan_run_at(cardan_run *run, real t, real *y)
 
 static ptrdiff_t width(const cardan_run *run)
 {
-    return 1 + run->n + run->nr + run->ns;
+    return 1 + run->n + run->nr + run->ns + run->nlam;
 }
 
 /* Write a row for time t. */
 static int put(cardan_run *run, real t)
 {
     real *row = run->rows + run->count * width(run);
+    real theta = run->t == run->t_old ? 1 : (t - run->t_old) / (run->t - run->t_old);
     int status = cardan_run_at(run, t, row + 1);
 
     if (status != 0)
@@ -72,6 +73,10 @@ static int put(cardan_run *run, real t)
         row[1 + run->n + i] = run->r[i];
     for (ptrdiff_t i = 0; i < run->ns; i++)
         row[1 + run->n + run->nr + i] = run->s[i];
+    /* of the second order between the steps too */
+    for (ptrdiff_t i = 0; i < run->nlam; i++)
+        row[1 + run->n + run->nr + run->ns + i] =
+            run->lam[i] + theta * (run->lam[run->nlam + i] - run->lam[i]);
     run->count++;
     return 0;
 }
@@ -87,7 +92,7 @@ static int is_due(const cardan_run *run)
 }
 
 /* Rows of the present step that are still to be written. */
-static int write_rows(cardan_run *run)
+int cardan_write_rows(cardan_run *run)
 {
     int status = 0;
 
@@ -135,7 +140,8 @@ static int sizes_fit(const cardan_run *run)
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
-           && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->capacity, width(run))
+           && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->nlam, 4)
+           && fits(run->capacity, width(run))
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
@@ -168,7 +174,7 @@ int cardan_run_start(cardan_run *run)
     if (status == 0)
         status = cardan_events_start(run);
     run->row_open = 1;
-    return status == 0 ? write_rows(run) : status;
+    return status == 0 ? cardan_write_rows(run) : status;
 }
 
 /* What happens at t: transitions until nothing happens any more. */
@@ -180,7 +186,7 @@ static int happen(cardan_run *run)
         status = cardan_events_apply(run);
     /* the wanted time may be just here */
     if (status == CARDAN_EVENT)
-        written = write_rows(run);
+        written = cardan_write_rows(run);
     return written != 0 ? written : status;
 }
 
@@ -213,7 +219,7 @@ int cardan_run_drive(cardan_run *run)
     int status;
 
     for (ptrdiff_t i = 0; i < run->budget; i++) {
-        status = write_rows(run);
+        status = cardan_write_rows(run);
         if (status != 0)
             return status;
         if (run->stop)
@@ -229,6 +235,6 @@ int cardan_run_drive(cardan_run *run)
         if (status != 0)
             return status == FINAL ? CARDAN_DONE : status;
     }
-    status = write_rows(run);
+    status = cardan_write_rows(run);
     return status != 0 ? status : CARDAN_MORE;
 }

@@ -38,9 +38,9 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
-    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_STORM = -9,     /* events go on and on at one time */
     CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
 };
@@ -84,6 +84,7 @@ struct cardan_run {
     cardan_call rhs;
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
+    cardan_call energy;       /* kinetic, potential, total */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
     cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
     cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
@@ -156,8 +157,10 @@ struct cardan_run {
     ptrdiff_t near_singular; /* whether derivatives of the present step are taken on constraints */
     ptrdiff_t rounded;       /* whether rounding may explain its errors */
 
-    /* rows that come out: t, y, r, s */
-    real *rows;    /* (capacity, 1 + n + nr + ns) */
+    /* rows that come out: t, y, r, s, lam */
+    real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
+    real *lam;     /* (2, nlam) at t_old and t, where the method finds multipliers itself */
+    ptrdiff_t nlam;
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;
@@ -212,6 +215,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
+int cardan_write_rows(cardan_run *run);
 int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
@@ -241,7 +245,10 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
-/* events.c */
+/* implicit.c: the Jacobian of a run, for the methods that need one */
+ptrdiff_t cardan_jacobian_length(const cardan_run *run);
+int cardan_jacobian(cardan_run *run, real h, real *jacobian);
+/* events.c and dips.c */
 ptrdiff_t cardan_board_length(const cardan_run *run);
 int cardan_events_start(cardan_run *run);
 int cardan_events_seek(cardan_run *run);
@@ -250,16 +257,14 @@ int cardan_events_full(const cardan_run *run);
 int cardan_events_due(const cardan_run *run);
 int cardan_events_tick(cardan_run *run);
 
-/* implicit.c: the Jacobian of a run, for the methods that need one */
-ptrdiff_t cardan_jacobian_length(const cardan_run *run);
-int cardan_jacobian(cardan_run *run, real h, real *jacobian);
-
 /* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
 enum {
     cardan_rk4_stages = 4,
     cardan_rk4_rows = 3,
     cardan_rk45_stages = 7,
     cardan_rk45_rows = 4,
+    cardan_midpoint_stages = 3,
+    cardan_midpoint_rows = 3,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
     cardan_alpha_stages = 1,
@@ -281,6 +286,10 @@ int cardan_rk45_init(cardan_run *run);
 int cardan_rk45_step(cardan_run *run);
 int cardan_rk45_dense(cardan_run *run);
 ptrdiff_t cardan_rk45_length(const cardan_run *run);
+int cardan_midpoint_init(cardan_run *run);
+int cardan_midpoint_step(cardan_run *run);
+int cardan_midpoint_dense(cardan_run *run);
+ptrdiff_t cardan_midpoint_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);

@@ -54,6 +54,14 @@ class Dense:
         return values
 
 
+def turned(q: Array, v: Array) -> Array:
+    """Quaternions (m, 4) turned by rotation vectors v (m, 3) in body axes: q exp(v / 2)."""
+    half = 0.5 * np.linalg.norm(v, axis=1, keepdims=True)
+    w, by = np.cos(half), 0.5 * np.sinc(half / np.pi) * v
+    first = q[:, :1] * w - (q[:, 1:] * by).sum(axis=1, keepdims=True)
+    return np.hstack([first, q[:, :1] * by + w * q[:, 1:] + np.cross(q[:, 1:], by)])
+
+
 def shortened(spread: Array, part: float) -> Array:
     """The dense output of a step over a part of it.
 
@@ -81,11 +89,3 @@ def shortened(spread: Array, part: float) -> Array:
             result[j] = a[0]
         a[0] -= result[j]
     return result
-
-
-def turned(q: Array, v: Array) -> Array:
-    """Quaternions (m, 4) turned by rotation vectors v (m, 3) in body axes: q exp(v / 2)."""
-    half = 0.5 * np.linalg.norm(v, axis=1, keepdims=True)
-    w, by = np.cos(half), 0.5 * np.sinc(half / np.pi) * v
-    first = q[:, :1] * w - (q[:, 1:] * by).sum(axis=1, keepdims=True)
-    return np.hstack([first, q[:, :1] * by + w * q[:, 1:] + np.cross(q[:, 1:], by)])

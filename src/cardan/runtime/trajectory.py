@@ -137,7 +137,7 @@ class Trajectory:
     def __getitem__(self, name: str) -> Array:
         """History of a coordinate, speed, state of an element, input, output or multiplier.
 
-        (nt,), or (nt, n) for several.
+        Shape (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -154,8 +154,9 @@ class Trajectory:
             ("multiplier", [row["name"] for row in self.manifest["multipliers"]], "multipliers"),
         ):
             if name in names:
-                call = getattr(self._model(f"{what} '{name}'"), function)
-                table: Array = call(self.q, self.u, t=self.t, r=self._r, **self._own)
+                model = self._model(f"{what} '{name}'")
+                given = {"t": self.t, "r": self._r, **self._own}
+                table: Array = getattr(model, function)(self.q, self.u, **given)
                 return table[:, names.index(name)]
         forces = [row["name"] for row in self.manifest["multipliers"]]
         known = [*self._places, *follow, *self._outputs, *forces]
@@ -227,7 +228,8 @@ class Trajectory:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
             r, modes = self._r_at(times), self.happened.modes(self.t, times)
-            values[:, :nx] = project(self.model, times, values[:, :nx], r, modes)
+            x = project(self.model, times, values[:, :nx], r, modes, self.ledger)
+            values[:, :nx] = x
         return values
 
     def _r_at(self, times: Array) -> Array:
@@ -294,6 +296,19 @@ class Trajectory:
         return {row["name"]: self.stored["constraints"][:, k] for k, row in enumerate(rows)}
 
     # what a model shows along the motion
+
+    @property
+    def multipliers(self) -> dict[str, Array]:
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none.
+
+        Those that the method found along with the motion, else those of the accelerations at its
+        states. Where rows follow from others their forces are not unique: then they are basic.
+        """
+        rows = self.manifest.get("multipliers", ())
+        if rows and "multipliers" not in self.stored:
+            model = self._model("the multipliers")
+            self.stored["multipliers"] = model.multipliers(self.q, self.u, t=self.t, r=self._r)
+        return {row["name"]: self.stored["multipliers"][:, k] for k, row in enumerate(rows)}
 
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""
