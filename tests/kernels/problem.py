@@ -26,7 +26,7 @@ int NAME(const cardan_in *in, real *out, real *work)
     const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
     const real *z = in->z, *s = in->s, *e = in->e;
     (void)t; (void)q; (void)u; (void)r; (void)work; (void)z; (void)s; (void)e;
-    BODY
+    { BODY }
     return 0;
 }
 """

@@ -58,11 +58,10 @@ cardan_board cardan_board_of(const cardan_run *run)
 int cardan_event_values(cardan_run *run, real t, const real *y, real *g)
 {
     cardan_in in;
-    int status = 0;
+    int status = cardan_inputs_at(run, t, y);
 
-    cardan_inputs_at(run, t, y);
     in = cardan_at(run, &t, y);
-    if (run->events.function)
+    if (status == 0 && run->events.function)
         status = cardan_call_model(run, &run->events, &in, g);
     if (status == 0 && run->watch && run->watch(t, y, g + run->ne) != 0)
         status = CARDAN_INPUT;
@@ -218,9 +217,10 @@ static int chatters(const cardan_run *run, const cardan_board *at, ptrdiff_t i)
 static int change(cardan_run *run, const cardan_board *at)
 {
     cardan_in in;
-    int status;
+    int status = cardan_inputs_at(run, run->t, run->y);
 
-    cardan_inputs_at(run, run->t, run->y);
+    if (status != 0)
+        return status;
     in = cardan_at(run, &run->t, run->y);
     in.e = run->e;
     status = cardan_call_model(run, &run->transition, &in, at->out);

@@ -227,8 +227,9 @@ class Trajectory:
         if self.ledger is not None and self.model is not None:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
-            r = self._r_at(times)
-            values[:, :nx] = project(self.model, times, values[:, :nx], r, self.ledger)
+            r, modes = self._r_at(times), self.happened.modes(self.t, times)
+            x = project(self.model, times, values[:, :nx], r, modes, self.ledger)
+            values[:, :nx] = x
         return values
 
     def _r_at(self, times: Array) -> Array:
@@ -247,9 +248,10 @@ class Trajectory:
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
+        known = self.happened
         rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
         return replace(
-            self, t=at, x=y[:, :nx], r=r, happened=self.happened.resampled(self.t, at), **rest
+            self, t=at, x=y[:, :nx], r=r, happened=replace(known, s=known.modes(self.t, at)), **rest
         )
 
     # energy
