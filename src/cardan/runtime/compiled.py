@@ -23,6 +23,7 @@ from .parameters import Parameters
 from .states import random_state
 
 if TYPE_CHECKING:
+    from ..analyses.alpha import GeneralizedAlpha
     from .report import Report
     from .trajectory import Trajectory
     from .verify import Verification
@@ -278,7 +279,7 @@ class CompiledModel(Analyzed):
         x0: ArrayLike | None = None,
         q: Any = None,
         u: Any = None,
-        method: str = "auto",
+        method: str | GeneralizedAlpha = "auto",
         rtol: float = 1e-6,
         atol: float = 1e-9,
         step: float | None = None,
@@ -293,7 +294,7 @@ class CompiledModel(Analyzed):
         Args:
             t: End, ``(start, end)`` or output times [s].
             x0: State (nx,); or q, u: arrays or values by name, such as ``{"elbow": 0.3}``.
-            method, rtol, atol, step, max_step: ``"DOP853"`` or ``"RK4"``, tolerances, steps [s].
+            method, rtol, atol, step, max_step: Such as ``"DOP853"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
             check, progress: Raise where the end is not reached; show how far it is.
         """
