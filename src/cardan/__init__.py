@@ -87,6 +87,8 @@ _PUBLIC: dict[str, str] = {
     "Equations": "equations.record",
     "CompiledModel": "runtime.compiled",
     "load_model": "runtime.saved",
+    "sample": "analyses.sample",
+    "Ensemble": "analyses.ensembles",
     "Trajectory": "runtime.trajectory",
     "load_motion": "runtime.trajectory",
     **dict.fromkeys(
@@ -106,7 +108,7 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
-_MODULES = frozenset({"inertia", "shape", "stability"})
+_MODULES = frozenset({"inertia", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]

@@ -31,6 +31,7 @@ class Integrator:
         given_step: Whether it is adaptive, but steps as told where a step is given.
         suited: What it makes of itself for a model, with words to print; raises ModelError where
             that is none for it.
+        lanes: Whether ``kernels/lane_<kernel>.c`` takes its steps side by side.
     """
 
     name: str
@@ -48,3 +49,4 @@ class Integrator:
     options: tuple[float, ...] = ()
     given_step: bool = False
     suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = None
+    lanes: bool = False

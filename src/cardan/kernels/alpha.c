@@ -33,7 +33,7 @@ int cardan_alpha_init(cardan_run *run)
 /* End of the next step. */
 static int aim(cardan_run *run, const cardan_alpha *v, real *h, real *t_new)
 {
-    const real stop = run->stops[run->next_stop];
+    const real stop = run->until;
 
     if (v->adaptive)
         return cardan_trial_step(run, h, t_new);

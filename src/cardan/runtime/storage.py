@@ -11,6 +11,8 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -61,18 +63,24 @@ def save(motion: Trajectory, path: Path) -> Path:
                 f"{path}: '{name}' takes {values.nbytes / 1e9:.1f} GB, netCDF-3 holds 2 GB in one "
                 "variable. Simulate with an array of output times to keep fewer of them"
             )
+    with replaced(path) as new, netcdf_file(new, "w", version=2) as file:
+        _attributes(file, motion)
+        _write(file, variables)
+    return path
+
+
+@contextmanager
+def replaced(path: Path) -> Iterator[str]:
+    """A new file that takes the place of another one, or of none, once it is whole."""
     handle, new = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".nc")
     os.close(handle)
     try:
-        with netcdf_file(new, "w", version=2) as file:
-            _attributes(file, motion)
-            _write(file, variables)
+        yield new
         os.chmod(new, 0o666 & ~_umask())
         os.replace(new, path)
     except BaseException:
         Path(new).unlink(missing_ok=True)
         raise
-    return path
 
 
 def _umask() -> int:
