@@ -20,9 +20,17 @@ INTEGRATORS = {
     "midpoint": ("midpoint.c",),
     "dop853": ("dop853.c", "dop853_tables.h"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
+    "alpha": (
+        *("alpha.h", "alpha.c", "alpha_matrix.c", "alpha_memory.c", "alpha_newton.c"),
+        "linear.h",
+    ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),
 }
-NEEDS = {"radau": ("rhs_jacobian",), "rosenbrock": ("rhs_jacobian",)}
+NEEDS = {
+    "radau": ("rhs_jacobian",),
+    "rosenbrock": ("rhs_jacobian",),
+    "alpha": ("balance", "balance_tangent", "move", "qdot"),
+}
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity")
 
