@@ -10,10 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.runtime import cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
+# those that take x' = f(t, x) as it comes; others step what mechanics gives them
+METHODS = {name: m for name, m in INTEGRATORS.items() if not {"balance", "energy"} & {*m.needs}}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -50,6 +53,7 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        energy_of: Body of the energies: kinetic, potential, total.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
     """
@@ -66,6 +70,7 @@ class Problem:
     velocity: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
+    energy_of: str = ""
     _made: dict[str, Any] = field(default_factory=dict)
 
     @property
@@ -96,7 +101,11 @@ class Problem:
             "bodies": [],
             "quaternions": list(self.quaternions),
             "multipliers": list(self.multipliers),
-            "available": ["rhs", "power"] if self.power else ["rhs"],
+            "available": [
+                "rhs",
+                *(["power"] if self.power else []),
+                *(["energy"] if self.energy_of else []),
+            ],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -110,6 +119,7 @@ class Problem:
             body = {
                 "rhs": self.rhs,
                 "power": self.power,
+                "energy": self.energy_of,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
             }[name]

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS, Integrator
-from kernels.problem import SWING, Problem, swing
+from cardan.analyses.integrators import Integrator
+from kernels.problem import METHODS, SWING, Problem, swing
 
 # by order: steps over half a second at which the error is far from rounding
 STEPS = {
@@ -43,7 +43,7 @@ def mean(errors: list[Any]) -> float:
     return float(np.sqrt(np.mean(np.square(errors))))
 
 
-@pytest.mark.parametrize("method", INTEGRATORS.values(), ids=INTEGRATORS)
+@pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 @pytest.mark.parametrize("direction", [1, -1])
 def test_order_of_the_steps(method: Integrator, direction: int, tmp_path: Path) -> None:
     problem = Problem(tmp_path, SWING)
@@ -59,7 +59,7 @@ def test_order_of_the_steps(method: Integrator, direction: int, tmp_path: Path) 
     assert slope(steps, errors) == pytest.approx(method.order, abs=0.15)
 
 
-@pytest.mark.parametrize("method", INTEGRATORS.values(), ids=INTEGRATORS)
+@pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 def test_order_between_the_steps(method: Integrator, tmp_path: Path) -> None:
     problem = Problem(tmp_path, SWING)
     steps, errors = LENGTH / np.array(STEPS[method.order]), []

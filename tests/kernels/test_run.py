@@ -12,12 +12,11 @@ import numpy as np
 import pytest
 
 from cardan.analyses import record
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.errors import SolveError, SolveWarning
 from cardan.runtime import cache, kernels
-from kernels.problem import OSCILLATOR, SWING, Problem, swing
+from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 
-BOTH = pytest.mark.parametrize("method", INTEGRATORS)
+BOTH = pytest.mark.parametrize("method", METHODS)
 
 
 def test_record_has_the_size_of_the_c_struct() -> None:
@@ -63,7 +62,7 @@ def test_max_step_is_kept(tmp_path: Path) -> None:
 
 @BOTH
 def test_many_rows_survive_a_full_buffer(method: str, tmp_path: Path) -> None:
-    options = {"max_step": 1e-3} if INTEGRATORS[method].adaptive else {"step": 1e-3}
+    options = {"max_step": 1e-3} if METHODS[method].adaptive else {"step": 1e-3}
     motion = Problem(tmp_path, OSCILLATOR).run(6.0, [1, 0], method=method, **options)
     assert len(motion) >= 6001
     assert (np.diff(motion.t) > 0).all()

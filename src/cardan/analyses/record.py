@@ -10,8 +10,8 @@ from ..errors import BuildError
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
-NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN = -1, -2, -3, -4, -5, -6
-UNSOLVED, TURNED = -8, -10
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
+UNSOLVED = -8
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(

@@ -16,7 +16,6 @@ RUN = (
 INTEGRATORS = {
     "rk4": ("rk4.c",),
     "rk45": ("rk45.c",),
-    "midpoint": ("midpoint.c",),
     "dop853": ("dop853.c", "dop853_tables.h"),
 }
 # what a run of a closed system calls beside rhs

@@ -5,8 +5,8 @@ from __future__ import annotations
 from ..integrator import Integrator
 from . import dop853, midpoint, rk4, rk45, rkmk4, rkmk45, rkmk853
 
-INTEGRATORS: dict[str, Integrator] = {
-    m.METHOD.name: m.METHOD for m in (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4, midpoint)
-}
+EXPLICIT = (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4)
+IMPLICIT = (midpoint,)
+INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (*EXPLICIT, *IMPLICIT)}
 
 __all__ = ["INTEGRATORS", "Integrator"]
