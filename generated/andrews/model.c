@@ -5,13 +5,13 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.0, /* beta [rad] */
-    0.0, /* theta [rad] */
-    0.0, /* gamma [rad] */
-    0.0, /* delta [rad] */
-    0.0, /* phi [rad] */
-    0.0, /* epsilon [rad] */
-    0.0, /* omega [rad] */
+    -0.013069264052, /* beta [rad] */
+    -0.036362724079, /* theta [rad] */
+    0.455077088191, /* gamma [rad] */
+    0.487410798265, /* delta [rad] */
+    0.222259017131, /* phi [rad] */
+    1.23039266409, /* epsilon [rad] */
+    -0.222259017131, /* omega [rad] */
 };
 
 /* inputs */

@@ -16,13 +16,17 @@
  * Every row is measured by the root of its diagonal entry, so that units and masses do not matter;
  * the largest pivot left is taken next. A row whose pivot is below CARDAN_DEPENDENT of its diagonal
  * entry depends on those before it: the sine of its angle to them is the root of that. Its unknown
- * becomes 0, whatever B says there.
+ * becomes 0, whatever B says there. Rows of which rounding is all that is left, as of a condition
+ * across a plane in which everything moves, have no direction: no measure is below
+ * CARDAN_VANISHED of the largest.
  * Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 10.3.
  */
 #define CARDAN_DEPENDENT 1e-9
+#define CARDAN_VANISHED 1e-15
 CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, double *scratch)
 {
     double *const order = scratch, *const size = scratch + n;
+    double largest = 0.0;
     int rank = 0;
 
     for (int i = 0; i < n; ++i) {
@@ -30,7 +34,9 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
         size[i] = a[i * n + i];
         if (!(size[i] - size[i] == 0.0)) return cardan_no_solution(n * m, b);
         for (int j = 0; j < i; ++j) a[j * n + i] = a[i * n + j];
+        largest = (cardan_max)(largest, size[i]);
     }
+    for (int i = 0; i < n; ++i) size[i] = (cardan_max)(size[i], CARDAN_VANISHED * largest);
     for (; rank < n; ++rank) {
         /* what is left of the row that is least dependent on those before it */
         int best = -1;
@@ -73,23 +79,27 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
 /*
  * A X = B by elimination with complete pivoting, for rows of which some may follow from others.
  *
- * Rows are measured by their largest entry; one of which less than the root of CARDAN_DEPENDENT is
- * left depends on those before it, and is left out whatever B says there. Unknowns that A leaves
- * free become 0: a basic solution.
+ * Rows are measured by their largest entry, but by no less than the root of CARDAN_VANISHED of the
+ * largest of all; one of which less than the root of CARDAN_DEPENDENT is left depends on those
+ * before it, and is left out whatever B says there. Unknowns that A leaves free become 0: a basic
+ * solution.
  * Source: R. A. Wehage, E. J. Haug, J. Mech. Design 104 (1982).
  */
 CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double *scratch)
 {
     double *const order = scratch;
+    double vanished = 0.0;
     int rank = 0;
 
+    for (int i = 0; i < n * n; ++i) {
+        if (!(a[i] - a[i] == 0.0)) return cardan_no_solution(n * m, b);
+        vanished = (cardan_max)(vanished, fabs(a[i]));
+    }
+    vanished *= sqrt(CARDAN_VANISHED);
     for (int i = 0; i < n; ++i) {
-        double largest = 0.0;
+        double largest = vanished;
         order[i] = i;
-        for (int j = 0; j < n; ++j) {
-            if (!(a[i * n + j] - a[i * n + j] == 0.0)) return cardan_no_solution(n * m, b);
-            largest = (cardan_max)(largest, fabs(a[i * n + j]));
-        }
+        for (int j = 0; j < n; ++j) largest = (cardan_max)(largest, fabs(a[i * n + j]));
         if (largest == 0.0) continue;
         for (int j = 0; j < n; ++j) a[i * n + j] /= largest;
         for (int k = 0; k < m; ++k) b[i * m + k] /= largest;

@@ -5,9 +5,9 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.0, /* A [rad] */
-    0.0, /* B [rad] */
-    0.0, /* D [rad] */
+    0.025652444747, /* A [rad] */
+    0.857135016274, /* B [rad] */
+    1.778705108217, /* D [rad] */
 };
 
 /* inputs */

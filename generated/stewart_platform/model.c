@@ -5,28 +5,28 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.0, /* hooke0.angle1 [rad] */
-    0.0, /* hooke0.angle2 [rad] */
-    0.3, /* slide0 [m] */
-    1.0, /* ball0.w */
-    0.0, /* ball0.x */
-    0.0, /* ball0.y */
-    0.0, /* ball0.z */
-    0.0, /* hooke1.angle1 [rad] */
-    0.0, /* hooke1.angle2 [rad] */
-    0.3, /* slide1 [m] */
-    0.0, /* hooke2.angle1 [rad] */
-    0.0, /* hooke2.angle2 [rad] */
-    0.3, /* slide2 [m] */
-    0.0, /* hooke3.angle1 [rad] */
-    0.0, /* hooke3.angle2 [rad] */
-    0.3, /* slide3 [m] */
-    0.0, /* hooke4.angle1 [rad] */
-    0.0, /* hooke4.angle2 [rad] */
-    0.3, /* slide4 [m] */
-    0.0, /* hooke5.angle1 [rad] */
-    0.0, /* hooke5.angle2 [rad] */
-    0.3, /* slide5 [m] */
+    0.247581642151, /* hooke0.angle1 [rad] */
+    -0.388314829497, /* hooke0.angle2 [rad] */
+    0.320364176779, /* slide0 [m] */
+    0.994860875242, /* ball0.w */
+    -0.041227603038, /* ball0.x */
+    0.085679337713, /* ball0.y */
+    0.034801936005, /* ball0.z */
+    -0.250145595938, /* hooke1.angle1 [rad] */
+    -0.375494373834, /* hooke1.angle2 [rad] */
+    0.416873995075, /* slide1 [m] */
+    0.219621839955, /* hooke2.angle1 [rad] */
+    0.388338661743, /* hooke2.angle2 [rad] */
+    0.396873272383, /* slide2 [m] */
+    0.534876773356, /* hooke3.angle1 [rad] */
+    0.020218171512, /* hooke3.angle2 [rad] */
+    0.253322860403, /* slide3 [m] */
+    -0.565295815764, /* hooke4.angle1 [rad] */
+    0.028306524146, /* hooke4.angle2 [rad] */
+    0.24340650764, /* slide4 [m] */
+    -0.283691170662, /* hooke5.angle1 [rad] */
+    0.471088624697, /* hooke5.angle2 [rad] */
+    0.317541334228, /* slide5 [m] */
 };
 
 /* inputs */

@@ -54,9 +54,15 @@ STANDARD = (
     "multipliers",
     "close_position",
     "close_velocity",
+    "events",
+    "transition",
+    "balance",
+    "balance_tangent",
+    "move",
     "integrate",
     "difference",
     "derivative",
+    "rhs_jacobian",
 )
 
 

@@ -146,12 +146,12 @@ def test_prescribed_joints_take_their_time() -> None:
 def test_a_circuit_that_cannot_be_assembled() -> None:
     model = cd.compile(four_bar(ground=1.0))
     said = (
-        r"circuit that joint 'C' closes \('A', 'B', 'D'\) cannot be assembled: the smallest gap is "
-        r"0\.45 m between frames 'C.parent' and .*16 starts"
+        r"circuit that joint 'C' closes \('A', 'B', 'D'\) cannot be assembled: the least residual "
+        r"found is 0\.45 m, between frames 'C.parent' and .*16 starts"
     )
     with pytest.raises(cd.ModelError, match=said):
         model.assemble()
-    with pytest.raises(cd.ModelError, match=r"smallest gap is 0\.45 m"):
+    with pytest.raises(cd.ModelError, match=r"least residual found is 0\.45 m"):
         model.simulate(1.0)
 
 

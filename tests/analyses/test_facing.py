@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.assemble import search
 from cardan.analyses.mechanism import Mechanism
 from cardan.analyses.meeting import Conditions, meet
+from cardan.analyses.searches import search
 
 AXIS = np.array([0.3, 1.0, 0.2])
 

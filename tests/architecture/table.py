@@ -49,8 +49,10 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("hybrid_dynamics", "actuation"),
             ("partition", "reduced"),
             ("residual", "implicit"),
+            ("ensemble", "ensembles"),
         )
     },
+    ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+import cardan as cd
 from cardan.cli import COMMANDS, build_parser, main
 from cardan.cli import inspect as inspect_command
 
@@ -152,3 +153,15 @@ def test_endings_are_looked_at_before_the_run(
 def test_check_tries_the_numbers(capsys: pytest.CaptureFixture[str]) -> None:
     assert status("check", ARM, "--base", "free") == 0
     assert "nothing resists a motion of base.u.z, waist.u" in capsys.readouterr().out
+
+
+def test_check_refuses_a_relation_of_speeds_that_is_not_linear(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = cd.Model("bent")
+    body = scene.body("body", mass=1.0)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
+    scene.constraint("square", scene.u("slide") ** 2 - 1.0, unit="m^2/s^2")
+    scene.save(tmp_path / "bent.yaml")
+    assert status("check", str(tmp_path / "bent.yaml")) == 1
+    assert "error: constraint 'square' is not linear in the speeds" in capsys.readouterr().out

@@ -18,6 +18,7 @@ from cardan.errors import CodegenError, DerivationError
 from codegen.lanes import aligned
 from codegen.models import arm
 from codegen.running import SPEED, STRICT, Inputs, compilers, pointer
+from mechanisms.closed_planar import four_bar
 
 MAIN = """
 #include "functions.h"
@@ -133,6 +134,20 @@ def test_the_example_simulates(method: str, tmp_path: Path) -> None:
     assert numbers(lines, "forward_dynamics") == pytest.approx(udot.tolist(), abs=1e-12)
     end = model.simulate(1.0, x0=start, rtol=1e-11, atol=1e-13).x[-1]
     assert numbers(lines, "x") == pytest.approx(end.tolist(), abs=1e-6)
+
+
+def test_a_closed_scene_simulates_without_python(tmp_path: Path) -> None:
+    equations = cd.derive(four_bar())
+    plain = equations.export(tmp_path / "plain", language="c")
+    # a four-bar whose angles are all 0 is open: model.c has a start at which it is closed
+    folder = equations.export(tmp_path / "bars", language="c", integrators=("dop853",))
+    for where in (plain, folder):
+        assert {"close_position.c", "close_velocity.c"} <= {p.name for p in where.iterdir()}
+    found = numbers(example_of(folder), "x")
+    model, start = cd.compile(equations), equations.feasibility().q
+    end = model.simulate(1.0, q=start, rtol=1e-11, atol=1e-13)
+    assert np.abs(model.constraints(found[: model.nq])).max() < 1e-12
+    assert found == pytest.approx(end.x[-1].tolist(), abs=1e-6)
 
 
 def test_integrators_keep_what_their_records_say() -> None:

@@ -8,14 +8,12 @@ import mpmath
 import numpy as np
 import pytest
 
-import cardan as cd
 from cardan.elements.joints import Joint
-from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from elements.joint_bench import INSTANCES, Bench
 from spatial.numbers_of import DIGITS, block, close, difference
 
-CUT = [name for name, joint in INSTANCES.items() if joint.cuttable]
+CUT = [name for name, joint in INSTANCES.items() if not joint.closes_by_coordinates]
 
 
 @pytest.fixture(params=CUT)
@@ -123,15 +121,6 @@ def test_a_screw_closes_after_whole_turns() -> None:
     shifted = cut.joint.closure(R, p + p / (p.dot(p) ** 0.5) * 0.1, **cut.data)
     row = cut.value(shifted, q=[mpmath.mpf(1)])[-1]
     assert abs(abs(row) - mpmath.mpf("0.1")) < 1e-60
-
-
-def test_a_custom_joint_says_why_it_is_not_cut() -> None:
-    custom = INSTANCES["custom two"]
-    graph = Graph()
-    assert not custom.cuttable
-    assert custom.held == ()
-    with pytest.raises(cd.TopologyError, match="choose another joint of the loop to cut"):
-        custom.closure(Matrix.identity(graph, 3), Matrix.zeros(graph, 3))
 
 
 ROLLING = [name for name, joint in INSTANCES.items() if joint.slips]

@@ -13,7 +13,7 @@ import sympy
 
 import cardan as cd
 from cardan.elements.forces import FORCES
-from cardan.elements.forces.force import Action, ForceElement
+from cardan.elements.forces.force import Action, ForceElement, Places
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.derivative import gradient
 from cardan.ir.graph import Graph
@@ -41,6 +41,16 @@ INSTANCES: dict[str, ForceElement] = {
     "elastic drive": cd.Drive(
         "one", inertia=0.1, ratio=20.0, torque=0.6, friction=0.02, stiffness=90.0, damping=1.5
     ),
+    "dry friction": cd.Friction("one", 0.7, static=0.9, stribeck=0.1, viscous=0.2, against=0.3),
+    "smooth friction": cd.Friction("one", 0.7, smooth=0.05),
+    "actuator": cd.Actuator("one", command=2.0, lag=0.1, limit=1.5),
+    "controller": cd.Controller("one", ("a",), (sympy.Symbol("a") * -2,), sympy.Symbol("a") * 3),
+    "sampled controller": cd.Controller("one", force=2.0, sample=0.01),
+    "stop": cd.Stop("one", lower=-9.0, upper=9.0),
+    "lock": cd.Lock("one", when=1.0, strength=3.0),
+    "contact with a plane": cd.Contact("B", "A", radius=1.5, stiffness=1e3, damping=0.1, mu=0.2),
+    "contact of spheres": cd.Contact("A", "B", radius=1.0, stiffness=1e3, other_radius=0.9),
+    "watch": cd.Watch(1.0),
 }
 FRAMES, JOINTS = {"A": 0, "B": 1}, {"one": 0, "two": 1, "rotor": 2}
 # positions and rotation vectors of two frames, coordinates of three joints; then their rates
@@ -100,12 +110,17 @@ class Bench:
         self.element, self.motion = element, Moving()
         self.data, self.parameters = converted(self.motion.graph, element.quantities())
         self.state = STATE | {f"v_{name}": rates for name, rates in RATES.items()}
+        self.state |= {"z": [0.4] * len(element.internals()), "s": [0.0] * len(element.modes())}
         self.actions = self.act()
 
     def act(self) -> tuple[Action, ...]:
         frames = {role: FRAMES[name] for role, name in self.element.frames().items()}
         joints = {role: JOINTS[name] for role, name in self.element.joints().items()}
-        return self.element.act(self.motion, self.data, frames, joints | {"rotor": JOINTS["rotor"]})
+        joints |= {"rotor": JOINTS["rotor"]}
+        z = block(self.motion.graph, "z", len(self.element.internals()))
+        s = block(self.motion.graph, "s", len(self.element.modes()))
+        at = Places(self.motion, self.data, frames, joints, z, s)
+        return self.element.act(at)
 
     def value(self, x: Matrix | Scalar, kind: str = "mp", **values: Any) -> Any:
         return numbers(x, kind, **(self.parameters | self.state | values))

@@ -112,7 +112,7 @@ def test_circuits_that_cannot_close_are_announced() -> None:
     assert not found.closes
     # 0.9 m between the pivots, 0.55 m of links
     assert found.gaps["C"] == (pytest.approx(0.35, rel=0.15), "m")
-    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes stays open by about 0.3"):
+    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes stays open: .* 0.3"):
         cd.compile(scene)
     assert cd.derive(four_bar()).feasibility().closes
 

@@ -12,7 +12,8 @@ import numpy as np
 
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
-from cardan.runtime import cache, kernels
+from cardan.errors import CompilerMissing
+from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
@@ -23,23 +24,65 @@ int NAME(const cardan_in *in, real *out, real *work);
 int NAME(const cardan_in *in, real *out, real *work)
 {
     const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
-    (void)t; (void)q; (void)u; (void)r; (void)work;
-    BODY
+    const real *z = in->z, *s = in->s, *e = in->e;
+    (void)t; (void)q; (void)u; (void)r; (void)work; (void)z; (void)s; (void)e;
+    { BODY }
     return 0;
 }
 """
 
 
-def function(folder: Path, name: str, body: str, entries: list[str]) -> Any:
-    """A C function with the interface of a loaded one."""
+# differences of the right-hand side above, quaternions by their direction
+DIFFERENCES = """
+    real x[NX + NR + 1], lower[NX + NR + 1], upper[NX + NR + 1], time[1];
+    cardan_in moved = *in;
+    int status;
+    for (int i = 0; i < NX + NR; i++) x[i] = i < NQ ? q[i] : i < NX ? u[i - NQ] : r[i - NX];
+    moved.q = x; moved.u = x + NQ; moved.r = x + NX; moved.t = time;
+    for (int j = 0; j <= NX + NR; j++) {
+        real *at = j < NX + NR ? x + j : time, held, h;
+        time[0] = t;
+        held = *at, h = 6e-6 * (1 + fabs(held));
+        *at = held + h; h = *at - held;
+        status = right(&moved, upper, work);
+        *at = held - h;
+        status = status ? status : right(&moved, lower, work);
+        if (status) return status;
+        *at = held;
+        for (int i = 0; i < NX; i++) {
+            real slope = (upper[i] - lower[i]) / (2 * h);
+            if (j < NX) out[i * NX + j] = slope;
+            else if (j == NX + NR) out[NX * NX + i] = slope;
+            else out[NX * NX + NX + i * NR + j - NX] = slope;
+        }
+    }
+    const int quaternions[] = {QUATERNIONS -1};
+    for (int k = 0; quaternions[k] >= 0; k++)
+        for (int i = 0; i < NX; i++) {
+            real *row = out + i * NX + quaternions[k], along = 0;
+            for (int j = 0; j < 4; j++) along += row[j] * q[quaternions[k] + j];
+            for (int j = 0; j < 4; j++) row[j] -= along * q[quaternions[k] + j];
+        }
+"""
+
+
+def function(folder: Path, name: str, body: str, entries: list[str], before: str = "") -> Any:
+    """A C function with the interface of a loaded one, and what stands before it."""
     path = folder / f"{name}.c"
-    path.write_text(HEAD.replace("NAME", name).replace("BODY", body))
+    path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
     library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
-    return SimpleNamespace(
-        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library
+    # what runs without integrators in C call it by
+    caller = SimpleNamespace(
+        call=lambda blocks, strides, rows: abi.run(address, blocks, strides, len(rows), rows, 0)
     )
+    return SimpleNamespace(
+        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library, caller=caller
+    )
+
+
+WRITTEN = ("rhs", "power", "events", "transition")
 
 
 @dataclass
@@ -54,8 +97,14 @@ class Problem:
         inputs: Names of r.
         quaternions: First entries in q.
         energy_of: Body of the energies: kinetic, potential, total.
+        jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
+        z, s: Names of internal and discrete states.
+        events, transition: Bodies of the functions; the second writes u, z, s.
+        kinds: Of every event; they are called e0, e1, ... of elements a0, a1, ...
+        ticks: Rows of the manifest.
+        bare: Run it as without a compiler.
     """
 
     folder: Path
@@ -63,6 +112,7 @@ class Problem:
     nq: int = 1
     nu: int = 1
     power: str = ""
+    jacobian: str = ""
     inputs: tuple[str, ...] = ()
     quaternions: tuple[int, ...] = ()
     name: str = "problem"
@@ -71,11 +121,42 @@ class Problem:
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
     energy_of: str = ""
+    z: tuple[str, ...] = ()
+    s: tuple[str, ...] = ()
+    events: str = ""
+    transition: str = ""
+    kinds: tuple[str, ...] = ()
+    ticks: tuple[dict[str, float], ...] = ()
+    bare: bool = False
     _made: dict[str, Any] = field(default_factory=dict)
 
     @property
     def nx(self) -> int:
-        return self.nq + self.nu
+        return self.nq + self.nu + self.nz
+
+    @property
+    def nz(self) -> int:
+        return len(self.z)
+
+    @property
+    def ns(self) -> int:
+        return len(self.s)
+
+    @property
+    def internals(self) -> tuple[str, ...]:
+        return self.z
+
+    @property
+    def _layout(self) -> Any:
+        return SimpleNamespace(start=lambda block: np.zeros(self.ns))
+
+    def parts_of(self, x: Any) -> tuple[Any, Any, Any]:
+        n = self.nq + self.nu
+        return x[..., : self.nq], x[..., self.nq : n], x[..., n:]
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        return ()
 
     @property
     def nr(self) -> int:
@@ -101,10 +182,16 @@ class Problem:
             "bodies": [],
             "quaternions": list(self.quaternions),
             "multipliers": list(self.multipliers),
+            "z": [{"name": n, "unit": "", "default": 0.0} for n in self.z],
+            "s": [{"name": n, "default": 0.0, "labels": {}} for n in self.s],
+            "events": [
+                {"name": f"e{k}", "element": f"a{k}", "kind": kind, "about": ""}
+                for k, kind in enumerate(self.kinds)
+            ],
+            "ticks": list(self.ticks),
             "available": [
-                "rhs",
-                *(["power"] if self.power else []),
-                *(["energy"] if self.energy_of else []),
+                *("rhs_jacobian", *(["energy"] if self.energy_of else [])),
+                *(name for name in WRITTEN if getattr(self, name)),
             ],
         }
 
@@ -112,20 +199,33 @@ class Problem:
         """Nothing to compile side by side."""
 
     def _kernels(self) -> ctypes.CDLL:
+        if self.bare:
+            raise CompilerMissing("as on a machine without a compiler")
         return kernels.library()
 
     def _function(self, name: str) -> Any:
         if name not in self._made:
             body = {
                 "rhs": self.rhs,
+                "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
                 "energy": self.energy_of,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
+                "events": self.events,
+                "transition": self.transition,
             }[name]
-            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
-            self._made[name] = function(self.folder, name, body, entries)
+            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
+            before = self._before() if body == DIFFERENCES else ""
+            self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]
+
+    def _before(self) -> str:
+        """The right-hand side and the sizes that differences of it need."""
+        right = HEAD.replace("NAME", "right").replace("BODY", self.rhs)
+        sizes = {"NX": self.nx, "NQ": self.nq, "NR": self.nr}
+        sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
+        return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 
     def run(self, t: Any, x0: Any, **options: Any) -> Trajectory:
         """Simulate from a state."""

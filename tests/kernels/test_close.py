@@ -13,12 +13,11 @@ import pytest
 from cardan.analyses.stepper import stepper
 from cardan.errors import SolveWarning
 from cardan.runtime.trajectory import Trajectory, load
-from kernels.problem import PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
+from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
 FINE: dict[str, dict[str, Any]] = {
-    "DOP853": {"rtol": 1e-8, "atol": 1e-10},
-    "RK45": {"method": "RK45", "rtol": 1e-8, "atol": 1e-10},
-    "RK4": {"method": "RK4", "step": 1e-3},
+    name: {"method": name} | ({"rtol": 1e-8, "atol": 1e-10} if m.adaptive else {"step": 1e-3})
+    for name, m in METHODS.items()
 }
 BOTH = pytest.mark.parametrize("options", FINE.values(), ids=FINE)
 START = [1.0, 0, 0, 0]

@@ -10,8 +10,10 @@ import numpy as np
 
 import cardan as cd
 from laws.maximal import Maximal
+from mechanisms.carried import CARRIED, PLAIN
 from mechanisms.closed import CLOSED
 
+EVERY = CLOSED | CARRIED
 EXACT = ("multipliers", "elimination", "null_space")
 # where along its motion every mechanism is looked at
 PLACES = (0.3, -0.4)
@@ -20,7 +22,7 @@ Array = np.ndarray
 
 def scene_of(name: str, cut: str | None = None) -> cd.Model:
     """A mechanism, cut at a joint."""
-    scene = CLOSED[name].build()
+    scene = EVERY[name].build()
     if cut is not None:
         scene.joints[cut] = dataclasses.replace(scene.joints[cut], cut=True)
     return scene
@@ -33,9 +35,8 @@ def compiled(name: str, cut: str | None = None, treatment: Any = "multipliers") 
 
 def start(model: cd.CompiledModel, name: str, s: float, rate: float = 1.0) -> tuple[Array, Array]:
     """q and u of a mechanism at s along its motion, on the constraints to rounding."""
-    cuts = {cut["name"] for cut in model.manifest["cuts"]}
-    joints = {joint["name"] for joint in model.manifest["joints"]} - cuts
-    state = CLOSED[name].state(s, rate, joints)
+    joints = {joint["name"] for joint in model.manifest["joints"] if joint["q"]}
+    state = EVERY[name].state(s, rate, joints)
     q, u = model.split(model.initial(q=state.q, u=state.u))
     return q, model.close_velocity(q, u)[: model.nu]
 
@@ -58,7 +59,7 @@ def apart(one: dict[str, Array], other: dict[str, Array]) -> float:
 @cache
 def exact(name: str, s: float) -> dict[str, Array]:
     """Accelerations of the bodies at s along the motion by :class:`Maximal`."""
-    scene, model = scene_of(name), compiled(name)
+    scene, model = PLAIN.get(name, EVERY[name].build)(), compiled(name)
     q, u = start(model, name, s)
     poses, twists = {}, np.zeros(6 * len(scene.bodies))
     mechanism = Maximal(scene)

@@ -9,10 +9,12 @@ Source: E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
@@ -45,12 +47,46 @@ def skew(v: Array) -> Array:
     return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
+class Edge:
+    """The piece of a spline that a place is next to, as cubic polynomials, and its foot there."""
+
+    def __init__(self, kind: Any, place: Array) -> None:
+        points = np.array([*kind.points, kind.points[0]] if kind.closed else kind.points, float)
+        at = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+        spline = CubicSpline(at, points, bc_type="periodic" if kind.closed else "not-a-knot")
+        fine = np.linspace(0, at[-1], 4001)
+        best = fine[np.linalg.norm(spline(fine) - place, axis=1).argmin()]
+        piece = int(np.searchsorted(at, best)) - 1
+        self.foot = best - at[piece]
+        # powers (highest first) by component, and their derivatives
+        self.orders = [
+            [np.polyder(np.poly1d(c), n) for c in spline.c[:, piece].T] for n in range(3)
+        ]
+        self.normals = across(unit(self.at(self._next(place), 1).real))
+
+    def at(self, s: Any, order: int) -> Array:
+        return np.array([polynomial(s) for polynomial in self.orders[order]])
+
+    def _next(self, place: Array) -> Any:
+        """Newton's steps to the foot of the normal, complex ones too."""
+        s = self.foot
+        for _ in range(20):
+            away, slope = place - self.at(s, 0), self.at(s, 1)
+            s = s + (away @ slope) / (slope @ slope - away @ self.at(s, 2))
+        return s
+
+    def beside(self, place: Array) -> list[Any]:
+        away = place - self.at(self._next(place), 0)
+        return [away @ normal for normal in self.normals]
+
+
 class Maximal:
     """A scene of rigid bodies, joints, gravity, springs and joint forces as one linear system."""
 
     def __init__(self, scene: cd.Model) -> None:
         self.scene = scene
         self.bodies = list(scene.bodies.values())
+        self.edges: dict[str, Edge] = {}
         self.slot = {body.name: 6 * k for k, body in enumerate(self.bodies)}
 
     def frame(self, poses: Poses, place: Any) -> tuple[Array, Array]:
@@ -74,6 +110,9 @@ class Maximal:
         for joint in self.scene.joints.values():
             kind = joint.kind
             (R_P, p_P), (R_C, p_C) = (self.frame(poses, x) for x in (joint.parent, joint.child))
+            if kind.kind == "point_on_curve":
+                found += self.beside(joint, R_P.T @ (p_C - p_P))
+                continue
             if kind.kind == "prismatic":
                 axis = unit(kind.axis)
                 found += [(R_P @ b) @ (p_C - p_P) for b in across(axis)]
@@ -81,14 +120,36 @@ class Maximal:
                 found += [(R_P @ a) @ (R_C @ b) for a, b in ((x, y), (y, z), (z, x))]
                 continue
             found += list(p_C - p_P)
-            if kind.kind == "revolute":
+            if kind.kind in ("revolute", "gear"):
                 axis = unit(kind.axis)
                 found += [(R_P @ b) @ (R_C @ axis) for b in across(axis)]
+                if kind.kind == "gear":
+                    found.append(self.mesh(poses, joint))
             elif kind.kind == "universal":
                 found.append((R_P @ unit(kind.axis1)) @ (R_C @ unit(kind.axis2)))
             else:
                 assert kind.kind == "spherical"
         return np.array(found)
+
+    def mesh(self, poses: Poses, wheel: Any) -> Any:
+        """Sine of what is missing from the angle of a wheel that turns against another."""
+        lead = self.scene.joints[wheel.kind.leader]
+        assert wheel.kind.ratio == -1
+        c, s = math.cos(wheel.kind.offset), math.sin(wheel.kind.offset)
+        x, y = across(unit("z"))
+        for joint in (lead, wheel):
+            assert np.array_equal(unit(joint.kind.axis), unit("z"))
+            turned = [self.frame(poses, end)[0] for end in (joint.parent, joint.child)]
+            cosine, sine = ((turned[0] @ b) @ (turned[1] @ x) for b in (x, y))
+            c, s = c * cosine + s * sine, s * cosine - c * sine
+        return s
+
+    def beside(self, joint: Any, place: Array) -> list[Any]:
+        """How far a place is off a curve, in two directions across it where it is next."""
+        edge = self.edges.get(joint.name)
+        if edge is None:
+            edge = self.edges[joint.name] = Edge(joint.kind, place.real)
+        return edge.beside(place)
 
     def moved(self, poses: Poses, twists: Array) -> dict[str, tuple[Array, Array]]:
         """Poses after twists (6 n): angular in ground axes, velocity of the center of mass."""
@@ -146,17 +207,17 @@ class Maximal:
             assert element.damping == 0
             pull = element.stiffness * (length - element.length) * (p_b - p_a) / length
             for place, point, force in ((a, p_a, pull), (b, p_b, -pull)):
-                self._push(load, place, poses, np.zeros(3), point, force)
+                self.push(load, place, poses, np.zeros(3), point, force)
             return
         assert element.kind == "joint_force"
         joint = self.scene.joints[element.joint]
         assert joint.kind.kind == "revolute"
         R, point = self.frame(poses, joint.parent)
         moment = R @ unit(joint.kind.axis) * element.force
-        self._push(load, joint.parent, poses, -moment, point, np.zeros(3))
-        self._push(load, joint.child, poses, moment, point, np.zeros(3))
+        self.push(load, joint.parent, poses, -moment, point, np.zeros(3))
+        self.push(load, joint.child, poses, moment, point, np.zeros(3))
 
-    def _push(
+    def push(
         self, load: Array, place: Any, poses: Poses, moment: Array, point: Array, force: Array
     ) -> None:
         body = place.body
@@ -174,6 +235,7 @@ class Maximal:
             poses: R (3, 3) and p (3) of every body, on the constraints.
             twists: Of every body (6 n), angular first; of the center of mass.
         """
+        self.edges.clear()
         G = self.jacobian(poses)
         mass, load = self.loads(poses, twists)
         # redundant rows and needles without inertia about their axis: least squares, scaled

@@ -9,27 +9,33 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from laws.circuits import EXACT, PLACES, accelerations, apart, compiled, exact, scene_of, start
-from mechanisms.closed import CLOSED
+from laws.circuits import (
+    EVERY,
+    EXACT,
+    PLACES,
+    accelerations,
+    apart,
+    compiled,
+    exact,
+    scene_of,
+    start,
+)
 from mechanisms.closed_spatial import BASE, TOP
 
 # legs and arms are alike: one of each is cut
 LIKE = {"stewart": ("hooke0", "slide0", "ball0"), "delta": ("shoulder0", "elbow0", "wrist0")}
-# a driven joint keeps its coordinate
-DRIVEN = {"andrews": {"beta"}}
 
 
 @cache
 def cuts_of(name: str) -> tuple[str, ...]:
-    """The joints of a mechanism that can be cut."""
-    joints = LIKE.get(name) or tuple(CLOSED[name].build().joints)
-    return tuple(joint for joint in joints if joint not in DRIVEN.get(name, ()))
+    """The joints of a mechanism that are cut; those that are wanted keep their coordinates."""
+    return LIKE.get(name) or tuple(EVERY[name].build().joints)
 
 
 def cases() -> list[object]:
     """All cuts by all exact treatments; a spread of them by default."""
     found = []
-    for name in CLOSED:
+    for name in EVERY:
         for k, joint in enumerate(cuts_of(name)):
             for n, treatment in enumerate(EXACT):
                 marks = [] if (k + n) % 4 == 0 else [pytest.mark.slow]
@@ -57,6 +63,9 @@ MOTIONS = {
     "bricard": (0.3, 0.0, 5.0),
     "delta": (0.1, 0.0, 5.0),
     "stewart": (0.1, 0.0, 5.0),
+    "cam": (0.1, 0.0, 5.0),
+    "geared": (0.1, 8.0, 5.0),
+    "custom": (0.3, 8.0, 5.0),
 }
 # what else carries parallel robots: without drives they would fall into dead points
 SPRINGS = {

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
@@ -14,6 +15,10 @@ from cardan.elements.joints import JOINTS, Joint
 from laws.cases import EPS, call
 
 OBLIQUE, OTHER = (1.0, 2.0, -2.0), (0.3, -0.7, 0.1)
+A, B = sp.symbols("a b")
+TURN = ((sp.cos(A), -sp.sin(A), 0), (sp.sin(A), sp.cos(A), 0), (0, 0, 1))
+WAVE = ((0.0, 0, 0), (0.2, 0.1, 0), (0.4, 0.05, 0.1), (0.6, 0.2, 0.1))
+ROUND = ((0.3, 0, 0), (0, 0.3, 0.05), (-0.3, 0, 0), (0, -0.3, 0.02))
 INSTANCES: dict[str, Joint] = {
     "fixed": cd.Fixed(),
     "revolute": cd.Revolute("y"),
@@ -31,9 +36,14 @@ INSTANCES: dict[str, Joint] = {
     "wheel that drifts": cd.Wheel(0.4, 0.0, OBLIQUE, lateral_slip=True),
     "rolling disk": cd.RollingDisk(0.3, "x"),
     "knife edge": cd.RollingDisk(0.3, knife_edge=True),
+    "point on curve": cd.PointOnCurve(WAVE),
+    "point on closed curve": cd.PointOnCurve(ROUND, closed=True, rotation="XYZ"),
+    "custom": cd.Custom((A,), (0, 0.3 * A, A**2 / 5), TURN),
+    "custom of two": cd.Custom((A, B), (B**2 / 3, 0.3 * A * B, 0.2 * B + A**2 / 5), TURN),
+    "gear": cd.Gear("pivot", -0.7, OBLIQUE, 0.2),
 }
-# what holds nothing; what cannot be cut, or follows another joint
-APART = {"free", "custom", "point_on_curve", "gear"}
+# what holds nothing
+APART = {"free"}
 INERTIA = ((0.3, 0.02, -0.01), (0.02, 0.4, 0.03), (-0.01, 0.03, 0.2))
 STEP = 1e-5
 
@@ -61,8 +71,10 @@ class Pair:
         self.kind, self.back = INSTANCES[name], back
         self.tree = cd.derive(machine(self.kind, False))
         self.cut = cd.derive(machine(self.kind, True, back))
-        start = [c.default for c in self.kind.coordinates]
-        n = len(self.kind.speeds)
+        # what follows another joint has no coordinates of its own
+        own = self.kind.follows is None
+        start = [c.default for c in self.kind.coordinates if own]
+        n = len(self.kind.speeds) * own
         rng = np.random.default_rng(5)
         q, du = np.array([0.4, *start]), np.array([0.1, *rng.uniform(0.2, 0.5, n)])
         self.q = self._whole("integrate", q=q, du=du)
@@ -71,6 +83,11 @@ class Pair:
             u = self._whole("close_velocity", q=self.q, u=u)[: 1 + n]
         self.u = u
         self.floating = self._floating()
+
+    @property
+    def carried(self) -> bool:
+        """Whether the joint closes the circuit with coordinates of its own."""
+        return self.kind.closes_by_coordinates or self.kind.follows is not None
 
     def _whole(self, function: str, **given: Any) -> np.ndarray:
         return np.concatenate([x.ravel() for x in call(self.tree, function, **given).values()])
@@ -81,7 +98,11 @@ class Pair:
         (twist,) = call(self.tree, "velocity", "load", q=self.q, u=self.u).values()
         x, y, z, w = Rotation.from_matrix(pose[:3, :3]).as_quat()
         q = np.array([self.q[0], w, x, y, z, *pose[:3, 3]])
-        return q, np.array([self.u[0], *(pose[:3, :3].T @ twist[:3]), *twist[3:]])
+        u = np.array([self.u[0], *(pose[:3, :3].T @ twist[:3]), *twist[3:]])
+        if self.carried:
+            # the joint keeps its coordinates
+            return np.append(q, self.q[1:]), np.append(u, self.u[1:])
+        return q, u
 
     def accelerations(self) -> tuple[np.ndarray, np.ndarray]:
         """Of both bodies (12,), in the tree and with the circuit."""
@@ -136,7 +157,7 @@ def test_the_state_is_on_the_constraints(pair: Pair) -> None:
     q, u = pair.floating
     (g,) = call(pair.cut, "constraints", q=q).values()
     (rates,) = call(pair.cut, "constraint_rates", q=q, u=u).values()
-    assert len(g) == len(pair.kind.held)
+    assert len(g) == (6 if pair.carried else len(pair.kind.held))
     assert len(rates) == len(g) + len(pair.kind.slips)
     assert np.abs([*g, *rates]).max() < 100 * EPS
 
@@ -163,6 +184,30 @@ def test_reactions_are_those_of_the_tree(pair: Pair) -> None:
         arm = frames[0][:3, :3].T @ (frames[1] - frames[0])[:3, 3]
         moment, force = turn @ wanted[:3], turn @ wanted[3:]
         wanted = -np.concatenate([moment + np.cross(arm, force), force])
+    assert np.abs(found - wanted).max() < 1e5 * EPS * (1 + np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("cut", [False, True], ids=["tree", "cut"])
+def test_reactions_balance_the_load(pair: Pair, cut: bool) -> None:
+    """Newton and Euler for the free body: besides the joint only gravity acts on it."""
+    equations = pair.cut if cut else pair.tree
+    q, u = pair.floating if cut else (pair.q, pair.u)
+    (udot,) = call(equations, "forward_dynamics", q=q, u=u).values()
+    (wrench,) = call(equations, "reaction", "tested", q=q, u=u, wrench=np.zeros(12)).values()
+    (pose,) = call(equations, "pose", "load", q=q).values()
+    (twist,) = call(equations, "velocity", "load", q=q, u=u).values()
+    (change,) = call(equations, "acceleration", "load", q=q, u=u, udot=udot).values()
+    (child,) = call(equations, "pose", "tested.child", q=q).values()
+    R, omega, alpha = pose[:3, :3], twist[:3], change[:3]
+    com, inertia = R @ [0.05, -0.1, 0.2], R @ np.array(INERTIA) @ R.T
+    acceleration = change[3:] + np.cross(alpha, com) + np.cross(omega, np.cross(omega, com))
+    force = 1.0 * (acceleration - np.array([0.3, 0.5, -9.81]))
+    moment = inertia @ alpha + np.cross(omega, inertia @ omega)
+    # declared the other way round it is the wrench on the arm, of which the load feels the opposite
+    sign = -1 if cut and pair.back else 1
+    turned, pushed = (sign * child[:3, :3] @ wrench[k : k + 3] for k in (0, 3))
+    arm = child[:3, 3] - pose[:3, 3] - com
+    found, wanted = np.array([turned + np.cross(arm, pushed), pushed]), np.array([moment, force])
     assert np.abs(found - wanted).max() < 1e5 * EPS * (1 + np.abs(wanted).max())
 
 

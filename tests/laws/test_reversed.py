@@ -10,8 +10,8 @@ import pytest
 
 import cardan as cd
 from laws.cases import EPS, call, derived, deviation, slots, states
+from laws.circuits import EVERY
 from mechanisms import ZOO
-from mechanisms.closed import CLOSED
 
 # the rotor of a drive turns on the declared parent: with that exchanged it is another machine
 MEMBERS = [
@@ -82,16 +82,16 @@ def test_reactions_are_opposite(both: tuple[str, Any, Any]) -> None:
 
 
 @pytest.mark.parametrize("every", [1, 2, 3])
-@pytest.mark.parametrize("name", CLOSED)
+@pytest.mark.parametrize("name", EVERY)
 def test_circuits_of_joints_in_either_direction(name: str, every: int) -> None:
     """Each n-th joint exchanged, in the tree or closing a circuit: the same accelerations."""
-    forth = CLOSED[name].build()
-    back = turned(CLOSED[name].build(), every)
+    forth = EVERY[name].build()
+    back = turned(EVERY[name].build(), every)
     found = []
     for scene in (forth, back):
         equations = cd.derive(scene)
         joints = equations.system.joints
-        state = CLOSED[name].state(0.3, joints=[j.name for j in joints if j.q >= 0])
+        state = EVERY[name].state(0.3, joints=[j.name for j in joints if j.q >= 0])
         q, u = slots(equations.system, state)
         (udot,) = call(equations, "forward_dynamics", q=q, u=u).values()
         total = float(call(equations, "energy", q=q, u=u)["total"])

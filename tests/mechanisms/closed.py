@@ -78,8 +78,9 @@ class Closed:
                 for k, weight in DIFFERENCE.items()
             )
             speeds = np.asarray(slope) / STEP * rate
-            if speeds.size == 4:
-                speeds = _body_rate(np.atleast_1d(value), speeds)
+            if speeds.size >= 4:
+                turning = _body_rate(np.atleast_1d(value)[:4], speeds[:4])
+                speeds = np.concatenate([turning, speeds[4:]])
             q[name] = value
             u[name] = float(speeds) if speeds.ndim == 0 else tuple(speeds.tolist())
         return State(q, u)

@@ -6,17 +6,19 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from mechanisms.carried import CARRIED
 from mechanisms.closed import CLOSED, Closed
 
+EVERY = [*CLOSED.values(), *CARRIED.values()]
 PLACES = np.linspace(-0.8, 0.8, 9)
 # differences of sixth order: rounding over the step
 SPEEDS = 1e-11
 
 
-@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+@pytest.mark.parametrize("mechanism", EVERY, ids=repr)
 def test_motions_are_allowed(mechanism: Closed) -> None:
     model = cd.compile(mechanism.build())
-    moving = {joint["name"] for joint in model.manifest["joints"]}
+    moving = {joint["name"] for joint in model.manifest["joints"] if joint["q"]}
     for s in PLACES:
         state = mechanism.state(s, 2.0, moving)
         q, u = model.split(model.initial(q=state.q, u=state.u))
@@ -26,11 +28,11 @@ def test_motions_are_allowed(mechanism: Closed) -> None:
         np.testing.assert_allclose(model.constraint_rates(q, u), 0, atol=SPEEDS * size)
 
 
-@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+@pytest.mark.parametrize("mechanism", EVERY, ids=repr)
 def test_freedoms(mechanism: Closed) -> None:
     model = cd.compile(mechanism.build())
     cuts = model.manifest["cuts"]
-    moving = {joint["name"] for joint in model.manifest["joints"]}
+    moving = {joint["name"] for joint in model.manifest["joints"] if joint["q"]}
     state = mechanism.state(0.3, 1.0, moving)
     q, _ = model.split(model.initial(q=state.q, u=state.u))
     rank = np.linalg.matrix_rank(model.constraint_jacobian(q), tol=1e-9)

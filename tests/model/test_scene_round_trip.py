@@ -20,6 +20,7 @@ from cardan.model.files.scene.words import Words
 from cardan.pipeline import fingerprint
 from external.robots import FILES, ROBOTS
 from mechanisms import ZOO, Mechanism
+from mechanisms.carried import CARRIED
 from mechanisms.closed import CLOSED, Closed, four_bar
 
 
@@ -44,7 +45,7 @@ def test_zoo(mechanism: Mechanism, tmp_path: Path) -> None:
     assert_same(scene, again(scene, tmp_path))
 
 
-@pytest.mark.parametrize("mechanism", CLOSED.values(), ids=repr)
+@pytest.mark.parametrize("mechanism", [*CLOSED.values(), *CARRIED.values()], ids=repr)
 def test_circuits(mechanism: Closed, tmp_path: Path) -> None:
     scene = mechanism.build()
     assert_same(scene, again(scene, tmp_path))

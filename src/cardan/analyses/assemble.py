@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,12 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, initial_state
-from ..runtime.states import random_state
 from .assembly import Assembly
 from .branches import Branch, branches, refuse
 from .consistent import accelerations, speeds
 from .mechanism import Mechanism
-from .meeting import Conditions, Found, meet
+from .meeting import Found
+from .rounded import rounded, slack
+from .searches import search
 from .targets import Target, read
 from .unassembled import explain
 
@@ -72,51 +72,15 @@ def assemble(
     found = search(m, goals, begin, starts, seed)
     met = [one for one in found if one.met]
     if not met:
-        explain(m, goals, found, lambda some: search(m, some, begin, min(starts, 6), seed))
+        found = rounded(m, goals, begin, starts, seed)
+        met = [one for one in found if one.met]
+    if not met:
+        explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
     different = _different(m, met)
     chosen = choose(m, different, wanted, begin)
     many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
     solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
     return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
-
-
-def search(
-    m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
-) -> list[Found]:
-    """Where searches from a start and from random coordinates end."""
-    found = list[Found]()
-    given = initial_state(m.model.manifest, {}, {})[0][: m.model.nq]
-    rng = np.random.default_rng(seed)
-    for k in range(starts):
-        end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
-        found.append(replace(end, q=m.nearest(end.q, begin)))
-    return found
-
-
-def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
-    """Where one search ends; held coordinates have their values to the bit."""
-    q = begin.copy()
-    for target in targets:
-        if target.kind == "coordinate" and target.weight is None:
-            q[target.place] = target.value
-    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.model.nu)))
-    q = end.q.copy()
-    end = replace(end, turned=m.turned(q) if end.closed else "")
-    for target in targets if end.met else ():
-        if target.kind == "coordinate" and target.weight is None and len(target.value) == 1:
-            q[target.place] = target.value
-    return replace(end, q=m.nearest(q, begin))
-
-
-def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
-    """Random coordinates; lengths without limits as far from their start as the mechanism is."""
-    manifest = m.model.manifest
-    q = random_state(manifest, rng)[: m.model.nq]
-    bound = {joint["name"] for joint in manifest["joints"] if joint["limits"]}
-    for k, row in enumerate(manifest["coordinates"]):
-        if row["unit"] == "m" and row.get("joint") not in bound:
-            q[k] = given[k] + m.size * (q[k] - (row["default"] or 0.0))
-    return q
 
 
 def _begin(model: CompiledModel, start: Any) -> Array:
@@ -138,7 +102,16 @@ def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
 
 
 def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin: Array) -> Found:
-    """The position on a branch, inside limits if there is one, that is next to the start.
+    """The position that runs and assemblies take: one rule, whatever rounding does.
+
+    On a branch, inside limits if there is one: where the first search ended, which began at the
+    start; else the one next to the start, of equally near ones the one that was found first.
+
+    Args:
+        m: The mechanism.
+        found: Positions in the order of the searches.
+        wanted: Branches.
+        begin: The start (nq,).
 
     Raises:
         ModelError: none is on the branch.
@@ -148,9 +121,10 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
         refuse(wanted, [one.q for one in found])
     best = min(one.cost for one in allowed)
 
-    def order(one: Found) -> tuple[bool, int, float]:
+    def order(one: Found) -> tuple[bool, int, bool, float]:
         worse = one.cost > best + REACHED
-        return worse, outside(m, one.q), float(np.linalg.norm(m.between(begin, one.q)))
+        away = float(np.linalg.norm(m.between(begin, one.q)))
+        return worse, outside(m, one.q), not one.first, round(away / SAME)
 
     return min(allowed, key=order)
 
@@ -177,7 +151,8 @@ def finish(
 ) -> Assembly:
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
-    rest = initial_state(model.manifest, {}, {})[0][model.nq :]
+    m.slack = m.slack or slack(m, q)
+    rest = initial_state(model.manifest, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, rest), None
     if "forward_dynamics" in model.manifest["available"]:
         rates = accelerations(m, q, velocities, udot)

@@ -6,7 +6,8 @@ can be compared, and a rank says something.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import copy
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +18,7 @@ from ..runtime.closing import Closing, size_of, unit
 from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
+TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
 
 
@@ -27,7 +29,13 @@ class Mechanism:
         model, t, r: The model, the time [s], the inputs (nr,).
         size: Against which lengths count [m].
         columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
+        released: Relations of the user that are not asked to hold.
+        slack: Residual without units up to which conditions that say the same twice may disagree,
+            as rounded lengths make them; 0 where they agree.
     """
+
+    released: frozenset[str] = frozenset()
+    slack: float = 0.0
 
     def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
         """Args:
@@ -71,7 +79,7 @@ class Mechanism:
         if count == 0:
             return np.zeros(0)
         found: Array = self.evaluate("constraints", q) / self.rows[:count]
-        return found
+        return found[self._kept[:count]]
 
     def turned(self, q: Array) -> str:
         """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
@@ -89,7 +97,33 @@ class Mechanism:
         if not self.closing.rows:
             return np.zeros((0, self.model.nu))
         found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
-        return found
+        return found[self._kept]
+
+    @property
+    def rank(self) -> float:
+        """Singular values below this part of the largest are those of dependent conditions."""
+        return LOOSE if self.slack else TIGHT
+
+    @property
+    def positions(self) -> int:
+        """Rows of :meth:`jacobian` that belong to :meth:`residuals`."""
+        return int(self._kept[: self.closing.positions].sum())
+
+    def without(self, relations: Iterable[str]) -> Mechanism:
+        """The same mechanism with relations of the user released."""
+        other = copy.copy(self)
+        other.released = frozenset(relations)
+        return other
+
+    @property
+    def relations(self) -> list[str]:
+        """Relations of positions that the user wrote."""
+        rows = self.closing.rows[: self.closing.positions]
+        return [str(row["name"]) for row in rows if row["name"] == row["joint"]]
+
+    @property
+    def _kept(self) -> NDArray[np.bool_]:
+        return np.array([row["name"] not in self.released for row in self.closing.rows], bool)
 
     def rates(self, q: Array, u: Array) -> Array:
         """Residuals (m,) of the constraints of velocities, lengths without units."""

@@ -38,9 +38,14 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
             "more than its increment can tell. Take step= shorter"
         )
+    if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
+        return _event(runner, answer, at)
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
+        if runner.record.culprit >= runner.n:
+            what = _happening(runner)
+            return "not_finite", f"stopped {at}: what says when {what} happens is not finite"
         return "not_finite", (
             f"stopped {at}: the derivative{who} is not finite. {_domain(runner)}: look at the "
             "state motion.x[-1]"
@@ -73,7 +78,8 @@ def _open(runner: Runner | PlainRunner) -> str:
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
     joint = next(row["joint"] for row in closing.rows if row["name"] == name)
-    who = f"motion is not defined here: joint '{joint}' ({level} of '{name}')"
+    kind = "constraint" if joint == name else "joint"
+    who = f"motion is not defined here: {kind} '{joint}' ({level} of '{name}')"
     if run.steps == 0 and run.correction <= 1:
         return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
     if not runner.settings.method.adaptive:
@@ -83,11 +89,50 @@ def _open(runner: Runner | PlainRunner) -> str:
             f"{who} would jump to another branch however short the step is. The position is "
             "singular: model.singular_positions(...) finds such positions"
         )
+    driven = _driven(runner)
+    if driven:
+        return (
+            f"{who} cannot stay closed. What is prescribed ({driven}) asks for more than the "
+            "mechanism can follow from here: it is at a dead point or at the end of its range"
+        )
     return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
+
+
+def _driven(runner: Runner | PlainRunner) -> str:
+    """Joints and constraints that time or inputs move, in words."""
+    joints = [j["name"] for j in runner.model.manifest["joints"] if j["prescribed"]]
+    written = [row["name"] for row in runner.closing.rows if row["name"] == row["joint"]]
+    moved = [name for name in written if f"{name}.motion" in runner.sources]
+    return ", ".join(f"'{name}'" for name in (*joints, *moved))
 
 
 def _culprit(runner: Runner | PlainRunner) -> str:
     """`` of 'elbow.u'``, or nothing when no entry is to blame."""
     k = runner.record.culprit
-    names = (*runner.model.coordinates, *runner.model.speeds, *runner.sources)
+    model = runner.model
+    names = (*model.coordinates, *model.speeds, *model.internals, *runner.sources)
     return f" of '{names[k]}'" if 0 <= k < len(names) else ""
+
+
+def _happening(runner: Runner | PlainRunner) -> str:
+    """The event that is to blame, with the element it happens to."""
+    row = runner.may.rows[runner.record.culprit - runner.n]
+    owner = f" of '{row['element']}'" if row["element"] and row["element"] != row["name"] else ""
+    return f"'{row['name']}'{owner}"
+
+
+def _event(runner: Runner | PlainRunner, answer: int, at: str) -> tuple[str, str]:
+    """A run that events ended."""
+    what = _happening(runner)
+    if answer == abi.EVENT:
+        return "event", f"ended {at} by {what}"
+    if answer == abi.STORM:
+        return "event_storm", (
+            f"stopped {at}: {what} happens again and again at this one time: what it changes does "
+            "not end what causes it"
+        )
+    return "chatter", (
+        f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
+        "bounces of a ball that comes to rest. Let it stick below a speed, take a smooth law, or "
+        "end the run there with events="
+    )

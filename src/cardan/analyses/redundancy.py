@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, final
@@ -9,6 +10,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..errors import SolveWarning
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import initial_state
 from .mechanism import Mechanism
@@ -91,6 +93,37 @@ def redundancy(
     here = position(model, q)
     G = m.jacobian(here)
     return report(m, G)
+
+
+def doubt(model: CompiledModel, joint: str, q: Any, t: Any, r: Any) -> None:
+    """Warn where the reaction of a joint is not determined at the first, middle and last state.
+
+    Args:
+        model: The compiled model.
+        joint: Whose reaction was asked for.
+        q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
+    """
+    treatment = model.manifest["scene"].get("treatment")
+    if treatment and not treatment["exact"]:
+        return
+    states = np.reshape(model._vector("q", q), (-1, model.nq))
+    times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
+    inputs = None if r is None else np.reshape(model._vector("r", r), (-1, model.nr))
+    for k in {0, len(states) // 2, len(states) - 1} if len(states) else ():
+        own = None if inputs is None else inputs[min(k, len(inputs) - 1)]
+        m = Mechanism(model, float(times[min(k, len(times) - 1)]), own)
+        found = report(m, m.jacobian(states[k]))
+        if found.joints.get(joint, True):
+            return
+    words = found.directions[0] if len(states) else ""
+    if words:
+        warnings.warn(
+            f"the reaction of '{joint}' is not determined: constraints of its circuit say the same "
+            f"twice, {words}. One of the possible wrenches is given. model.redundancy(q) tells "
+            "which reactions are determined; constraints='perturbed' shares them by compliance",
+            SolveWarning,
+            stacklevel=4,
+        )
 
 
 def position(model: CompiledModel, q: Any) -> Array:

@@ -1,20 +1,28 @@
-"""Why a mechanism cannot be assembled: the circuit that stays open, or targets in conflict."""
+"""Why a mechanism cannot be assembled: what stays open, or what cannot hold together."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NoReturn
+from typing import NoReturn, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime.ledger import residual_unit
 from .mechanism import Mechanism
 from .meeting import Found
+from .rounded import ROUNDED
+from .searches import search_from
 from .targets import Target
 
+Array = NDArray[np.float64]
 WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
-Search = Callable[[Sequence[Target]], list[Found]]
+T = TypeVar("T")
+Search = Callable[[Mechanism, Sequence[Target]], list[Found]]
+NEAR = 1e-3  # residuals without units that rounding may explain
+HALVINGS = 30  # of the way from what is reached to what is asked
 
 
 def explain(
@@ -30,28 +38,30 @@ def explain(
         m: The mechanism.
         targets: All of them.
         found: Where the searches ended.
-        again: Searches with other targets.
+        again: Searches for other targets, or without some relations.
         remedy: What to do about targets that cannot hold.
 
     Raises:
         ModelError: always.
     """
     held = [target for target in targets if target.weight is None]
-    if not held:
-        raise ModelError(_open(m, found))
-    bare = again([])
-    if not any(one.met for one in bare):
-        raise ModelError(_open(m, bare))
-    conflict = _smallest(held, again)
-    raise ModelError(_conflict(m, conflict, [*again(_wished(conflict)), *bare], remedy))
+    bare = again(m, []) if held else found
+    if not _any_met(bare):
+        raise ModelError(_culprits(m, again) or _open(m, bare))
+    conflict = _smallest(held, lambda some: _any_met(again(m, some)))
+    raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
 
 
-def _smallest(held: Sequence[Target], again: Search) -> list[Target]:
-    """Targets that cannot hold together, any of which could if the others were left out."""
+def _any_met(found: Sequence[Found]) -> bool:
+    return any(one.met for one in found)
+
+
+def _smallest(held: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
+    """What cannot hold together, any of which could if the others were left out."""
     kept = list(held)
-    for target in held:
-        rest = [one for one in kept if one is not target]
-        if not any(one.met for one in again(rest)):
+    for one in held:
+        rest = [other for other in kept if other is not one]
+        if not holds(rest):
             kept = rest
     return kept
 
@@ -67,11 +77,33 @@ def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found], r
     def away(one: Found) -> float:
         return sum(float(np.sum(target.residual(m, one.q) ** 2)) for target in targets)
 
-    q = min((one for one in found if one.met), key=away).q
+    ends = [replace(one, q=_turned_to(m, one.q, targets)) for one in found if one.met]
+    q = min(ends, key=away).q
+    if len(targets) == 1 and targets[0].kind == "coordinate":
+        q = _farthest(m, targets[0], q)
     said = [f"'{t.name}' (asked {t.asked}; reached {t.reached(m, q)})" for t in targets]
     if len(said) == 1:
-        return f"{said[0]} is out of reach. {remedy}"
-    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together. {remedy}"
+        return f"{said[0]} is out of reach{moment(m)}. {remedy}"
+    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
+
+
+def _turned_to(m: Mechanism, q: Array, targets: Sequence[Target]) -> Array:
+    """The same position with angles as near to what is asked as whole turns bring them."""
+    goal = q.copy()
+    for target in targets:
+        if target.kind == "coordinate":
+            goal[target.place] = target.value
+    return m.nearest(q, goal)
+
+
+def _farthest(m: Mechanism, target: Target, q: Array) -> Array:
+    """From a position as far towards what is asked as the mechanism goes."""
+    part = 0.5
+    for _ in range(HALVINGS):
+        ahead = q[target.place] + part * (target.value - q[target.place])
+        end = search_from(m, [replace(target, value=ahead)], q)
+        q, part = (end.q, part) if end.met else (q, 0.5 * part)
+    return q
 
 
 def turned_round(joint: str) -> str:
@@ -82,28 +114,71 @@ def turned_round(joint: str) -> str:
     )
 
 
+def moment(m: Mechanism) -> str:
+    """When and with what prescribed motions, in words; "" where time does not matter."""
+    moved = [f"'{j['name']}'" for j in m.model.manifest["joints"] if j.get("prescribed")]
+    if moved:
+        return f" at t = {m.t:g} s, where the motion of {', '.join(moved)} is prescribed"
+    return f" at t = {m.t:g} s" if m.t else ""
+
+
+def _culprits(m: Mechanism, again: Search) -> str:
+    """Relations of the user without which everything else holds; "" where they do not matter."""
+    relations = m.relations
+
+    def holds(some: Sequence[str]) -> bool:
+        return _any_met(again(m.without(set(relations) - set(some)), []))
+
+    if not relations or not holds([]):
+        return ""
+    names = [f"'{name}'" for name in _smallest(relations, holds)]
+    circuits = " with the circuits" if m.cuts else ""
+    if len(names) == 1:
+        return (
+            f"constraint {names[0]} cannot hold together{circuits}{moment(m)}: without it "
+            "everything closes. Look at its expression, its numbers and signs"
+        )
+    return (
+        f"constraints {', '.join(names[:-1])} and {names[-1]} cannot hold together{circuits}"
+        f"{moment(m)}: without any one of them the others hold. Leave one out, or correct it"
+    )
+
+
 def _open(m: Mechanism, found: Sequence[Found]) -> str:
-    """The circuit with the largest gap where the search came nearest."""
-    turned = [one.turned for one in found if one.closed and one.turned]
-    if turned:
-        return turned_round(turned[0])
+    """What has the largest residual where the search came nearest."""
 
     def gap_of(one: Found) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
 
-    gaps = m.gaps(min(found, key=gap_of).q)
+    straight = [one for one in found if not m.turned(one.q)]
+    turned = [one.turned for one in found if one.closed and one.turned]
+    if turned and not any(gap_of(one) < NEAR for one in straight):
+        return turned_round(turned[0])
+    gaps = m.gaps(min(straight or found, key=gap_of).q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
-    gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
+    many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
     cut = next((cut for cut in m.cuts if cut["name"] == name), None)
     if cut is None:
-        where, who = "", f"constraint '{name}' cannot be met"
-    else:
-        where = f" between frames '{cut['parent_frame']}' and '{cut['child_frame']}'"
-        path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
-        who = f"the circuit that joint '{name}' closes ({path}) cannot be assembled"
-    many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
+        row = next(row for row in m.closing.rows if row["name"] == name)
+        least = f"{max(length, other):.3g} {residual_unit(row)}".strip()
+        return (
+            f"constraint '{name}' cannot be met{moment(m)}: its residual comes no nearer to 0 than "
+            f"{least}, from {many}. Look at its expression, or give start= near the position that "
+            "is meant"
+        )
+    gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
+    near = ""
+    if max(length / m.size, other) < NEAR:
+        near = (
+            f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
+            "the size of the mechanism they are ignored, so give lengths and axes more digits"
+        )
+    path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
     return (
-        f"{who}: the smallest gap is {gap}{where}, from {many}. Check lengths and places of its "
-        "joints, or give start= near the position that is meant"
+        f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
+        f"least residual found is {gap}, between frames '{cut['parent_frame']}' and "
+        f"'{cut['child_frame']}', from {many}. Check lengths and places of its joints"
+        f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
+        f"the position that is meant{near}"
     )

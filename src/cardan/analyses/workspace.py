@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
-from .assemble import assemble, drawn, outside, search_from
+from .assemble import assemble, outside
 from .branches import branches
 from .mechanism import Mechanism
+from .searches import drawn, search_from
 from .targets import read
 
 Array = NDArray[np.float64]

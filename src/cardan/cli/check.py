@@ -76,6 +76,12 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
         return [Complaint("error", str(problem))]
     found = [Complaint("warning", note) for note in equations.system.notes]
     try:
+        # constraints that cannot be derived are no matter of massless bodies: nothing runs
+        if equations.constraint_rows:
+            equations.function("constraint_jacobian")
+    except DerivationError as problem:
+        return [Complaint("error", str(problem)), *found]
+    try:
         equations.function("forward_dynamics")
     except DerivationError as problem:
         found.append(Complaint("warning", f"no forward dynamics: {problem}"))

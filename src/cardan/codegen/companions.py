@@ -12,6 +12,7 @@ from .naming import comment
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
+    *("events.h", "events.c", "search.c", "dips.c"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),

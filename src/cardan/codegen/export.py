@@ -17,6 +17,7 @@ from .writing import generate
 STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
 # what building an export leaves in its directory
 PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
+DIGITS = 12
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
 
 
@@ -35,7 +36,7 @@ def export(
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
-            default the dynamics and the energy.
+            default the dynamics and the energy, of a closed system also what closes it.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
         integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``: their C comes along, and ``example.c``
             simulates.
@@ -54,9 +55,11 @@ def export(
     _check(target)
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
-    if wanted:
-        called = ("rhs", *(name for name in companions.CLOSING if name in known))
-        asked += [(name, None) for name in called if (name, None) not in asked]
+    # what keeps a closed system closed belongs to its dynamics
+    called = [name for name in companions.CLOSING if name in known]
+    if wanted or not functions:
+        more = (*(("rhs",) if wanted else ()), *called)
+        asked += [(name, None) for name in more if (name, None) not in asked]
     for name, _ in asked:
         if name not in known:
             raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
@@ -71,12 +74,23 @@ def export(
         layout.add_functions(folder, made)
         flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")
         data = layout.read(folder) or {}
-        for name, text in _companions(data, language, wanted, flags).items():
+        texts = _companions(data, language, wanted, flags)
+        texts["model.c"] = header.defaults(data, _closed(equations))
+        for name, text in texts.items():
             layout.add_file(folder, name, text)
         (folder / layout.LOCK).unlink()
 
     _replace(target, fill)
     return target
+
+
+def _closed(equations: Equations) -> list[float] | None:
+    """Coordinates at which all circuits close, next to the initial ones; None where none do."""
+    if not equations.system.closed:
+        return None
+    found = equations.feasibility()
+    # as many digits as are the same on every machine; a run closes the rest
+    return [round(float(x), DIGITS) + 0.0 for x in found.q] if found.closes else None
 
 
 def _check_words(language: str, integrators: Sequence[str]) -> None:
@@ -99,7 +113,6 @@ def _companions(
     files = {name: layout.kernel(name) for name in kernels}
     files |= {
         "functions.h": companions.prototypes(data),
-        "model.c": header.defaults(data),
         "example.c": companions.example(data, integrators, line),
         "README.md": companions.readme(data, package, line),
     }

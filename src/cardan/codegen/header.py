@@ -44,8 +44,13 @@ def slots(manifest: dict[str, Any]) -> str:
     return "\n".join([*lines, "", "#endif"]) + "\n"
 
 
-def defaults(manifest: dict[str, Any]) -> str:
-    """``model.c``: values of the parameters, coordinates and inputs that the scene names."""
+def defaults(manifest: dict[str, Any], start: Sequence[float] | None = None) -> str:
+    """``model.c``: values of the parameters, coordinates and inputs that the scene names.
+
+    Args:
+        manifest: Of the model.
+        start: Coordinates (nq,) to start from instead of those that the scene names.
+    """
     lines = [
         "/*",
         f" * model.c: values of model '{comment(manifest['name'])}' to start from.",
@@ -60,6 +65,8 @@ def defaults(manifest: dict[str, Any]) -> str:
         rows = manifest[key] or [{"name": "nothing", "unit": "", "default": 0.0}]
         if block == "q" and manifest[key]:
             rows = _start(manifest)
+            if start is not None:
+                rows = [{**row, "default": x} for row, x in zip(rows, start, strict=True)]
         for row in rows:
             unit = f" [{row['unit']}]" if row["unit"] else ""
             lines.append(f"    {float(row['default'])!r}, /* {comment(row['name'] + unit)} */")

@@ -11,7 +11,9 @@ from math import isfinite
 from typing import Any
 
 from .. import __version__
+from ..elements.internal import TICK
 from ..equations import blocks
+from ..equations.constraints import Row
 from ..equations.record import Equations
 from ..ir.function import Function
 from ..topology.system import Cut, Frame, Joint, System
@@ -52,8 +54,15 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         "method": equations.method,
         "coordinates": _coordinates(system),
         "speeds": _speeds(equations),
-        "z": [],
-        "s": [],
+        "z": [
+            {"name": name, "unit": unit, "default": default}
+            for name, unit, default in blocks.internals(system)
+        ],
+        "s": [
+            {"name": name, "default": mode.default, "labels": {str(k): v for k, v in mode.labels}}
+            for name, mode in blocks.discrete(system)
+        ],
+        **({"events": _events(system), "ticks": _ticks(system)} if system.events else {}),
         "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
         "parameters": [
             {
@@ -66,10 +75,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
             for p in system.parameters
         ],
         "structural": dict(system.structural),
-        "multipliers": [
-            {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
-            for row in equations.constraint_rows
-        ],
+        "multipliers": [_multiplier(row) for row in equations.constraint_rows],
         "cuts": [_cut(equations, cut) for cut in system.closing],
         "joints": joints,
         "fixed": list(system.fixed),
@@ -94,6 +100,28 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     return Base(data, lambda: _saved(equations))
 
 
+def _multiplier(row: Row) -> dict[str, Any]:
+    told = {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
+    return {**told, **({"switched": True} if row.switched else {})}
+
+
+def _events(system: System) -> list[dict[str, Any]]:
+    """Everything that can happen, in the order of the block e."""
+    return [
+        {"name": name, "element": force.name, "kind": event.kind, "about": event.about}
+        for name, (force, event) in zip(blocks.event_names(system), system.events, strict=True)
+    ]
+
+
+def _ticks(system: System) -> list[dict[str, Any]]:
+    """When events at known times happen."""
+    return [
+        {"event": i, "period": event.period, "phase": event.phase}
+        for i, (_, event) in enumerate(system.events)
+        if event.kind == TICK
+    ]
+
+
 def _saved(equations: Equations) -> tuple[Function, ...]:
     """What a check of the model needs besides its compiled functions."""
     system = equations.system
@@ -112,6 +140,11 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
+    unknown += [
+        f"the friction of '{force.name}' follows from reactions"
+        for force in system.forces
+        if force.element.pressed
+    ]
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
@@ -231,5 +264,6 @@ def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
 
 
 def _frame(system: System, frame: Frame) -> dict[str, Any]:
-    part = system.bodies[frame.body].parts[frame.part].name if frame.body >= 0 else None
+    parts = system.bodies[frame.body].parts if frame.body >= 0 else ()
+    part = parts[frame.part].name if parts else None
     return {"name": frame.name, "body": _body(system, frame.body), "part": part}

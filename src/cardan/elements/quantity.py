@@ -31,3 +31,8 @@ class Quantity:
     ratio: bool = False
     labels: tuple[str, ...] = ()
     local: tuple[str, ...] = ()
+
+
+def written_unit(unit: str, sliding: bool) -> str:
+    """A unit of two forms, such as "N*m*s/rad|N*s/m", as it holds for a joint."""
+    return unit.split("|")[-1 if sliding else 0]

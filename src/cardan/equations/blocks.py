@@ -5,9 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from ..elements.internal import Mode
 from ..elements.joints.joint import Component
+from ..elements.quantity import written_unit
 from ..ir.function import Block
+from ..topology.internals import full_name, slides
 from ..topology.system import System
+from .constraints import rows
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
 
@@ -19,28 +23,55 @@ def entries(head: str, components: Sequence[Component]) -> list[str]:
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of q."""
-    rows: list[tuple[str, str, float]] = []
+    found: list[tuple[str, str, float]] = []
     for joint in system.joints:
         if joint.q >= 0:
             names = entries(joint.name, joint.element.coordinates)
             parts = zip(names, joint.element.coordinates, strict=True)
-            rows += [(name, c.unit, c.default) for name, c in parts]
-    return rows
+            found += [(name, c.unit, c.default) for name, c in parts]
+    return found
 
 
 def speeds(system: System) -> list[tuple[str, str]]:
     """(name, unit) of every entry of u: ``elbow.u``, ``ball.u.x``."""
-    rows: list[tuple[str, str]] = []
+    found: list[tuple[str, str]] = []
     for joint in system.joints:
         if joint.u >= 0:
             names = entries(f"{joint.name}.u", joint.element.speeds)
-            rows += zip(names, (c.unit for c in joint.element.speeds), strict=True)
-    return rows
+            found += zip(names, (c.unit for c in joint.element.speeds), strict=True)
+    return found
 
 
 def accelerated(unit: str) -> str:
     """Unit of the time derivative of a speed."""
     return unit + "^2" if unit.endswith("/s") else unit + "/s"
+
+
+def internals(system: System) -> list[tuple[str, str, float]]:
+    """(name, unit, default) of every entry of z."""
+    return [
+        (
+            full_name(force.name, state),
+            written_unit(state.unit, slides(system.joints, force.joints.values())),
+            state.default,
+        )
+        for force in system.forces
+        for state in force.element.internals()
+    ]
+
+
+def discrete(system: System) -> list[tuple[str, Mode]]:
+    """Name and description of every entry of s."""
+    return [
+        (full_name(force.name, mode), mode)
+        for force in system.forces
+        for mode in force.element.modes()
+    ]
+
+
+def event_names(system: System) -> list[str]:
+    """Name of every event."""
+    return [full_name(force.name, event) for force, event in system.events]
 
 
 def parts(system: System) -> list[str]:
@@ -61,20 +92,26 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
     forces = tuple(FORCE_UNITS.get(unit, "") for unit in units)
     axes = ("mx", "my", "mz", "fx", "fy", "fz")
     moments = ("N*m",) * 3 + ("N",) * 3
-    touched = parts(system)
+    touched, bound = parts(system), rows(system)
+    z, modes = internals(system), tuple(name for name, _ in discrete(system))
+    happening = tuple(event_names(system))
     listed = [
         Block("t", ("t",), ("s",)),
         Block("q", tuple(n for n, _, _ in q), tuple(unit for _, unit, _ in q)),
         Block("u", names, units),
+        Block("z", tuple(n for n, _, _ in z), tuple(unit for _, unit, _ in z)),
+        Block("s", modes, ("",) * len(modes)),
         Block("r", tuple(i.name for i in system.inputs), tuple(i.unit for i in system.inputs)),
         Block(
             "p", tuple(p.name for p in system.parameters), tuple(p.unit for p in system.parameters)
         ),
         Block("udot", tuple(f"{n}dot" for n in names), rates),
+        Block("lam", tuple(row.name for row in bound), tuple(row.force_unit for row in bound)),
         Block("tau", tuple(f"{n}.tau" for n in names), forces),
         Block("wrench", tuple(f"{n}.{a}" for n in touched for a in axes), moments * len(touched)),
         Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),
         Block("q0", tuple(f"{n}.0" for n, _, _ in q), tuple(unit for _, unit, _ in q)),
+        Block("e", happening, ("",) * len(happening)),
     ]
     return {block.name: block for block in listed}
 

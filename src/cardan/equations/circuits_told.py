@@ -47,12 +47,16 @@ def _cut(system: System, cut: Cut) -> str:
         count = f"{rows} conditions"
     else:
         count = f"moves {where or 'in a group'}, so that {rows} of {all_rows} conditions close it"
-    at = f"cut at {cut.name} ({cut.element.kind}), as {cut.reason}"
+    if cut.carrier is None:
+        at = f"cut at {cut.name} ({cut.element.kind}), as {cut.reason}"
+    else:
+        kind = system.joints[cut.carrier].element.kind
+        at = f"cut at {cut.name} ({kind}), which keeps its coordinates, as {cut.reason}"
     return f"  circuit of {_ring(system, cut)}: {at}; {count}"
 
 
 def _ring(system: System, cut: Cut) -> str:
-    return _some([*(system.joints[i].name for i, _ in cut.path), cut.name])
+    return _some([*(system.joints[i].name for i, _ in cut.path if i != cut.carrier), cut.name])
 
 
 def _some(names: Sequence[str]) -> str:

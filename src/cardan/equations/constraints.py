@@ -10,20 +10,24 @@ Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 5 and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..elements.closing import closed
+from ..elements.internal import Hold
 from ..elements.joints.joint import Component
+from ..elements.quantity import written_unit
 from ..errors import DerivationError
 from ..ir.derivative import forward
 from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
+from ..topology.internals import slides
 from ..topology.system import System
 from .ends import ends
 from .kinematics import Kinematics
+from .loads import places
 
 POSITION, VELOCITY = "position", "velocity"
 
@@ -37,12 +41,14 @@ class Row:
         unit: Of its residual at position level, or at velocity level where it has no other.
         owner: The joint or constraint it belongs to.
         level: ``"position"`` or ``"velocity"``: where it holds first.
+        switched: Whether an element holds it in some of its modes only.
     """
 
     name: str
     unit: str
     owner: str
     level: str
+    switched: bool = False
 
     @property
     def force_unit(self) -> str:
@@ -60,6 +66,13 @@ def rows(system: System) -> tuple[Row, ...]:
         slipping += _rows(cut.name, cut.element.slips, VELOCITY)
     for joint in system.joints:
         slipping += _rows(joint.name, joint.element.slips, VELOCITY)
+    for force in system.forces:
+        components = [
+            Component(name, written_unit(unit, slides(system.joints, force.joints.values())))
+            for name, unit in force.element.holding()
+        ]
+        held_by_modes = _rows(force.name, components, VELOCITY)
+        slipping += [replace(row, switched=True) for row in held_by_modes]
     for entry in system.constraints:
         level = VELOCITY if _has_speeds(system, entry.node) else POSITION
         row = Row(entry.name, entry.unit, entry.name, level)
@@ -147,6 +160,16 @@ class Constraints:
         return tuple(owners), self._column(nodes)
 
     @cached_property
+    def _held(self) -> list[tuple[str, Hold]]:
+        """What elements hold in some modes, with their names."""
+        return [
+            (force.name, hold)
+            for force in self.k.system.forces
+            if force.element.holding()
+            for hold in force.element.holds(places(self.k, force))
+        ]
+
+    @cached_property
     def rates(self) -> Matrix:
         """G u + g_t (m, 1): derivative of g, then velocities that vanish."""
         g, held, slipping = self.k.graph, list[int](), list[int]()
@@ -158,6 +181,9 @@ class Constraints:
         for i, joint in enumerate(self.k.system.joints):
             with g.made_by(joint.name, "slip"):
                 slipping += self._tree_slip(i, self.k.speeds[i])
+        for name, hold in self._held:
+            with g.made_by(name, "rate"):
+                slipping.append((hold.velocity * hold.active).node)
         for name, node, level in self._written:
             with g.made_by(name, "rate"):
                 if level == POSITION:
@@ -195,9 +221,13 @@ class Constraints:
                 own = {joint.u + j: self._tree_slip(i, unit.column(j)) for j in range(len(unit))}
                 for n in range(len(joint.element.slips)):
                     slipping.append([own[s][n] if s in own else ZERO for s in range(nu)])
+        for name, hold in self._held:
+            with g.made_by(name, "G"):
+                velocity = (hold.velocity * hold.active).node
+                slipping.append(self.gradient(name, velocity, VELOCITY))
         for name, node, level in self._written:
             with g.made_by(name, "G"):
-                row = self._gradient(name, node, level)
+                row = self.gradient(name, node, level)
                 (held if level == POSITION else slipping).append(row)
         return Matrix(g, len(self.rows), nu, [x for row in (*held, *slipping) for x in row])
 
@@ -218,8 +248,12 @@ class Constraints:
         found = joint.element.sliding(k.coordinates[i], speeds, **k.data[i])
         return [] if found is None else list(found.nodes)
 
-    def _gradient(self, name: str, node: int, level: str) -> list[int]:
-        """Derivatives of the rate of a relation with respect to the speeds."""
+    def gradient(self, name: str, node: int, level: str) -> list[int]:
+        """Derivatives of the rate of a relation with respect to the speeds.
+
+        Raises:
+            DerivationError: it is not linear in them.
+        """
         g, nu = self.k.graph, self.k.system.nu
         rate = node if level == VELOCITY else forward(g, [node], self.k.time_seeds)[0]
         slots = [g.var("u", s) for s in range(nu)]

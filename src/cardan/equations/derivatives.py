@@ -21,9 +21,10 @@ from ..ir.matrix import Matrix
 from ..ir.request import Request
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
+from .context import Context
 from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
-from .functions import RECIPES, Context
+from .functions import RECIPES
 from .newton_euler_derivatives import Derivatives
 from .treatments import Bound
 from .treatments.treatment import by_multipliers
@@ -62,13 +63,11 @@ def derivative(c: Context) -> tuple[Output, ...]:
     if bool(recipe.of) != (request.of is not None):
         wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
         raise DerivationError(f"derivative: '{request.function}' {wanted}: '{request}'")
-    if c.d.method == "articulated":
-        # M is needed in any case, and with it udot is one column more
-        c = replace(c, d=Dynamics(c.k, "composite"))
+    c = with_mass_matrix(c)
     parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
     flat = [d for part in parts.values() for d in part]
     outputs = recipe.build(replace(c, of=request.of))
-    columns = _columns(c, request.function, outputs, flat)
+    columns = columns_of(c, request.function, outputs, flat)
     shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
     rows, found, start = [name for o in outputs for name in _entries(o)], [], 0
     for wrt, part in parts.items():
@@ -81,13 +80,18 @@ def derivative(c: Context) -> tuple[Output, ...]:
     return tuple(found)
 
 
+def with_mass_matrix(c: Context) -> Context:
+    """The same by a formalism that has M: it is needed, and with it udot is one column more."""
+    return replace(c, d=Dynamics(c.k, "composite")) if c.d.method == "articulated" else c
+
+
 def _entries(output: Output) -> list[str]:
     if len(output.entries) == output.size:
         return list(output.entries)
     return [f"{output.name}[{k}]" for k in range(output.size)]
 
 
-def _columns(
+def columns_of(
     c: Context, function: str, outputs: Sequence[Output], along: Sequence[Direction]
 ) -> list[list[int]]:
     """Changes of all entries of the outputs, direction by direction."""

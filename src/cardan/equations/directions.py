@@ -10,7 +10,7 @@ from ..ir.graph import ONE
 from .kinematics import Kinematics
 
 # blocks that can be differentiated by; those of one number give no axis of columns
-BLOCKS = ("t", "q", "u", "r", "p", "udot", "tau")
+BLOCKS = ("t", "q", "u", "z", "r", "p", "udot", "tau")
 
 
 @dataclass(frozen=True)

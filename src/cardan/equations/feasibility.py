@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 STARTS, STEPS = 12, 60
 LONGEST = 0.5  # of a step [rad, m]
-# residuals that count as closed, in the size of what is closed
-CLOSED = 1e-9
+# residuals that are sought, and those that count as closed: rounded lengths leave as much
+SOUGHT, CLOSED = 1e-11, 1e-6
 
 
 @dataclass(frozen=True)
@@ -33,10 +33,12 @@ class Feasibility:
     Attributes:
         q: The coordinates that come nearest (nq,).
         gaps: Joint or relation -> the largest residual that is left there, and its unit.
+        relations: Those of the gaps that the user wrote.
     """
 
     q: Array
     gaps: dict[str, tuple[float, str]]
+    relations: tuple[str, ...] = ()
 
     @property
     def closes(self) -> bool:
@@ -48,9 +50,14 @@ class Feasibility:
             return "all circuits close"
         worst = max(self.gaps, key=lambda name: self.gaps[name][0])
         gap, unit = self.gaps[worst]
+        written = worst in self.relations
+        who = f"constraint '{worst}'" if written else f"the circuit that '{worst}' closes"
+        others = [f"'{name}'" for name in self.relations if name != worst]
+        held = f", or at constraint {', '.join(others)}, which must hold as well" if others else ""
+        look = "its expression and numbers" if written else "the lengths and axes of its joints"
         return (
-            f"the circuit that '{worst}' closes stays open by about {gap:.2g} {unit}, from "
-            f"{STARTS} starts. Look at the lengths and axes of its joints, or at what is held"
+            f"{who} stays open: the least residual found is {f'{gap:.2g} {unit}'.strip()}, from "
+            f"{STARTS} starts. Look at {look}{held}"
         )
 
 
@@ -85,10 +92,10 @@ def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
     spread = np.random.default_rng(seed).normal(0.0, 1.0, (STARTS - 1, system.nu))
     moved = evaluate(functions["integrate"], {**given, "q": start, "du": spread}, "numpy")["q"]
     others = search(functions, given, np.atleast_2d(moved))
-    return min(
-        (_gaps(equations, functions, given, q[np.newaxis]) for q in (*others, first[0])),
-        key=lambda one: max(gap for gap, _ in one.gaps.values()),
-    )
+    tried = [_gaps(equations, functions, given, q[np.newaxis]) for q in (*others, first[0])]
+    # the first that closes, whatever rounding leaves of its residuals
+    closed = [one for one in tried if one.closes]
+    return closed[0] if closed else min(tried, key=lambda one: max(g for g, _ in one.gaps.values()))
 
 
 def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> Array:
@@ -96,10 +103,10 @@ def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> A
     for _ in range(STEPS):
         values = {**given, "q": q}
         g = value(functions["constraints"], values, len(q))
-        if g.shape[-1] == 0 or np.abs(g).max() <= 0.01 * CLOSED:
+        if g.shape[-1] == 0 or np.abs(g).max() <= SOUGHT:
             break
         G = value(functions["constraint_jacobian"], values, len(q))[:, : g.shape[-1]]
-        step = -(np.linalg.pinv(G, rcond=1e-6) @ g[..., np.newaxis])[..., 0]
+        step = -(np.linalg.pinv(G, rcond=1e-5) @ g[..., np.newaxis])[..., 0]
         size = np.abs(step).max(axis=-1, keepdims=True)
         step *= np.minimum(1.0, LONGEST / np.maximum(size, LONGEST))
         moved = evaluate(functions["integrate"], {**given, "q": q, "du": step}, "numpy")["q"]
@@ -127,7 +134,8 @@ def _gaps(
             size = abs(float(residual)) if np.isfinite(residual) else np.inf
             if size >= gaps.get(owner, (0.0, ""))[0]:
                 gaps[owner] = (size, unit or "")
-    return Feasibility(q[0].copy(), gaps)
+    written = tuple(entry.name for entry in equations.system.constraints)
+    return Feasibility(q[0].copy(), gaps, written)
 
 
 def _owner(equations: Equations, entry: str) -> str:

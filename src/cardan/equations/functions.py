@@ -2,78 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 from ..errors import DerivationError, near
 from ..ir.arithmetic import Scalar
 from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from ..topology.system import System
-from . import increments, outputs
-from .blocks import entries
-from .constraints import VELOCITY
-from .dynamics import Dynamics
-from .kinematics import Kinematics
-
-
-@dataclass(frozen=True)
-class Context:
-    """What a builder works with.
-
-    Attributes:
-        d: The dynamics, underived.
-        names, units: Of the entries of every input block, and of ``qdot``.
-        of: The frame or joint asked for.
-    """
-
-    d: Dynamics
-    names: dict[str, tuple[str, ...]]
-    units: dict[str, tuple[str, ...]]
-    of: str | None = None
-
-    @property
-    def k(self) -> Kinematics:
-        return self.d.k
-
-    @property
-    def udot(self) -> Matrix:
-        """The block udot as a vector."""
-        return self.d.block("udot", self.k.system.nu)
-
-    @property
-    def frame(self) -> int:
-        return frame_number(self.k.system, self.of or "")
-
-    def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
-        """A result with the names and units of an input block."""
-        return (Output(name, (x.rows,), x.nodes, self.names[like], self.units[like]),)
-
-
-Builder = Callable[[Context], tuple[Output, ...]]
+from . import binding, happening, increments, outputs
+from .context import Context, Recipe
 
 TWIST = (("wx", "wy", "wz", "vx", "vy", "vz"), ("rad/s",) * 3 + ("m/s",) * 3)
 WRENCH = (("mx", "my", "mz", "fx", "fy", "fz"), ("N*m",) * 3 + ("N",) * 3)
 XYZ = ("x", "y", "z")
 
 
-def frame_number(system: System, name: str) -> int:
-    """Index of a frame by its name.
-
-    Raises:
-        DerivationError: no such frame.
-    """
-    for i, frame in enumerate(system.frames):
-        if frame.name == name:
-            return i
-    names = [f.name for f in system.frames]
-    raise DerivationError(f"frame '{name}' does not exist.{near(name, names)}")
-
-
 def _rhs(c: Context) -> tuple[Output, ...]:
     rest = Matrix.zeros(c.k.graph, c.k.system.nu)
-    return c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(rest), "udot")
+    found = c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(rest), "udot")
+    return found + (c.vector("zdot", happening.rates(c.d), "zdot") if c.k.system.nz else ())
+
+
+def _events(c: Context) -> tuple[Output, ...]:
+    return c.vector("events", happening.signs(c.d), "e")
+
+
+def _transition(c: Context) -> tuple[Output, ...]:
+    u, z, s = happening.transition(c.d)
+    return c.vector("u", u, "u") + c.vector("z", z, "z") + c.vector("s", s, "s")
 
 
 def _forward(c: Context) -> tuple[Output, ...]:
@@ -81,6 +35,7 @@ def _forward(c: Context) -> tuple[Output, ...]:
 
 
 def _inverse(c: Context) -> tuple[Output, ...]:
+    c.with_friction_at(c.udot)
     return c.vector("tau", c.d.inverse(c.udot), "tau")
 
 
@@ -159,91 +114,6 @@ def _reaction(c: Context) -> tuple[Output, ...]:
     return (Output("reaction", (6,), outputs.reaction(c.d, c.of).nodes, *WRENCH),)
 
 
-def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of the residuals at position level, or at velocity level of all."""
-    rows = c.d.constraints.rows
-    if positions:
-        rows = rows[: c.d.constraints.positions]
-        return tuple(r.name for r in rows), tuple(r.unit for r in rows)
-    units = (r.unit if r.level == VELOCITY else f"{r.unit or '1'}/s" for r in rows)
-    return tuple(r.name for r in rows), tuple(units)
-
-
-def _dependents(c: Context) -> tuple[Output, ...]:
-    system, found = c.k.system, dict[str, tuple[list[str], list[int], list[str]]]()
-    for block, values in (("q", c.k.coordinates), ("u", c.k.speeds)):
-        names, nodes, units = found[block] = [], [], []
-        for i, joint in enumerate(system.joints):
-            if joint.closure >= 0:
-                parts = joint.element.coordinates if block == "q" else joint.element.speeds
-                head = joint.name if block == "q" else f"{joint.name}.u"
-                names += entries(head, parts)
-                nodes += values[i].nodes
-                units += [part.unit for part in parts]
-    return tuple(
-        Output(block, (len(nodes),), tuple(nodes), tuple(names), tuple(units))
-        for block, (names, nodes, units) in found.items()
-    )
-
-
-def _constraints(c: Context) -> tuple[Output, ...]:
-    g = c.d.constraints.position
-    return (Output("g", (g.rows,), g.nodes, *_rows(c, True)),)
-
-
-def _constraint_rates(c: Context) -> tuple[Output, ...]:
-    rates = c.d.constraints.rates
-    return (Output("rates", (rates.rows,), rates.nodes, *_rows(c, False)),)
-
-
-def _constraint_jacobian(c: Context) -> tuple[Output, ...]:
-    G = c.d.constraints.jacobian
-    names = tuple(f"{r.name},{u}" for r in c.d.constraints.rows for u in c.names["u"])
-    return (Output("G", (G.rows, G.columns), G.nodes, names),)
-
-
-def _closure(c: Context) -> tuple[Output, ...]:
-    cuts = c.k.system.cuts
-    names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.held)
-    units = tuple(h.unit for cut in cuts for h in cut.element.held)
-    return (Output("closure", (len(names),), c.d.constraints.closure.nodes, names, units),)
-
-
-def _facing(c: Context) -> tuple[Output, ...]:
-    owners, numbers = c.d.constraints.facing
-    names = tuple(f"{owner}.facing{k}" for k, owner in enumerate(owners))
-    return (Output("facing", (len(names),), numbers.nodes, names),)
-
-
-def _multipliers(c: Context) -> tuple[Output, ...]:
-    _, lam = c.d.bound(c.d.tau)
-    rows = c.d.constraints.rows
-    names, units = tuple(r.name for r in rows), tuple(r.force_unit for r in rows)
-    return (Output("lam", (lam.rows,), lam.nodes, names, units),)
-
-
-def _close_position(c: Context) -> tuple[Output, ...]:
-    own, g = c.d.constraints, c.d.constraints.position
-    jacobian = own.jacobian.block(slice(0, own.positions))
-    step = c.d.projected(c.d.mass_matrix, jacobian, g)
-    nodes = [ZERO] * c.k.system.nq
-    for i, joint in enumerate(c.k.system.joints):
-        if joint.q >= 0:
-            du = step.block(slice(joint.u, joint.u + len(joint.element.speeds)))
-            moved = joint.element.integrate(c.k.coordinates[i], du, **c.k.data[i])
-            nodes[joint.q : joint.q + moved.rows] = moved.nodes
-    moved = Matrix(c.k.graph, len(nodes), 1, nodes)
-    return (*c.vector("q", moved, "q"), Output("g", (g.rows,), g.nodes, *_rows(c, True)))
-
-
-def _close_velocity(c: Context) -> tuple[Output, ...]:
-    own = c.d.constraints
-    speeds = c.d.block("u", c.k.system.nu)
-    moved = speeds + c.d.projected(c.d.mass_matrix, own.jacobian, own.rates)
-    rates = Output("rates", (own.rates.rows,), own.rates.nodes, *_rows(c, False))
-    return (*c.vector("u", moved, "u"), rates)
-
-
 def _motion(c: Context) -> dict[int, Scalar]:
     """Driving forces of prescribed joints at the udot of the model's own forces."""
     if not any(joint.motion is not None for joint in c.k.system.joints):
@@ -308,33 +178,8 @@ def _difference(c: Context) -> tuple[Output, ...]:
     return c.vector("du", increments.difference(c.d), "du")
 
 
-@dataclass(frozen=True)
-class Recipe:
-    """How a function comes about.
-
-    Attributes:
-        about: One line for the reader.
-        build: Its builder.
-        of: What ``of`` names.
-        told: Whether it is the same in whatever frames and by whatever grouping of inertia the
-            bodies are told.
-        bound: Whether there is one only of systems with constraints.
-        solved: Whether there is one only of systems with circuits in closed form.
-        moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
-            user chose.
-    """
-
-    about: str
-    build: Builder
-    of: str = ""
-    told: bool = False
-    bound: bool = False
-    solved: bool = False
-    moves: bool = False
-
-
 RECIPES: dict[str, Recipe] = {
-    "rhs": Recipe("time derivative of the state [q, u]", _rhs, told=True),
+    "rhs": Recipe("time derivative of the state [q, u, z]", _rhs, told=True),
     "forward_dynamics": Recipe("udot with M udot + h = f + tau", _forward, told=True),
     "inverse_dynamics": Recipe("tau with M udot + h = f + tau", _inverse, told=True),
     "mass_matrix": Recipe("M: kinetic energy is 1/2 uᵀ M u", _mass_matrix, told=True),
@@ -344,37 +189,48 @@ RECIPES: dict[str, Recipe] = {
     "applied": Recipe("f: generalized forces of the model's elements", _forces),
     "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
     "dependents": Recipe(
-        "coordinates, then speeds, of joints that circuits determine", _dependents, solved=True
+        "coordinates, then speeds, of joints that circuits determine",
+        binding.dependents,
+        solved=True,
     ),
-    "constraints": Recipe("g: what vanishes at position level", _constraints, bound=True),
+    "constraints": Recipe("g: what vanishes at position level", binding.constraints, bound=True),
     "constraint_rates": Recipe(
-        "G u + g_t: what vanishes at velocity level", _constraint_rates, bound=True
+        "G u + g_t: what vanishes at velocity level", binding.constraint_rates, bound=True
     ),
-    "constraint_jacobian": Recipe("G: G udot = gamma", _constraint_jacobian, bound=True),
+    "constraint_jacobian": Recipe("G: G udot = gamma", binding.constraint_jacobian, bound=True),
     "closure": Recipe(
-        "closing conditions of all cut joints, dependent ones too", _closure, bound=True
+        "closing conditions of all cut joints, dependent ones too", binding.closure, bound=True
     ),
     "facing": Recipe(
-        "cosines, all positive where no cut joint is turned round", _facing, bound=True
+        "cosines, all positive where no cut joint is turned round", binding.facing, bound=True
     ),
     "multipliers": Recipe(
         "lam: forces of constraint, M udot + h = f + tau + Gᵀ lam",
-        _multipliers,
+        binding.multipliers,
         told=True,
         bound=True,
     ),
     "close_position": Recipe(
         "q moved onto the constraints by one step, and g before it",
-        _close_position,
+        binding.close_position,
         told=True,
         bound=True,
         moves=True,
     ),
     "close_velocity": Recipe(
         "u moved onto the constraints, and their rates before",
-        _close_velocity,
+        binding.close_velocity,
         told=True,
         bound=True,
+    ),
+    "events": Recipe(
+        "numbers that fall through zero where an event happens", _events, told=True, happens=True
+    ),
+    "transition": Recipe(
+        "speeds, internal and discrete states behind the events e",
+        _transition,
+        told=True,
+        happens=True,
     ),
     "energy": Recipe("kinetic, potential and total energy", _energy),
     "com": Recipe("center of mass in ground axes", _com),

@@ -96,6 +96,10 @@ class Kinematics:
         joint_speeds = solve("rank_revealing", left, right)
         self._replace = dict(zip(slots, joint_speeds.nodes, strict=True))
 
+    def block(self, name: str, start: int, count: int) -> Matrix:
+        """Entries of an input block as a vector (count, 1)."""
+        return Matrix(self.graph, count, 1, [self.graph.var(name, start + k) for k in range(count)])
+
     def _slots(self, block: str, start: int, count: int) -> list[int]:
         nodes = [self.graph.var(block, start + k) for k in range(count)]
         return [self._replace.get(n, n) for n in nodes]

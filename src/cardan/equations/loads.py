@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..elements.forces.force import Action, JointLoad, Load
+from ..elements.forces.force import Action, JointLoad, Load, Places
 from ..ir.arithmetic import Scalar
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
@@ -67,8 +67,17 @@ def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:
     return {name: k.matrix(*entry) for name, entry in force.data.items()}
 
 
+def places(k: Kinematics, force: Force) -> Places:
+    """Where an element acts and what it keeps."""
+    element = force.element
+    z = k.block("z", force.z, len(element.internals()))
+    s = k.block("s", force.s, len(element.modes()))
+    held = Scalar(k.graph, k.graph.atom(f"{force.name}.pressing")) if element.pressed else None
+    return Places(k, _data(k, force), force.frames, force.joints, z, s, held)
+
+
 def _actions(k: Kinematics, force: Force) -> tuple[Action, ...]:
-    return force.element.act(k, _data(k, force), force.frames, force.joints)
+    return force.element.act(places(k, force))
 
 
 def _rotors(k: Kinematics) -> dict[int, Matrix]:

@@ -7,14 +7,27 @@ import re
 
 from ..errors import DerivationError, near
 from ..topology.system import System
-from . import blocks, functions
+from . import balance, blocks, functions
+from .context import Recipe
 from .derivatives import derivative, request_of
 from .directions import BLOCKS
-from .functions import Recipe
+from .rhs_jacobian import rhs_jacobian
 
 RECIPES: dict[str, Recipe] = functions.RECIPES | {
-    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function")
+    "balance": Recipe("M udot + h - f - Gᵀ lam, then g and G u + g_t", balance.balance, told=True),
+    "balance_tangent": Recipe(
+        "derivatives of the balance along q, u, udot, of the rates along q, and G",
+        balance.balance_tangent,
+        told=True,
+    ),
+    "move": Recipe("q moved by the increment du along the speeds, and its tangent", balance.move),
+    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function"),
+    "rhs_jacobian": Recipe(
+        "d rhs / d x, / d t and / d r, x as it is stored", rhs_jacobian, told=True
+    ),
 }
+# functions that displace bodies as a whole
+DIFFERENTIATED = ("derivative", "rhs_jacobian", "balance_tangent")
 # characters of a C name before it is cut
 LONGEST = 80
 
@@ -79,6 +92,10 @@ def missing(system: System, name: str) -> str:
         return (
             f"function '{name}' is one of systems with constraints; nothing binds the speeds of "
             f"'{system.name}'"
+        )
+    if RECIPES[name].happens and not system.events:
+        return (
+            f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"
         )
     if RECIPES[name].solved and not system.closures:
         return (

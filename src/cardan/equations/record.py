@@ -19,14 +19,15 @@ from . import blocks
 from .base import BaseParameters, base_parameters
 from .classification import Classification, classification
 from .constraints import Row, rows
+from .context import Context, settled
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
-from .functions import Context
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
+from .pressing import pressed
 from .readable import Readable
-from .recipes import RECIPES, about, c_name, check, is_told, missing
+from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-ABI_ORDER = ("t", "q", "u", "r", "p", "udot", "tau", "wrench", "du", "q0")
+ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", "du", "q0", "e")
 
 
 @dataclass(frozen=True)
@@ -155,9 +156,10 @@ class Equations(Readable):
 
     def ways(self, name: str, of: str | None) -> list[Told]:
         """How the system may be told for a function."""
-        if not is_told(name, of):
+        # friction that follows from reactions: regrouped inertia has others
+        if not is_told(name, of) or pressed(self.system):
             return [((), self.system)]
-        rigid = name == "derivative"
+        rigid = name in DIFFERENTIATED
         if rigid not in self._systems:
             wanted = () if self.chosen else self.rewrites
             self._systems[rigid] = candidates(self.system, self.method, wanted, rigid)
@@ -240,9 +242,10 @@ class Equations(Readable):
         units = {b.name: b.units for b in self.blocks.values()}
         names["qdot"] = tuple(f"{n}dot" for n in names["q"])
         units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
-        results = RECIPES[name].build(
-            Context(Dynamics(k, self.method, self.treatment), names, units, of)
-        )
+        names["zdot"] = tuple(f"{n}dot" for n in names["z"])
+        units["zdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["z"])
+        context = Context(Dynamics(k, self.method, self.treatment), names, units, of)
+        results = settled(context, RECIPES[name].build(context))
         owners = [
             owner
             for joint, body in zip(self.system.joints, self.system.bodies, strict=True)

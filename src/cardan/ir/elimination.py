@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from ..errors import SolveError
-from .solve import DEPENDENT
+from .solve import DEPENDENT, VANISHED
 
 Rows = list[list[Any]]
 
@@ -55,8 +56,9 @@ def _static(a: Rows, b: Rows) -> Rows:
 def _basic(a: Rows, b: Rows) -> Rows:
     """Complete pivoting on the rows that are independent, measured by their largest entries."""
     n = len(a)
+    vanished = max((abs(x) for row in a for x in row), default=0) * math.sqrt(VANISHED)
     for i, row in enumerate(a):
-        largest = max(map(abs, row))
+        largest = max(vanished, *map(abs, row))
         if largest:
             a[i], b[i] = [x / largest for x in row], [x / largest for x in b[i]]
     columns, rank = list(range(n)), n
@@ -121,7 +123,8 @@ def _pivoting(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
 def _semidefinite(a: Rows, b: Rows) -> Rows:
     """Elimination along the diagonal, of the rows that are independent."""
     n = len(a)
-    size, left, taken = [a[i][i] for i in range(n)], list(range(n)), list[int]()
+    size, left, taken = [a[i][i].real for i in range(n)], list(range(n)), list[int]()
+    size = [max(own, VANISHED * max(size)) for own in size]
     while left:
         best = max(left, key=lambda i: (_share(a[i][i], size[i]), -i))
         if not _share(a[best][best], size[best]) > DEPENDENT:
@@ -145,7 +148,7 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
 
 def _share(pivot: Any, size: Any) -> Any:
     """What is left of a diagonal entry; of complex numbers the real parts count."""
-    return pivot.real / size.real if size.real > 0 else 0
+    return pivot.real / size if size > 0 else 0
 
 
 def _back(a: Rows, b: Rows, columns: list[int], rank: int) -> Rows:

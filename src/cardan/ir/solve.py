@@ -14,6 +14,8 @@ from .matrix import Matrix, inner
 KINDS = ("spd", "symmetric_indefinite", "rank_revealing", "semidefinite", "basic")
 # of its diagonal entry: where the pivot of a row of a semidefinite matrix counts as zero
 DEPENDENT = 1e-9
+# of the largest diagonal entry: no row is measured by less, as nothing but rounding may be left
+VANISHED = 1e-15
 
 
 def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:

@@ -193,7 +193,7 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     run->open_row = -1;
     if (run->positions + run->rates == 0)
         return 0;
-    cardan_inputs_at(run, t, y);
+    (void)cardan_inputs_at(run, t, y);
     in = cardan_at(run, &t, y);
     copy(given, y, run->nx);
     if (run->positions > 0) {

@@ -19,10 +19,10 @@ static int inputs_at(cardan_run *run, real t, const real *x, int asked)
     return 0;
 }
 
-/* r at t, for rows that come out; a sampled function keeps its value. */
-void cardan_inputs_at(cardan_run *run, real t, const real *x)
+/* r at t; a sampled function keeps its value. Returns 0 or CARDAN_INPUT. */
+int cardan_inputs_at(cardan_run *run, real t, const real *x)
 {
-    (void)inputs_at(run, t, x, !run->sampled);
+    return inputs_at(run, t, x, !run->sampled);
 }
 
 /* y (n) projected onto the constraints, or as it is where that does not work. */
@@ -36,12 +36,13 @@ static const real *on_constraints(cardan_run *run, real t, const real *y)
     return cardan_close(run, t, copy, 0) == 0 ? copy : y;
 }
 
-/* f = dy/dt (n) at t, y. Returns 0, CARDAN_MODEL or CARDAN_INPUT.
+/* dx/dt (nx) and the powers of the sources at t, y; either may be NULL.
  *
  * Beside a singular position it is taken at the nearest state on the constraints: off them
  * accelerations grow with the inverse of the distance, on them nothing happens.
+ * Returns 0, CARDAN_MODEL or CARDAN_INPUT.
  */
-int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power)
 {
     cardan_in in;
     int status = inputs_at(run, t, y, !run->sampled);
@@ -51,11 +52,19 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
     if (run->near_singular)
         y = on_constraints(run, t, y);
     in = cardan_at(run, &t, y);
-    run->evaluations++;
-    status = cardan_call_model(run, &run->rhs, &in, f);
-    if (status == 0 && run->power.function)
-        status = cardan_call_model(run, &run->power, &in, f + run->nx);
+    if (xdot) {
+        run->evaluations++;
+        status = cardan_call_model(run, &run->rhs, &in, xdot);
+    }
+    if (status == 0 && power && run->power.function)
+        status = cardan_call_model(run, &run->power, &in, power);
     return status;
+}
+
+/* f = dy/dt (n) at t, y. Returns as cardan_evaluate. */
+int cardan_derivative(cardan_run *run, real t, const real *y, real *f)
+{
+    return cardan_evaluate(run, t, y, f, f + run->nx);
 }
 
 /* Make f the derivative at t, y unless it is. */
@@ -70,6 +79,18 @@ int cardan_refresh(cardan_run *run)
     return status;
 }
 
+/* Start over at t, where something has changed: steps go to the next stop or tick. */
+void cardan_restart(cardan_run *run)
+{
+    run->segment = run->t;
+    run->in_segment = 0;
+    run->fresh = 0;
+    run->until = run->stops[run->next_stop];
+    for (ptrdiff_t i = 0; i < run->tick_count; i++)
+        if (run->ticks[i].next < run->until)
+            run->until = run->ticks[i].next;
+}
+
 /* Start the segment that lies ahead of t: choose the pieces of its inputs.
  *
  * All stages of its steps lie between two stops, so that one piece serves them all and a corner
@@ -79,9 +100,7 @@ int cardan_segment(cardan_run *run)
 {
     real middle = 0.5 * (run->t + run->stops[run->next_stop]);
 
-    run->segment = run->t;
-    run->in_segment = 0;
-    run->fresh = 0;
+    cardan_restart(run);
     for (ptrdiff_t i = 0; i < run->signal_count; i++) {
         cardan_signal *s = run->signals + i;
         while (s->where + 1 < s->pieces && s->breaks[s->where + 1] < middle)

@@ -15,7 +15,7 @@ int cardan_fixed_init(cardan_run *run)
 /* End of the next fixed step: on the grid of the segment, or the stop if that is as near. */
 real cardan_grid(const cardan_run *run)
 {
-    real stop = run->stops[run->next_stop];
+    real stop = run->until;
     /* steps of a part of h may have led here */
     real done = floor((run->t - run->segment) / run->h + 1e-6);
     real t = run->segment + (done + 1) * run->h;

@@ -125,6 +125,16 @@ class Vocabulary(ABC):
             joint, component = speed, ""
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 
+    def state(self, name: str) -> Any:
+        """Symbol of a state that a force element keeps itself, such as ``"motor.force"``.
+
+        Args:
+            name: Of the element, a dot and the name of the state; the bare name of an element with
+                one mode, such as a :class:`~cardan.Friction`.
+        """
+        self.atoms[name] = Placeholder("state", name, None, None, "")
+        return _symbol(name)
+
     def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
         fitting = [j for j in self.joints if given == j or given.startswith(j + ".")]
         name = max(fitting, key=len, default="")

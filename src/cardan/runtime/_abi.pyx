@@ -20,6 +20,8 @@ from libc.string cimport memset
 import numpy as np
 
 NAME = "cython"
+# of the interface it was built for
+BLOCK_COUNT = BLOCKS
 
 cdef extern from "map.h" nogil:
     ctypedef struct cardan_in:
@@ -36,7 +38,7 @@ ctypedef void (*preparation)(const double *, double *) noexcept nogil
 cdef enum:
     BLOCKS = 16
     ARGUMENTS = 12
-    PLACES = 2
+    PLACES = 3
     SMALL_WORK = 512
     LONG = 20000
 

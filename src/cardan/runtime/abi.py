@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from . import abi_ctypes
+from .slots import ORDER
 
 __all__ = ["NAME", "fast", "first_bad", "prepare", "run"]
 
@@ -19,6 +20,9 @@ else:
             from . import _abi as chosen
         except ImportError:
             # no extension on this machine: the same interface through ctypes
+            chosen = abi_ctypes
+        if getattr(chosen, "BLOCK_COUNT", len(ORDER)) != len(ORDER):
+            # built for another version of the interface
             chosen = abi_ctypes
     NAME, fast, first_bad = chosen.NAME, chosen.fast, chosen.first_bad
     prepare, run = chosen.prepare, chosen.run

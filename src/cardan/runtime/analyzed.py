@@ -9,10 +9,12 @@ from numpy.typing import ArrayLike
 
 from .calling import Array
 from .described import Described
+from .evaluation import State
 
 if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
+    from ..analyses.ensembles import Ensemble
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
@@ -24,9 +26,21 @@ if TYPE_CHECKING:
 class Analyzed(Described):
     """A model with analyses of its circuits."""
 
+    _doubted: set[str]
+
     @property
     def _itself(self) -> CompiledModel:
         return cast("CompiledModel", self)
+
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where redundant constraints leave the reaction of a joint undetermined."""
+        if joint in self._doubted:
+            return
+        self._doubted.add(joint)
+        if self.manifest["multipliers"] and "constraint_jacobian" in self.manifest["available"]:
+            from ..analyses.redundancy import doubt
+
+            doubt(self._itself, joint, q, t, r)
 
     def assemble(self, targets: Mapping[str, Any] | None = None, **options: Any) -> Assembly:
         """A state at which circuits close and targets are met: assembly, inverse kinematics.
@@ -178,3 +192,17 @@ class Analyzed(Described):
         from ..analyses.implicit import residual
 
         return residual(self._itself, t, q, u, udot, lam, qdot=qdot, index=index, **options)
+
+    def ensemble(self, t: ArrayLike, **options: Any) -> Ensemble:
+        """Many runs that differ by start, parameters or inputs, in SIMD lanes and threads.
+
+        Args:
+            t: End, ``(start, end)`` or output times [s].
+            options: ``vary`` (a plan of ``cd.sample``), ``x0``, ``q``, ``u``, ``parameters``,
+                ``inputs``, ``runs``, ``seed``, ``reduce``, ``method``, ``rtol``, ``atol``,
+                ``step``, ``max_step``, ``threads``, ``lanes``, ``client``, ``checkpoint``,
+                ``check``, ``progress``; see :func:`cardan.analyses.ensembles.ensemble`.
+        """
+        from ..analyses.ensembles import ensemble
+
+        return ensemble(self._itself, t, **options)

@@ -102,7 +102,8 @@ class Caller:
 
         Args:
             out: Array to write to and return; made if None.
-            values: One per argument, None for its default; leading axes broadcast.
+            values: One per argument, None for its default, as for those at the end that are
+                left out; leading axes broadcast.
             w: Prepared parameters with leading axes of their own, (..., nw).
 
         Raises:
@@ -117,6 +118,7 @@ class Caller:
             ) from None
 
     def _results(self, out: Array | None, values: Sequence[Any], w: Array | None) -> Array:
+        values = [*values, *[None] * (len(self.arguments) - len(values))]
         arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
         lead = self._lead(arrays, w)
         count = prod(lead)

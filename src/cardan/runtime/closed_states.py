@@ -62,7 +62,9 @@ class Bound:
 
 def bound(model: CompiledModel) -> bool:
     """Whether anything beyond the tree binds a model."""
-    return bool(model.manifest.get("multipliers") or model.manifest.get("cuts"))
+    # what modes of elements hold they do not hold where states are judged
+    always = [row for row in model.manifest.get("multipliers", ()) if not row.get("switched")]
+    return bool(always or model.manifest.get("cuts"))
 
 
 def unbound(model: CompiledModel) -> str:

@@ -48,24 +48,27 @@ class Constraints(Dynamics, ABC):
         u: State,
         *,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """G u + g_t (..., m): what vanishes at velocity level, the derivative of g first."""
-        return self._evaluate(("constraint_rates", None), (t, q, u, r), parameters, out)
+        return self._evaluate(("constraint_rates", None), (t, q, u, r, z, s), parameters, out)
 
     def constraint_jacobian(
         self,
         q: State,
         *,
         r: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """G (..., m, nu)."""
-        return self._evaluate(("constraint_jacobian", None), (t, q, r), parameters, out)
+        return self._evaluate(("constraint_jacobian", None), (t, q, r, s), parameters, out)
 
     def closure(
         self,
@@ -102,6 +105,8 @@ class Constraints(Dynamics, ABC):
         *,
         tau: State | None = None,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
@@ -112,7 +117,7 @@ class Constraints(Dynamics, ABC):
             q, u: As :meth:`forward_dynamics` takes them, on the constraints.
             tau: Generalized applied forces (..., nu).
         """
-        return self._evaluate(("multipliers", None), (t, q, u, r, tau), parameters, out)
+        return self._evaluate(("multipliers", None), (t, q, u, r, tau, z, s), parameters, out)
 
     def close_position(
         self,
@@ -135,9 +140,11 @@ class Constraints(Dynamics, ABC):
         u: State,
         *,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """[u moved onto the constraints, their rates before] (..., nu + m); M is the metric."""
-        return self._evaluate(("close_velocity", None), (t, q, u, r), parameters, out)
+        return self._evaluate(("close_velocity", None), (t, q, u, r, z, s), parameters, out)

@@ -19,7 +19,7 @@ from .layout import NAMED, OPTIONAL, READS, SMOOTH
 from .wrenches import generalized, read_wrenches
 
 # in this order columns are computed; parameters and inputs by name follow
-BLOCKS = ("t", "q", "u", "r", "p", "udot", "tau")
+BLOCKS = ("t", "q", "u", "z", "r", "p", "udot", "tau")
 STANDARD = ("q", "u", "r", "p")
 # what a wrench on a frame can be felt through
 PUSHED = ("forward_dynamics", "inverse_dynamics")

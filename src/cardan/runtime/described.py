@@ -51,7 +51,7 @@ class Described(Derivatives):
     @property
     def frames(self) -> tuple[str, ...]:
         """Names of the frames that pose, velocity and others take."""
-        return tuple(row["name"] for row in self.manifest["frames"])
+        return tuple(self.part_of)
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -61,14 +61,14 @@ class Described(Derivatives):
     @property
     def part_of(self) -> dict[str, str | None]:
         """Frame -> the body it is fixed to, None for the ground."""
-        return {row["name"]: row.get("part") for row in self.manifest["frames"]}
+        return self._layout.part_of
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints: those of the tree, those that are cut, those that are fixed."""
         cut = self.manifest.get("cuts", [])
         moving = [row["name"] for row in (*self.manifest["joints"], *cut)]
-        return (*moving, *self.manifest["fixed"])
+        return (*dict.fromkeys(moving), *self.manifest["fixed"])
 
     @property
     def nq(self) -> int:
@@ -82,8 +82,33 @@ class Described(Derivatives):
 
     @property
     def nx(self) -> int:
-        """Length of the state x = [q, u]."""
-        return self.nq + self.nu
+        """Length of the state x = [q, u, z]."""
+        return self.nq + self.nu + self.nz
+
+    @property
+    def internals(self) -> tuple[str, ...]:
+        """Names of the internal states z of elements."""
+        return self._layout.internals
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """Names of the discrete states s of elements."""
+        return self._layout.modes
+
+    @property
+    def event_names(self) -> tuple[str, ...]:
+        """Names of everything that can happen to elements."""
+        return self._layout.events
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states."""
+        return len(self.internals)
+
+    @property
+    def ns(self) -> int:
+        """Number of discrete states."""
+        return len(self.modes)
 
     @property
     def nr(self) -> int:

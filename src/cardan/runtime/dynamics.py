@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC
+from abc import ABC, abstractmethod
 from typing import Any
 
 import numpy as np
@@ -23,23 +23,82 @@ class Dynamics(Kinematics, ABC):
         x: ArrayLike,
         r: State | None = None,
         *,
+        s: State | None = None,
         tau: State | None = None,
         wrenches: Values | None = None,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """Time derivative (..., nx) of the state x = [q, u], as SciPy's solvers want it."""
+        """Time derivative (..., nx) of the state x = [q, u, z], as SciPy's solvers want it."""
         if tau is None and wrenches is None:
-            return self._evaluate(("rhs", None), (t, x, r), parameters, out)
-        # the C of rhs knows no outer forces: qdot and udot one by one
-        q, u = self.split(x)
-        rest: dict[str, Any] = {"r": r, "t": t, "parameters": parameters}
-        rates = self.qdot(q, u, **rest)
+            return self._evaluate(("rhs", None), (t, x, r, s), parameters, out)
+        # the C of rhs knows no outer forces: udot again, with them
+        q, u, z = self.parts_of(x)
+        rest: dict[str, Any] = {"r": r, "z": z, "s": s, "t": t, "parameters": parameters}
         udot = self.forward_dynamics(q, u, tau=tau, wrenches=wrenches, **rest)
+        rates = self._evaluate(("rhs", None), (t, x, r, s), parameters, None)
         lead = np.broadcast_shapes(rates.shape[:-1], udot.shape[:-1])
-        both = [np.broadcast_to(a, (*lead, a.shape[-1])) for a in (rates, udot)]
-        result: Array = np.concatenate(both, axis=-1, out=out)
-        return result
+        result: Array = np.array(np.broadcast_to(rates, (*lead, rates.shape[-1])))
+        result[..., q.shape[-1] : q.shape[-1] + udot.shape[-1]] = udot
+        return into(result, out)
+
+    def events(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """A number for every event (..., ne): it happens where that falls through zero."""
+        return self._evaluate(("events", None), (t, q, u, r, z, s), parameters, out)
+
+    def transition(
+        self,
+        q: State,
+        u: State,
+        events: State,
+        *,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Speeds, internal states and modes behind events, [u, z, s] (..., nu + nz + ns).
+
+        Args:
+            events: 1 for every event that happens, else 0 (..., ne), or such numbers by name.
+        """
+        values = (t, q, u, r, z, s, events)
+        return self._evaluate(("transition", None), values, parameters, out)
+
+    def rhs_jacobian(
+        self,
+        t: ArrayLike,
+        x: ArrayLike,
+        r: State | None = None,
+        *,
+        s: State | None = None,
+        parameters: Values | None = None,
+    ) -> tuple[Array, Array, Array]:
+        """Partial derivatives of :meth:`rhs` by the state x as it is stored, by t and by inputs.
+
+        A unit quaternion counts by its direction alone: along itself nothing changes. Derivatives
+        along the speeds instead: ``derivative("rhs", wrt="q")``.
+
+        Returns:
+            d rhs / d x (..., nx, nx), d rhs / d t (..., nx), d rhs / d r (..., nx, nr).
+        """
+        flat = self._evaluate(("rhs_jacobian", None), (t, x, r, s), parameters, None)
+        lead, n = flat.shape[:-1], np.shape(x)[-1]
+        by_x, by_t, by_r = np.split(flat, [n * n, n * n + n], axis=-1)
+        return by_x.reshape(*lead, n, n), by_t, by_r.reshape(*lead, n, by_r.shape[-1] // max(n, 1))
 
     def forward_dynamics(
         self,
@@ -159,12 +218,14 @@ class Dynamics(Kinematics, ABC):
         u: State,
         *,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """f (..., nu): generalized forces of the model's force elements."""
-        return self._evaluate(("applied", None), (t, q, u, r), parameters, out)
+        return self._evaluate(("applied", None), (t, q, u, r, z, s), parameters, out)
 
     def power(
         self,
@@ -172,12 +233,14 @@ class Dynamics(Kinematics, ABC):
         u: State,
         *,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """Power [W] of everything that has no potential, one number per source."""
-        return self._evaluate(("power", None), (t, q, u, r), parameters, out)
+        return self._evaluate(("power", None), (t, q, u, r, z, s), parameters, out)
 
     def reaction(
         self,
@@ -188,6 +251,8 @@ class Dynamics(Kinematics, ABC):
         tau: State | None = None,
         wrenches: Values | None = None,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
@@ -197,12 +262,21 @@ class Dynamics(Kinematics, ABC):
         Args:
             joint: A joint with motion or a fixed one.
             tau, wrenches: As for :meth:`forward_dynamics`: the system accelerates under them.
+
+        Where redundant constraints leave it undetermined one of the possible wrenches comes out,
+        and a SolveWarning says so once for each joint; see ``model.redundancy(q)``.
         """
         block = None
         if wrenches is not None:
             outside.refuse_ground(self, wrenches, joint)
             block = outside.by_part(self, wrenches, q, r=r, t=t, parameters=parameters)
-        return self._evaluate(("reaction", joint), (t, q, u, r, tau, block), parameters, out)
+        found = self._evaluate(("reaction", joint), (t, q, u, r, tau, block, z, s), parameters, out)
+        self._doubt(joint, q, t, r)
+        return found
+
+    @abstractmethod
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where the reaction of a joint is not determined at states."""
 
     def outputs(
         self,
@@ -210,9 +284,11 @@ class Dynamics(Kinematics, ABC):
         u: State,
         *,
         r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
         t: ArrayLike = 0.0,
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
         """The declared outputs, then the forces of prescribed motions (..., ny)."""
-        return self._evaluate(("outputs", None), (t, q, u, r), parameters, out)
+        return self._evaluate(("outputs", None), (t, q, u, r, z, s), parameters, out)

@@ -57,6 +57,10 @@ class Evaluation(ABC):
         """A vector given as an array or by names, as an array."""
 
     @abstractmethod
+    def parts_of(self, x: ArrayLike) -> tuple[Array, Array, Array]:
+        """q, u and z of a state x."""
+
+    @abstractmethod
     def split(self, x: ArrayLike) -> tuple[Array, Array]:
         """q and u of a state x."""
 

@@ -12,14 +12,15 @@ from .calling import Argument, Array
 from .slots import SLOT
 
 READS = {
-    "rhs": "t x r",
+    "rhs": "t x r s",
+    "rhs_jacobian": "t x r s",
     "forward_dynamics": "t q u z s r tau",
     "inverse_dynamics": "t q u udot z s r",
     "mass_matrix": "t q r",
     "bias": "t q u r",
     "gravity": "t q r",
     "coriolis": "t q u r",
-    "applied": "t q u r",
+    "applied": "t q u r z s",
     "qdot": "t q u r",
     "energy": "t q u r",
     "pose": "t q r",
@@ -28,18 +29,23 @@ READS = {
     "frame_jacobian": "t q r",
     "com": "t q r",
     "momentum": "t q u r",
-    "reaction": "t q u r tau wrench",
-    "outputs": "t q u r",
-    "power": "t q u r",
+    "reaction": "t q u r tau wrench z s",
+    "outputs": "t q u r z s",
+    "power": "t q u r z s",
     "dependents": "t q u r",
     "constraints": "t q r",
-    "constraint_rates": "t q u r",
-    "constraint_jacobian": "t q r",
+    "constraint_rates": "t q u r z s",
+    "constraint_jacobian": "t q r s",
     "closure": "t q r",
     "facing": "t q r",
-    "multipliers": "t q u r tau",
+    "multipliers": "t q u r tau z s",
     "close_position": "t q r",
-    "close_velocity": "t q u r",
+    "close_velocity": "t q u r z s",
+    "events": "t q u r z s",
+    "transition": "t q u r z s e",
+    "balance": "t q u udot lam r z s",
+    "balance_tangent": "t q u udot lam r z s",
+    "move": "q du",
     "integrate": "q du",
     "difference": "q0 q",
 }
@@ -48,8 +54,9 @@ READS = {
 NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
 # arguments that have a default
 OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
-# functions that have derivatives
-SMOOTH = tuple(name for name in READS if name not in ("integrate", "difference"))
+# functions that have no derivatives: along increments, or derivatives themselves
+APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "difference")
+SMOOTH = tuple(name for name in READS if name not in APART)
 FUNCTIONS = (*READS, "derivative")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
@@ -70,7 +77,17 @@ class Layout:
         self.coordinates = tuple(row["name"] for row in manifest["coordinates"])
         self.speeds = tuple(row["name"] for row in manifest["speeds"])
         self.inputs = tuple(row["name"] for row in manifest["inputs"])
+        self.internals = tuple(row["name"] for row in manifest["z"])
+        self.modes = tuple(row["name"] for row in manifest["s"])
+        self.events = tuple(row["name"] for row in manifest.get("events", ()))
+        self.multipliers = tuple(row["name"] for row in manifest.get("multipliers", ()))
         self.parts = tuple(part for body in manifest["bodies"] for part in body["parts"])
+        # bodies without parts only stand for joints: their frames are nobody's
+        self.part_of = {
+            row["name"]: row.get("part")
+            for row in manifest["frames"]
+            if row.get("part") is not None or row["body"] == "ground"
+        }
 
     @cached_property
     def places(self) -> dict[str, dict[str, slice]]:
@@ -83,39 +100,53 @@ class Layout:
                 if size:
                     places.setdefault(joint["name"], slice(start, start + size))
         r = {name: slice(k, k + 1) for k, name in enumerate(self.inputs)}
-        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r}
+        own = {
+            block: {name: slice(k, k + 1) for k, name in enumerate(names)}
+            for block, names in self._own.items()
+        }
+        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | own
 
     def names(self, block: str) -> tuple[str, ...]:
         """Name of every entry of a block."""
-        if block in ("q", "q0"):
-            return self.coordinates
-        return self.inputs if block == "r" else self.speeds
+        own = {"q": self.coordinates, "q0": self.coordinates, "r": self.inputs} | self._own
+        return own.get(block, self.speeds)
+
+    @property
+    def _own(self) -> dict[str, tuple[str, ...]]:
+        """Blocks that only some systems have."""
+        own = {"z": self.internals, "s": self.modes, "e": self.events}
+        return own | {"lam": self.multipliers}
 
     def start(self, block: str) -> Array:
-        """Entries of a block that are not named: defaults of q and r, else zeros."""
-        rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs"}.get(block)
-        if rows is None:
-            return np.zeros(len(self.speeds))
-        return np.array([row["default"] or 0.0 for row in self.manifest[rows]], dtype=np.float64)
+        """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
+        rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs", "z": "z", "s": "s"}
+        if block not in rows:
+            return np.zeros(len(self.names(block)))
+        return np.array(
+            [row["default"] or 0.0 for row in self.manifest[rows[block]]], dtype=np.float64
+        )
 
     @cached_property
     def arguments(self) -> dict[str, Argument]:
         """Every argument by name."""
-        nq, nu, none = len(self.coordinates), len(self.speeds), np.zeros(0)
+        nq, nu, nz = len(self.coordinates), len(self.speeds), len(self.internals)
         wrench = tuple(f"{p}.{a}" for p in self.parts for a in AXES)
-        q_and_u = ((SLOT["q"], 0), (SLOT["u"], nq))
+        state = ((SLOT["q"], 0), (SLOT["u"], nq), *(((SLOT["z"], nq + nu),) if nz else ()))
+        names = self.coordinates + self.speeds + self.internals
         listed = [
             Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
-            Argument("x", (nq + nu,), self.coordinates + self.speeds, q_and_u, None, "entries"),
+            Argument("x", (nq + nu + nz,), names, state, None, "entries"),
             self._vector("q", "coordinates"),
             self._vector("q0", "coordinates"),
             self._vector("u", "speeds"),
             self._vector("udot", "accelerations of"),
             self._vector("du", "increments along"),
+            self._vector("lam", "multipliers"),
             self._vector("tau", "forces along", np.zeros(nu)),
             self._vector("r", "inputs", self.start("r")),
-            Argument("z", (0,), (), ((SLOT["z"], 0),), none),
-            Argument("s", (0,), (), ((SLOT["s"], 0),), none),
+            self._vector("z", "internal states", self.start("z")),
+            self._vector("s", "modes", self.start("s")),
+            self._vector("e", "events"),
             Argument(
                 "wrench",
                 (len(self.parts), 6),

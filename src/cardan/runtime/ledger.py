@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, final
 
@@ -87,10 +88,22 @@ class Ledger:
         return "\n".join(lines)
 
 
-def _unit(row: dict[str, Any], rate: bool) -> str:
-    """Unit of a residual from that of its multiplier: a force belongs to a length."""
-    unit = "m" if row["unit"] == "N" else "rad" if row["unit"] == "N*m" else ""
-    return f"{unit or '1'}/s" if rate else unit
+def residual_unit(row: Mapping[str, Any]) -> str:
+    """Unit of a residual, at the level where it holds first, from that of its multiplier.
+
+    Args:
+        row: Of the multipliers of the manifest: a force belongs to a length.
+    """
+    known = {"N": "m", "N*m": "rad"}.get(row["unit"])
+    if known is not None:
+        return known if row["level"] == "position" else f"{known}/s"
+    return str(row["unit"]).removeprefix("J").removeprefix("/(").removesuffix(")")
+
+
+def _unit(row: Mapping[str, Any], rate: bool) -> str:
+    """Unit of a residual or of its rate."""
+    unit = residual_unit(row)
+    return f"{unit or '1'}/s" if rate and row["level"] == "position" else unit
 
 
 class Drift(np.ndarray[Any, np.dtype[np.float64]]):

@@ -21,11 +21,11 @@ INSIDE = 0.9
 def random_state(
     manifest: dict[str, Any], rng: np.random.Generator, shape: tuple[int, ...] = ()
 ) -> Array:
-    """States x = [q, u] (*shape, nx).
+    """States x = [q, u, z] (*shape, nx).
 
     Angles fill their limits or +-pi, displacements their limits or +-1 m, rotations every
     direction up to an angle at which the parametrization is still regular; speeds +-1. Other
-    coordinates stay where their joint is regular.
+    coordinates stay where their joint is regular, internal states where they start.
     """
     rows = manifest["coordinates"]
     q = np.zeros((*shape, len(rows)))
@@ -43,7 +43,8 @@ def random_state(
         vector = direction * rng.uniform(0.1, kind.reach, (*shape, 1))
         q[..., start : start + kind.size] = kind.of_vector(vector)
     u = rng.uniform(-SPEED, SPEED, (*shape, len(manifest["speeds"])))
-    return np.concatenate([q, u], axis=-1)
+    z = [row["default"] for row in manifest["z"]]
+    return np.concatenate([q, u, np.broadcast_to(z, (*shape, len(z)))], axis=-1)
 
 
 def _rotations(manifest: dict[str, Any]) -> list[tuple[int, str]]:

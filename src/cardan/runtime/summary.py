@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .trajectory import Trajectory
 
 LISTED = 12
+AT_REST = 1e-9  # kinetic energy below this part of the others is that of rounding
 WIDTH = 92
 
 
@@ -35,8 +36,12 @@ def summary(motion: Trajectory) -> str:
         )
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
-    closed = bool(motion.manifest.get("multipliers"))
-    lines += _values("start", "assembled" if closed else "by default", rest)
+    inputs = {row["name"] for row in motion.manifest["inputs"]}
+    if motion.manifest.get("multipliers"):
+        # circuits determine coordinates and speeds; inputs keep what the scene says
+        lines += _values("start", "assembled", {n: v for n, v in rest.items() if n not in inputs})
+        rest = {n: v for n, v in rest.items() if n in inputs}
+    lines += _values("start", "by default", rest)
     lines += _energy(motion)
     lines += _constraints(motion)
     return "\n".join(lines)
@@ -70,7 +75,10 @@ def _energy(motion: Trajectory) -> list[str]:
     except CardanError as error:
         return [f"  drift     not known: {error}"]
     worst, scale = float(np.abs(drift).max()), float(np.abs(energy.kinetic).max())
-    relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if scale > 0 else ""
+    whole = max(float(np.abs(energy.potential).max()), *(abs(g).max() for g in motion.given.T), 0.0)
+    # what hardly moves has no kinetic energy to compare with
+    moving = scale > AT_REST * whole
+    relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if moving else " (at rest)"
     lines = [f"  drift     {worst:.1e} J of energy unaccounted for{relative}"]
     if motion.sources:
         work = {name: float(given[-1]) for name, given in motion.work.items()}

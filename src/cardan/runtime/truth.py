@@ -79,7 +79,9 @@ def truth_of(
     h, gravity = _biases(scene, q if bound is None else bound.q, u, motion, bound)
     f = None
     if "applied" in model.saved:
-        values = model._evaluate_saved("applied", t=np.array([TIME]), q=q, u=u, r=r, p=p)
+        given: dict[str, Any] = {block: model._layout.start(block) for block in ("z", "s")}
+        given |= {"t": np.array([TIME]), "q": q, "u": u, "r": r, "p": p}
+        values = model._evaluate_saved("applied", **given)
         f = np.broadcast_to(values["f"], h.shape)
     elif model.manifest["scene"].get("forces") == []:
         f = np.zeros_like(h)

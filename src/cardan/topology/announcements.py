@@ -49,9 +49,13 @@ def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> No
 
 
 def massless_tips(system: System) -> list[tuple[str, str]]:
-    """Bodies without any mass from there outward, with their joints; M is singular there."""
+    """Bodies without any mass from there outward, with their joints; M is singular there.
+
+    What a joint that closes a circuit holds is no tip.
+    """
     count = len(system.bodies)
-    heavy = [bool(b.mass or any(b.inertia)) for b in system.bodies]
+    held = {system.frames[f].body for c in system.closing for f in (c.parent_frame, c.child_frame)}
+    heavy = [bool(b.mass or any(b.inertia)) or i in held for i, b in enumerate(system.bodies)]
     for k in range(count - 1, -1, -1):
         parent = system.bodies[k].parent
         if heavy[k] and parent >= 0:

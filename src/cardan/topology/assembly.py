@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
+from ..elements.joints.fixed import Fixed
 from ..elements.joints.joint import Joint as JointElement
 from ..errors import TopologyError
 from ..ir.graph import ZERO
@@ -21,27 +21,9 @@ from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
 from .reference import Reference
-from .system import GROUND, Body, Closure, Cut, Frame, Joint, Nodes, Part
+from .rigid import ENTRIES, Rigid
+from .system import GROUND, Closure, Cut, Frame, Joint, Nodes, Part
 from .tree import Branch, Closing
-
-ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
-
-
-@dataclass
-class Rigid:
-    """A rigid body being assembled.
-
-    Attributes:
-        name: Of its first part.
-        parent: Number of the body it is jointed to.
-        parts: The bodies of the user in it.
-        index: Name of a part -> its number.
-    """
-
-    name: str
-    parent: int
-    parts: list[Part] = field(default_factory=list)
-    index: dict[str, int] = field(default_factory=dict)
 
 
 class Assembly:
@@ -163,12 +145,7 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             self.home[branch.outer] = (number, far_side.inverse(g))
             outer_side = inner.then(g, near_side)
-        self._label_place(joint.name, outer_side)
         self._part(branch, "", HERE)
-        element, data = joint.kind, self._data(joint)
-        check_coincidence(self.convert, joint.name, element, data)
-        if branch.reversed:
-            element, data = self._reversed(joint, data)
         frames = {
             role: self._joint_frame(
                 place,
@@ -178,24 +155,39 @@ class Assembly:
             for role, place in (("parent", joint.parent), ("child", joint.child))
         }
         near, far = ("child", "parent") if branch.reversed else ("parent", "child")
-        self.joint_number[joint.name] = number
-        self.joints.append(
-            Joint(
-                name=joint.name,
-                element=element,
-                data=data,
-                parent_frame=frames[near],
-                child_frame=frames[far],
-                rotation=outer_side.rotation,
-                position=outer_side.position,
-                q=-1,
-                u=-1,
-                q0=joint.q0,
-                u0=joint.u0,
-                limits=joint.limits,
-                reversed=branch.reversed,
-            )
+        made = self._moving(joint, frames[near], frames[far], outer_side)
+        self._enter(self._reversed(made) if branch.reversed else made)
+
+    def _moving(self, joint: UserJoint, near: int, far: int, place: Placement) -> Joint:
+        """A joint of the tree as declared, without slots.
+
+        Args:
+            joint: As the user wrote it.
+            near, far: Frames on the inner and the outer body.
+            place: The frame on the inner body.
+        """
+        element, data = joint.kind, self._data(joint)
+        check_coincidence(self.convert, joint.name, element, data)
+        self._label_place(joint.name, place)
+        return Joint(
+            name=joint.name,
+            element=element,
+            data=data,
+            parent_frame=near,
+            child_frame=far,
+            rotation=place.rotation,
+            position=place.position,
+            q=-1,
+            u=-1,
+            q0=joint.q0,
+            u0=joint.u0,
+            limits=joint.limits,
         )
+
+    def _enter(self, joint: Joint) -> None:
+        """The inboard joint of the last body."""
+        self.joint_number[joint.name] = len(self.joints)
+        self.joints.append(joint)
 
     def number(self, closures: Sequence[Closure]) -> None:
         """Slots of the joints that move freely, now that it is known which ones do not."""
@@ -215,17 +207,15 @@ class Assembly:
             self.nq += len(coordinates)
             self.nu += len(speeds)
 
-    def _reversed(
-        self, joint: UserJoint, data: dict[str, tuple[int, int, Nodes]]
-    ) -> tuple[JointElement, dict[str, tuple[int, int, Nodes]]]:
-        """Element and data of a joint whose child carries its parent."""
-        line = joint.kind.line
-        if not line:
-            return joint.kind.reversed(), data
-        # parameters are those of the direction as declared
-        rows, columns, nodes = data[line]
-        back = rows, columns, tuple(map(self.graph.neg, nodes))
-        return joint.kind.reversed(), data | {line: back}
+    def _reversed(self, joint: Joint) -> Joint:
+        """A joint whose child carries its parent."""
+        line, element = joint.element.line, joint.element.reversed()
+        data = joint.data
+        if line:
+            # parameters are those of the direction as declared
+            rows, columns, nodes = data[line]
+            data = data | {line: (rows, columns, tuple(map(self.graph.neg, nodes)))}
+        return motion.replaced(joint, element=element, data=data, reversed=True)
 
     def close(self, closing: Closing) -> None:
         """A joint of a circuit between bodies that are in the tree already."""
@@ -241,29 +231,52 @@ class Assembly:
                 self.home[place.body] for place in (joint.parent, joint.child)
             )
             places = [inner.then(g, sides[0]), outer.then(g, sides[1])]
-        base, path = self._circuit(parent, child)
-        if not path:
+        self.parent_side[joint.name] = sides[0]
+        if parent == child:
             raise TopologyError(
                 f"joint '{joint.name}' ({joint.kind.kind}) closes a circuit in which nothing "
                 f"moves: '{joint.parent.body.name}' and '{joint.child.body.name}' are fixed to "
                 "each other. Leave it out, or let another joint of the circuit move"
             )
-        data = self._data(joint)
-        self.cuts.append(
-            Cut(
-                name=joint.name,
-                element=joint.kind,
-                data=data,
-                parent_frame=self._joint_frame(
-                    joint.parent, f"{joint.name}.parent", parent, places[0]
-                ),
-                child_frame=self._joint_frame(joint.child, f"{joint.name}.child", child, places[1]),
-                base=base,
-                path=path,
-                rows=tuple(range(len(joint.kind.held))),
-                reason=closing.reason,
-            )
+        near = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, places[0])
+        far = self._joint_frame(joint.child, f"{joint.name}.child", child, places[1])
+        if closing.carried:
+            carrier = self._carry(joint, parent, near, places[0])
+            self._cut(closing, Fixed(), {}, (self.joints[carrier].child_frame, far), carrier)
+        else:
+            self._cut(closing, joint.kind, self._data(joint), (near, far))
+
+    def _carry(self, joint: UserJoint, parent: int, near: int, place: Placement) -> int:
+        """Number of a new body without mass, which a joint moves in place of its child."""
+        number, name = len(self.bodies), self._unwritten(f"{joint.name}.carried")
+        self.bodies.append(Rigid(name, parent))
+        far = self._number(name, name, number, 0, HERE)
+        self._enter(self._moving(joint, near, far, place))
+        return number
+
+    def _cut(
+        self,
+        closing: Closing,
+        element: JointElement,
+        data: dict[str, tuple[int, int, Nodes]],
+        frames: tuple[int, int],
+        carrier: int | None = None,
+    ) -> None:
+        """What closes a circuit between two frames."""
+        base, path = self._circuit(*(self.frames[frame].body for frame in frames))
+        cut = Cut(
+            name=closing.joint.name,
+            element=element,
+            data=data,
+            parent_frame=frames[0],
+            child_frame=frames[1],
+            base=base,
+            path=path,
+            rows=tuple(range(len(element.held))),
+            reason=closing.reason,
+            carrier=carrier,
         )
+        self.cuts.append(cut)
 
     def _circuit(self, parent: int, child: int) -> tuple[int, tuple[tuple[int, int], ...]]:
         """Where the branches to two bodies part, and the joints from there, with their signs."""
@@ -317,23 +330,6 @@ class Assembly:
         rigid.parts.append(
             Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
         )
-
-    def body(self, rigid: Rigid) -> Body:
-        """Sums over the parts."""
-        g, parts = self.graph, rigid.parts
-        first = parts[0]
-        mass, moment, inertia = first.mass, first.first_moment, first.inertia
-        with g.made_by(rigid.name, "mass"):
-            for part in parts[1:]:
-                mass = g.add(mass, part.mass)
-                moment = tuple(map(g.add, moment, part.first_moment))
-                inertia = tuple(map(g.add, inertia, part.inertia))
-        g.label(mass, rigid.name, "mass")
-        for axis, node in zip("xyz", moment, strict=True):
-            g.label(node, rigid.name, f"first_moment_{axis}")
-        for key, node in zip(ENTRIES, (inertia[k] for k in (0, 1, 2, 4, 5, 8)), strict=True):
-            g.label(node, rigid.name, f"inertia_{key}")
-        return Body(rigid.name, rigid.parent, mass, moment, inertia, tuple(parts))
 
     def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
         """A new frame of the system."""

@@ -10,7 +10,7 @@ from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..model.model import Model
 from ..model.origins import located
-from . import announcements, motion
+from . import announcements, internals, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
 from .circuits import independent
@@ -71,11 +71,17 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # the tree: bodies, frames, joints and their slots
     assembly = Assembly(scene, convert, rotors.place)
+    carried = {joint.joint.name for joint in closing if joint.carried}
+    # rotors sit where the joints do that they drive
+    late = [branch for branch in tree if rotors.place.get(branch.joint.name) in carried]
     for branch in tree:
-        assembly.add(branch)
-    assembly.couple()
+        if branch not in late:
+            assembly.add(branch)
     for joint in closing:
         assembly.close(joint)
+    for branch in late:
+        assembly.add(branch)
+    assembly.couple()
     parents = [rigid.parent for rigid in assembly.bodies]
     cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
     closures: tuple[Closure, ...] = ()
@@ -91,12 +97,13 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
 
     # what expressions may speak of, then the expressions
     convert.moving = True
+    places = internals.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
-    forces = tuple([_force(model, assembly, name) for name in scene.forces])
+    forces = tuple([_force(model, assembly, name, places[name]) for name in scene.forces])
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
-    bodies = tuple([assembly.body(rigid) for rigid in assembly.bodies])
+    bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
     made = System(
         name=scene.name,
@@ -133,6 +140,9 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     convert = assembly.convert
     atoms: dict[str, Atom] = {}
     for name, entry in scene.atoms.items():
+        if entry.quantity == "state":
+            internals.check_state(name, scene, convert)
+            continue
         if entry.quantity in ("q", "u"):
             number = assembly.joint_number.get(entry.place)
             if number is None:
@@ -156,21 +166,21 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     return atoms
 
 
-def _force(model: Model, assembly: Assembly, name: str) -> Force:
-    """A force element with its data, frames and joints found."""
+def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
+    """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
-    units = [assembly.joints[j].element.coordinates[0].unit for j in joints.values()]
+    sliding = internals.slides(assembly.joints, joints.values())
     with convert.graph.made_by(name, "data"):
         data = {
-            key: convert.quantity(entry, _dotted(name, key), sliding="m" in units)
+            key: convert.quantity(entry, _dotted(name, key), sliding)
             for key, entry in element.quantities().items()
         }
         frames = {
             role: assembly.frame(model.place(f"force '{name}'", place, role), f"{name}.{role}")
             for role, place in element.frames().items()
         }
-    return Force(name, element, data, frames, joints)
+    return Force(name, element, data, frames, joints, *slots)
 
 
 def _dotted(owner: str, quantity: str) -> str:

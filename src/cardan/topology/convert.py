@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from ..elements.quantity import Quantity
+from ..elements.quantity import Quantity, written_unit
 from ..elements.written import TOO_DEEP
 from ..errors import ModelError, near
 from ..ir.function import Function, Output
@@ -191,7 +191,7 @@ class Converter:
             sliding: It belongs to a joint that slides: of a unit with two forms, such as
                 "N*m*s/rad|N*s/m", the second holds.
         """
-        unit = quantity.unit.split("|")[-1 if sliding else 0]
+        unit = written_unit(quantity.unit, sliding)
         with self._local(quantity.local):
             return self._rows(quantity, name, unit)
 

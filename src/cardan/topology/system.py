@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..elements.forces.force import ForceElement
+from ..elements.internal import Event
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import Graph
 
@@ -88,6 +89,8 @@ class Body:
     Attributes:
         name: Name of its first part.
         parent: Body it is jointed to, -1 for the ground.
+        parts: Bodies of the user; none where it only stands for the far side of a joint that closes
+            a circuit with coordinates of its own.
         mass, first_moment, inertia: Sums over its parts, or what the equations of motion need of
             them where inertia was regrouped.
         second_moment: The integral of x xᵀ dm (9) where regrouping gave it; else it follows from
@@ -192,6 +195,9 @@ class Cut:
             of the circuit; the others hold by themselves.
         reason: Why this joint was cut.
         group: What the circuit moves in: "planar", "spherical" or "".
+        carrier: Number of the tree joint of this name: it keeps its coordinates and moves a body
+            without mass or parts, which ``element`` holds on the child. None where the joint
+            itself is ``element``.
     """
 
     name: str
@@ -204,6 +210,7 @@ class Cut:
     rows: tuple[int, ...]
     reason: str = ""
     group: str = ""
+    carrier: int | None = None
 
 
 @dataclass(frozen=True)
@@ -227,13 +234,19 @@ class Closure:
 
 @dataclass(frozen=True)
 class Force:
-    """A force element with its data converted; frames and joints by number."""
+    """A force element with its data converted; frames and joints by number.
+
+    ``z``, ``s``, ``e``: its first slots among internal states, modes and events.
+    """
 
     name: str
     element: ForceElement
     data: dict[str, tuple[int, int, Nodes]]
     frames: dict[str, int]
     joints: dict[str, int]
+    z: int = 0
+    s: int = 0
+    e: int = 0
 
 
 @dataclass(frozen=True)
@@ -305,7 +318,8 @@ class System:
     @property
     def moving_joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, then of those that are cut."""
-        return (*(joint.name for joint in self.joints), *(cut.name for cut in self.closing))
+        cuts = (cut.name for cut in self.closing)
+        return tuple(dict.fromkeys([*(joint.name for joint in self.joints), *cuts]))
 
     @property
     def closing(self) -> tuple[Cut, ...]:
@@ -316,7 +330,23 @@ class System:
     def closed(self) -> bool:
         """Whether its speeds are bound by anything beyond the tree."""
         rolling = any(joint.element.slips for joint in self.joints)
-        return bool(self.cuts or self.constraints) or rolling
+        holding = any(force.element.holding() for force in self.forces)
+        return bool(self.cuts or self.constraints) or rolling or holding
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states of elements."""
+        return sum(len(force.element.internals()) for force in self.forces)
+
+    @property
+    def ns(self) -> int:
+        """Number of modes of elements."""
+        return sum(len(force.element.modes()) for force in self.forces)
+
+    @property
+    def events(self) -> tuple[tuple[Force, Event], ...]:
+        """Everything that can happen, with the element it happens to."""
+        return tuple((force, event) for force in self.forces for event in force.element.events())
 
     def depth(self) -> int:
         """Number of joints on the longest path from the ground."""

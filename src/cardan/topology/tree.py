@@ -38,11 +38,13 @@ class Closing:
         joint: The joint.
         ring: All joints of the circuit, itself included.
         reason: Why this one was cut.
+        carried: Its coordinates are wanted: it keeps them.
     """
 
     joint: Joint
     ring: tuple[Joint, ...]
     reason: str
+    carried: bool = False
 
 
 def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
@@ -67,7 +69,7 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
 
 
 def keep(model: Model) -> dict[str, str]:
-    """Joints whose coordinates are wanted, and so are not cut: name -> why."""
+    """Joints whose coordinates are wanted, and so are cut last: name -> why."""
     found: dict[str, str] = {}
     for joint in model.joints.values():
         if joint.motion is not None:
@@ -75,8 +77,8 @@ def keep(model: Model) -> dict[str, str]:
         elif joint.couple is not None:
             found[joint.name] = f"it follows '{joint.couple.leader}'"
             found.setdefault(joint.couple.leader, f"joint '{joint.name}' follows it")
-        elif not joint.kind.cuttable:
-            found[joint.name] = "a joint of this kind has no closing condition of its own"
+        elif joint.kind.closes_by_coordinates:
+            found[joint.name] = "a joint of this kind closes circuits by its coordinates"
     for force in model.forces.values():
         for name in force.element.joints().values():
             found.setdefault(name, f"force '{force.name}' acts on its coordinate")
@@ -120,7 +122,7 @@ def _grow(model: Model, joints: Collection[Joint]) -> tuple[list[Branch], list[J
 
 
 def freedoms(joint: Joint, kept: Container[str]) -> int:
-    """Speeds that a joint adds to the tree; -1 where it must not be cut."""
+    """Speeds that a joint adds to the tree; -1 where cutting it would save none."""
     return -1 if joint.name in kept else len(joint.kind.speeds)
 
 
@@ -176,27 +178,13 @@ def _closes(branches: list[Branch], joint: Joint) -> bool:
 
 
 def _closing(branches: list[Branch], joint: Joint, kept: Mapping[str, str]) -> Closing:
-    """What a joint closes, and why it was cut.
-
-    Raises:
-        TopologyError: it must not be cut.
-    """
+    """What a joint closes, and why it was cut."""
     ring = tuple(loop(branches, joint))
-    who = f"joint '{joint.name}' ({joint.kind.kind})"
-    if joint.cut and joint.name in kept:
-        raise TopologyError(
-            f"{who}: cut=True, but {kept[joint.name]}; a cut joint has no coordinate. Cut another "
-            f"joint of its circuit: {', '.join(repr(j.name) for j in ring if j is not joint)}"
-        )
+    carried = joint.name in kept and bool(joint.kind.coordinates)
     if joint.cut:
-        return Closing(joint, ring, "cut=True asks for it")
+        return Closing(joint, ring, "cut=True asks for it", carried)
     if joint.name in kept:
-        held = "; ".join(f"'{j.name}': {kept[j.name]}" for j in ring)
-        raise TopologyError(
-            f"{who} closes a circuit of joints of which none can be cut: {held}. Make another "
-            "joint of the circuit one that can, such as a Revolute or Spherical without force or "
-            "prescribed motion"
-        )
+        return Closing(joint, ring, "the coordinates of all joints here are wanted", carried)
     count = freedoms(joint, kept)
     others = [j for j in ring if j is not joint and freedoms(j, kept) >= count]
     freest = f"{count} freedoms less" if count != 1 else "1 freedom less"
@@ -210,7 +198,7 @@ def rooted_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     """The spanning tree of a model in which all bodies hang on the ground.
 
     Raises:
-        TopologyError: a body that nothing joins to the ground, or a circuit that cannot be cut.
+        TopologyError: a body that nothing joins to the ground.
     """
     branches, closing = spanning_tree(model)
     reached = {branch.outer for branch in branches}

@@ -29,7 +29,7 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
     lengths = [length for length in lengths if length > 0]
     radius = THICK * float(np.mean(lengths)) if lengths else 0.02
     bodies = []
-    for k, body in enumerate(manifest["bodies"]):
+    for k, body in _bodies(manifest):
         name = str(body["name"])
         solids = _shapes(motion, name)
         if not solids:
@@ -38,6 +38,11 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
         bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
     ground = _shapes(motion, "ground") or [_link(a, b, radius) for a, b in links["ground"]]
     return {"name": manifest["name"], "bodies": bodies, "ground": ground}
+
+
+def _bodies(manifest: Mapping[str, Any]) -> list[tuple[int, Mapping[str, Any]]]:
+    """Number and row of every body; those without parts only stand for joints."""
+    return [(k, body) for k, body in enumerate(manifest["bodies"]) if body["parts"]]
 
 
 def _poses(motion: Trajectory, body: str) -> list[list[float]]:
@@ -52,14 +57,15 @@ def _poses(motion: Trajectory, body: str) -> list[list[float]]:
 def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
     """Straight links in body axes: from the inboard joint to every outboard one, or to the tip."""
     manifest = motion.manifest
-    links: dict[str, list[tuple[Array, Array]]] = {str(b["name"]): [] for b in manifest["bodies"]}
+    bodies = _bodies(manifest)
+    links: dict[str, list[tuple[Array, Array]]] = {str(body["name"]): [] for _, body in bodies}
     links["ground"] = []
     names = [row["name"] for row in manifest["frames"]]
     position = np.reshape(motion.scene["position"], (-1, 3))
-    for k, body in enumerate(manifest["bodies"]):
+    for k, body in bodies:
         if manifest["joints"][k]["kind"] not in LOOSE:
             links[str(body["parent"])].append((np.zeros(3), position[k]))
-    for k, body in enumerate(manifest["bodies"]):
+    for k, body in bodies:
         rows = links[str(body["name"])]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or twice the way to its center of mass

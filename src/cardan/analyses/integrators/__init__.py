@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 from ..integrator import Integrator
-from . import dop853, midpoint, rk4, rk45, rkmk4, rkmk45, rkmk853
+from . import (
+    dop853,
+    generalized_alpha,
+    hht,
+    midpoint,
+    newmark,
+    radau,
+    rk4,
+    rk45,
+    rkmk4,
+    rkmk45,
+    rkmk853,
+    rosenbrock,
+)
 
 EXPLICIT = (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4)
-IMPLICIT = (midpoint,)
+IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark, midpoint)
 INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (*EXPLICIT, *IMPLICIT)}
 
 __all__ = ["INTEGRATORS", "Integrator"]

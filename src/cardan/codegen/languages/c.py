@@ -36,7 +36,10 @@ FEW = 4
 
 # what stands below is about states: several of them side by side, if the compiler is told so
 LANES = '#include "lanes.h"'
-BLOCKS = tuple("t q u z s r w udot zdot lam tau wrench du q0 e".split())
+BLOCKS = (
+    *("t", "q", "u", "z", "s", "r", "w"),
+    *("udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"),
+)
 SIGNATURES = {
     "function": "CARDAN_API int {}(const cardan_in *in, real *CARDAN_RESTRICT out,"
     " real *CARDAN_RESTRICT work)",

@@ -1,15 +1,37 @@
 """The force elements, by kind."""
 
+from .actuator import Actuator
+from .contact import Contact
+from .controller import Controller
 from .damping import Damping
 from .drive import Drive
 from .force import ForceElement
 from .force_on_frame import Force
+from .friction import Friction
 from .joint_force import JointForce
+from .lock import Lock
 from .spring_damper import SpringDamper
+from .stop import Stop
 from .torque import Torque
 from .torsion_spring import TorsionSpring
+from .watch import Watch
 
 FORCES: dict[str, type[ForceElement]] = {
     element.kind: element
-    for element in (Force, Torque, SpringDamper, TorsionSpring, JointForce, Damping, Drive)
+    for element in (
+        Force,
+        Torque,
+        SpringDamper,
+        TorsionSpring,
+        JointForce,
+        Damping,
+        Drive,
+        Actuator,
+        Controller,
+        Friction,
+        Stop,
+        Lock,
+        Contact,
+        Watch,
+    )
 }

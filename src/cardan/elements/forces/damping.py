@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number
-from .force import Action, ForceElement, JointLoad, Motion
+from .force import Action, ForceElement, JointLoad, Places
 
 
 @dataclass(frozen=True)
@@ -42,13 +40,8 @@ class Damping(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, joints = at.motion, at.data, at.joints
         joint = joints["joint"]
         drag = -(motion.u(joint) * data["damping"][0])
         return () if drag.is_zero else (Action(joint_loads=(JointLoad(joint, drag),)),)

@@ -11,7 +11,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number
-from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
+from .force import Action, ForceElement, JointLoad, Motion, Places, constant, one_coordinate
 
 
 @dataclass(frozen=True)
@@ -128,13 +128,8 @@ class Drive(ForceElement):
         ratio = data["ratio"][0]
         return {"joint": data["inertia"] * (ratio * ratio)}
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, joints = at.motion, at.data, at.joints
         joint, ratio = joints["joint"], data["ratio"][0]
         q, u = one_coordinate(motion, joint, f"drive on joint '{self.joint}'")
         torque, friction = data["torque"][0], data["friction"][0]

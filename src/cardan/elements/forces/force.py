@@ -12,6 +12,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ..internal import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
 from ..quantity import Quantity
 
 
@@ -65,11 +66,36 @@ class Action:
     potential: Scalar | None = None
 
 
+@dataclass(frozen=True)
+class Places:
+    """Where an element acts and what it keeps.
+
+    Attributes:
+        motion: The moving system.
+        data: Its quantities by name.
+        frames, joints: Numbers of its frames and joints, by role.
+        z: Its internal states (their number, 1).
+        s: Its modes (their number, 1).
+        pressing: What stands for the force that follows from the reaction of its joint; None where
+            the element is not :attr:`ForceElement.pressed`.
+    """
+
+    motion: Motion
+    data: Mapping[str, Matrix]
+    frames: Mapping[str, int]
+    joints: Mapping[str, int]
+    z: Matrix
+    s: Matrix
+    pressing: Scalar | None = None
+
+
 class ForceElement(ABC):
     """A force between frames or along joints.
 
     An element with a conservative and another part returns two actions, the first with its
-    potential, so that the energy ledger can tell stored from lost.
+    potential, so that the energy ledger can tell stored from lost. One that keeps something
+    itself says so by :meth:`internals` and :meth:`modes`, and what becomes of it by
+    :meth:`rates`, :meth:`signs` and :meth:`change`.
     """
 
     kind: ClassVar[str]
@@ -88,14 +114,58 @@ class ForceElement(ABC):
         return {}
 
     @abstractmethod
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
         """Its actions, in ground axes."""
+
+    @property
+    def pressed(self) -> bool:
+        """Whether it has a force that follows from the reaction of its joint."""
+        return False
+
+    def pressing(self, at: Places) -> Scalar:
+        """That force per force of reaction across the line of the joint."""
+        raise TypeError(f"{self.kind} has no force that follows from a reaction")
+
+    # what it keeps itself
+
+    def internals(self) -> tuple[Internal, ...]:
+        """Its continuous internal states."""
+        return ()
+
+    def modes(self) -> tuple[Mode, ...]:
+        """Its discrete states."""
+        return ()
+
+    def events(self) -> tuple[Event, ...]:
+        """What can happen to it."""
+        return ()
+
+    def holding(self) -> tuple[tuple[str, str], ...]:
+        """Names and units of the velocities that it holds in some modes."""
+        return ()
+
+    def rates(self, at: Places) -> Matrix:
+        """Time derivatives of its internal states (their number, 1)."""
+        return at.z
+
+    def holds(self, at: Places) -> tuple[Hold, ...]:
+        """The velocities that :meth:`holding` names."""
+        return ()
+
+    def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        """A number for each of its events, which happens where that falls through zero.
+
+        What cannot happen in the present mode, and every tick, has the value 1.
+        """
+        return ()
+
+    def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
+        """Jumps of velocities at events; also those that it bears at events of others."""
+        return ()
+
+    def change(self, at: Places, jumped: Jumped) -> Change:
+        """What becomes of its own states at events, its own and those of others."""
+        return Change()
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         """Inertia (nu, nu) it adds to the speeds of a joint, by role; such as a geared rotor."""

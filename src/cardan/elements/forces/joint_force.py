@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -10,7 +10,7 @@ from ...errors import ModelError
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number, vector
-from .force import Action, ForceElement, JointLoad, Motion
+from .force import Action, ForceElement, JointLoad, Places
 
 
 @dataclass(frozen=True)
@@ -50,13 +50,8 @@ class JointForce(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, joints = at.motion, at.data, at.joints
         joint, force = joints["joint"], data["force"]
         speeds = motion.u(joint).rows
         if force.rows * force.columns != speeds:

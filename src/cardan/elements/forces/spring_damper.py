@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -10,7 +9,7 @@ from ...ir.arithmetic import Scalar, norm, select
 from ...ir.matrix import Matrix
 from ..quantity import Place, Quantity
 from ..written import number
-from .force import Action, ForceElement, Load, Motion, constant
+from .force import Action, ForceElement, Load, Motion, Places, constant
 
 
 @dataclass(frozen=True)
@@ -57,13 +56,8 @@ class SpringDamper(ForceElement):
     def frames(self) -> dict[str, Any]:
         return {"a": self.frame_a, "b": self.frame_b}
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, frames = at.motion, at.data, at.frames
         a, b = frames["a"], frames["b"]
         span = motion.position(b) - motion.position(a)
         stiffness, damping, free = (data[n][0] for n in ("stiffness", "damping", "length"))

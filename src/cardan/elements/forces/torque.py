@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ..quantity import Place, Quantity
 from ..written import vector
-from .force import Action, ForceElement, Load, Motion
+from .force import Action, ForceElement, Load, Places
 
 
 @dataclass(frozen=True)
@@ -42,13 +41,8 @@ class Torque(ForceElement):
     def frames(self) -> dict[str, Any]:
         return {"frame": self.frame} | ({} if self.in_ is None else {"in_": self.in_})
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, frames = at.motion, at.data, at.frames
         torque = data["torque"]
         if "in_" in frames:
             torque = motion.rotation(frames["in_"]) @ torque

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number
-from .force import Action, ForceElement, JointLoad, Motion, constant, one_coordinate
+from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
 
 
 @dataclass(frozen=True)
@@ -53,13 +52,8 @@ class TorsionSpring(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
-    def act(
-        self,
-        motion: Motion,
-        data: Mapping[str, Matrix],
-        frames: Mapping[str, int],
-        joints: Mapping[str, int],
-    ) -> tuple[Action, ...]:
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, joints = at.motion, at.data, at.joints
         joint = joints["joint"]
         q, u = one_coordinate(motion, joint, f"torsion_spring on joint '{self.joint}'")
         stiffness, damping, rest = (data[n][0] for n in ("stiffness", "damping", "rest"))

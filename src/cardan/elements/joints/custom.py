@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, TopologyError
+from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select, sqrt
 from ...ir.derivative import forward
 from ...ir.graph import ONE
@@ -119,19 +119,9 @@ class Custom(Joint):
             basis = basis - (basis @ v) @ v.T * factor
         return basis.block(slice(None), slice(s.columns, 6))
 
-    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        raise TopologyError(
-            "a Custom joint cannot close a circuit, because its pose is known by its coordinates "
-            "only; choose another joint of the loop to cut"
-        )
-
     @property
-    def held(self) -> tuple[Component, ...]:
-        return ()
-
-    @property
-    def cuttable(self) -> bool:
-        return False
+    def closes_by_coordinates(self) -> bool:
+        return True
 
 
 def _row(i: int, row: Any) -> tuple[Any, ...]:

@@ -51,10 +51,3 @@ class Free(Guided):
 
     def bend(self, c: Matrix, rate: Matrix, **data: Matrix) -> Matrix:
         return Matrix.zeros(c.graph, 3)
-
-    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        return Matrix.zeros(R.graph, 0)
-
-    @property
-    def held(self) -> tuple[Component, ...]:
-        return ()

@@ -6,6 +6,7 @@ from abc import abstractmethod
 
 from ...ir.matrix import Matrix
 from ...spatial.rotations import Rotation, parametrization
+from ...spatial.tangent import tangent
 from .joint import Component, Joint
 
 
@@ -98,6 +99,13 @@ class Guided(Joint):
     def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
         (rotation0, c0), (rotation1, c1) = self.split(q0), self.split(q1)
         return Matrix.vstack(self.parameters.difference(rotation0, rotation1), c1 - c0)
+
+    def tangent(self, du: Matrix) -> Matrix:
+        turn, n = tangent(self.split(du)[0]), len(du)
+        nodes = list(Matrix.identity(du.graph, n).nodes)
+        for i in range(3):
+            nodes[i * n : i * n + 3] = turn.row(i)
+        return Matrix(du.graph, n, n, nodes)
 
     @property
     def quaternion(self) -> int | None:

@@ -64,7 +64,8 @@ class Joint(ABC):
 
     All methods work on expressions; ``data`` are the quantities of :meth:`quantities`, converted.
     6-vectors have the angular part first. In the spanning tree a joint adds its motion
-    (``pose``, ``motion``); where it closes a circuit it holds the rest (``closure``, ``slip``).
+    (``pose``, ``motion``); where it closes a circuit it holds the rest (``closure``, ``slip``), or
+    the child at the pose of its coordinates.
     """
 
     kind: ClassVar[str]
@@ -125,10 +126,14 @@ class Joint(ABC):
         """The du with integrate(q0, du) = q1; by default q1 - q0."""
         return q1 - q0
 
-    @abstractmethod
+    def tangent(self, du: Matrix) -> Matrix:
+        """T: a change of du moves integrate(q, du) along the speeds by T times it; by default 1."""
+        return Matrix.identity(du.graph, len(du))
+
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         """What must vanish where the joint closes a circuit: residuals of a relative pose.
 
+        Nothing, the default, of a joint that :attr:`closes_by_coordinates`.
         They are smooth and of full rank at every pose the joint allows. They may vanish at
         isolated other branches, such as an axis turned round, which :meth:`facing` tells apart.
 
@@ -138,18 +143,16 @@ class Joint(ABC):
 
         Returns:
             (m, 1), m = 6 minus the number of speeds, rotations [rad] before lengths [m].
-
-        Raises:
-            TopologyError: the joint is not :attr:`cuttable`.
         """
+        return Matrix.zeros(R.graph, 0)
 
     @property
-    @abstractmethod
     def held(self) -> tuple[Component, ...]:
         """Names and units of the rows of :meth:`closure`.
 
         The multiplier of a row in rad is a torque [N m], of a row in m a force [N].
         """
+        return ()
 
     def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         """Numbers (k, 1) that are positive at every pose the joint allows, while one of them is
@@ -157,9 +160,10 @@ class Joint(ABC):
         return Matrix.zeros(R.graph, 0)
 
     @property
-    def cuttable(self) -> bool:
-        """Whether the joint can close a circuit."""
-        return True
+    def closes_by_coordinates(self) -> bool:
+        """Whether a pose alone does not say if the joint allows it: it keeps its coordinates where
+        it closes a circuit."""
+        return False
 
     @property
     def coincident(self) -> bool:
@@ -266,8 +270,8 @@ class Reversed(Joint):
         return self.element.facing(*_inverse(R, p), **data)
 
     @property
-    def cuttable(self) -> bool:
-        return self.element.cuttable
+    def closes_by_coordinates(self) -> bool:
+        return self.element.closes_by_coordinates
 
     @property
     def coincident(self) -> bool:
@@ -309,6 +313,9 @@ class Reversed(Joint):
 
     def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
         return self.element.difference(q0, q1, **data)
+
+    def tangent(self, du: Matrix) -> Matrix:
+        return self.element.tangent(du)
 
     @property
     def quaternion(self) -> int | None:

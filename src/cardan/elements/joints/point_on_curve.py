@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from typing import Any, ClassVar
 
-from ...errors import ModelError, TopologyError
+from ...errors import ModelError
 from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
@@ -99,19 +99,9 @@ class PointOnCurve(Guided):
     def bend(self, c: Matrix, rate: Matrix, **data: Matrix) -> Matrix:
         return self._derivative(2, c, data) * (rate[0] * rate[0])
 
-    def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        raise TopologyError(
-            "a PointOnCurve joint cannot close a circuit, because a place alone does not say "
-            "where on the curve it belongs; choose another joint of the loop to cut"
-        )
-
     @property
-    def held(self) -> tuple[Component, ...]:
-        return ()
-
-    @property
-    def cuttable(self) -> bool:
-        return False
+    def closes_by_coordinates(self) -> bool:
+        return True
 
 
 def _points(given: Any, closed: bool) -> tuple[tuple[float, ...], ...]:

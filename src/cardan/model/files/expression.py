@@ -21,7 +21,7 @@ LARGEST_EXPONENT = 1000
 MOST_BITS = 2000
 
 # words that take names: coordinates and speeds of joints, motion of frames
-MOTION = ("q", "u", "position", "velocity", "acceleration", "angular_velocity", "rotation")
+MOTION = ("q", "u", "state", "position", "velocity", "acceleration", "angular_velocity", "rotation")
 AGAINST = ("wrt", "in")
 RELATIONS = {"<": "Lt", "<=": "Le", ">": "Gt", ">=": "Ge", "==": "Eq", "!=": "Ne"}
 _SAME = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log sqrt sign floor atan2"
@@ -264,7 +264,7 @@ class _Parser:
     def motion(self, token: Token) -> Any:
         """``q(elbow)``, ``velocity(tip).x``, ``velocity(tip wrt base in cart).x``."""
         name = self.name()
-        if token.text in ("q", "u"):
+        if token.text in ("q", "u", "state"):
             self.close(token)
             return self.moving(token, (token.text, name))
         against: dict[str, str | None] = dict.fromkeys(AGAINST)

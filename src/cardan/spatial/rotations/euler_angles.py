@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import product
 from typing import ClassVar
@@ -120,6 +121,15 @@ class EulerAngles(Rotation):
         row = elementary(i, cos(first), sin(first)).T @ R
         last = atan2(row[j, m] * -p, row[j, j]) if self.proper else atan2(row[j, i] * p, row[j, j])
         return self._written(first, middle, last)
+
+    def integrate(self, q: Matrix, du: Matrix) -> Matrix:
+        """Angles within half a turn of the former ones: a motion goes on through pi."""
+        angles = super().integrate(q, du)
+        rows = []
+        for before, after in zip(q, angles, strict=True):
+            turns = ((before - after) * (0.5 / math.pi) + 0.5).apply("floor")
+            rows.append(after + turns * (2 * math.pi))
+        return Matrix.vector(q.graph, rows)
 
     def margin(self, q: Matrix) -> Scalar:
         return (sin(q[1]) if self.proper else cos(q[1])).apply("abs")

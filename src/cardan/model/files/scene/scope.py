@@ -63,9 +63,9 @@ class Names(Mapping[str, Any]):
         call = f"{self.where}: {quantity}({name[:80]})"
         if self.level < MOVING.value:
             raise ModelError(f"{call}: this value cannot depend on the motion")
-        if quantity in ("q", "u"):
+        if quantity in ("q", "u", "state"):
             try:
-                return self.model.q(name) if quantity == "q" else self.model.u(name)
+                return getattr(self.model, quantity)(name)
             except ModelError as problem:
                 raise ModelError(f"{self.where}: {problem}") from problem
         component, *others = words

@@ -128,6 +128,8 @@ class Words:
 
     def _motion(self, entry: Placeholder) -> str:
         """``q(elbow)``, ``velocity(tip wrt base).x``."""
+        if entry.quantity == "state":
+            return f"state({quoted(str(entry.place))})"
         if entry.quantity in ("q", "u"):
             component = f".{entry.component}" if entry.component else ""
             return f"{entry.quantity}({quoted(entry.place + component)})"

@@ -1,0 +1,225 @@
+"""The generalized-alpha family: its coefficients and the methods of named authors.
+
+Source: J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993), 371-375; H. M. Hilber, T. J. R. Hughes,
+R. L. Taylor, Earthquake Eng. Struct. Dyn. 5 (1977), 283-292; N. M. Newmark, J. Eng. Mech. Div. 85
+(1959); M. Arnold, O. Brüls, Multibody Syst. Dyn. 18 (2007), 185-202 (with constraints).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from ..errors import ModelError
+from .integrator import Integrator
+
+if TYPE_CHECKING:
+    from ..runtime.compiled import CompiledModel
+
+# constraints are oscillators of infinite frequency: what does not damp them lets errors grow
+MOST = 0.95
+RHO, HHT, INDEX = 0.8, -0.1, 2
+
+
+@dataclass(frozen=True)
+class Alpha:
+    """Coefficients of the generalized-alpha method.
+
+    (1 - am) a' + am a = (1 - af) udot' + af udot, with increments
+    h u + h^2 ((1/2 - beta) a + beta a') of positions and h ((1 - gamma) a + gamma a') of speeds.
+
+    Attributes:
+        am, af: Where accelerations and forces are taken within a step.
+        beta, gamma: Newmark's coefficients.
+
+    Raises:
+        ModelError: numbers with which a step has no meaning.
+    """
+
+    am: float
+    af: float
+    beta: float
+    gamma: float
+
+    def __post_init__(self) -> None:
+        numbers = (self.am, self.af, self.beta, self.gamma)
+        if not all(map(math.isfinite, numbers)) or not (self.beta > 0 and self.gamma > 0):
+            raise ModelError(f"{self}: numbers are wanted, beta and gamma positive")
+        if not (self.am < 1 and self.af < 1):
+            raise ModelError(f"{self}: am and af lie below 1")
+
+    @classmethod
+    def newmark(cls, beta: float = 0.25, gamma: float = 0.5) -> Alpha:
+        """Newmark's method: the average acceleration unless said otherwise.
+
+        Args:
+            beta, gamma: Order 2 asks for gamma = 1/2; more damps, at order 1.
+        """
+        return cls(0.0, 0.0, beta, gamma)
+
+    @classmethod
+    def hht(cls, alpha: float = HHT) -> Alpha:
+        """The method of Hilber, Hughes and Taylor.
+
+        Args:
+            alpha: -1/3 (most damping) to 0 (none).
+
+        Raises:
+            ModelError: outside of that.
+        """
+        if not -1 / 3 <= alpha <= 0:
+            raise ModelError(f"HHT: alpha={alpha:g} lies outside -1/3 ... 0")
+        return cls(0.0, -alpha, (1 - alpha) ** 2 / 4, 0.5 - alpha)
+
+    @classmethod
+    def chung_hulbert(cls, rho_inf: float = RHO) -> Alpha:
+        """The least damping of what a step resolves for a given damping of what it does not.
+
+        Args:
+            rho_inf: Factor per step of infinitely fast oscillations, 0 (gone at once) to 1 (kept).
+
+        Raises:
+            ModelError: outside of that.
+        """
+        if not 0 <= rho_inf <= 1:
+            raise ModelError(f"generalized-alpha: rho_inf={rho_inf:g} lies outside 0 ... 1")
+        am, af = (2 * rho_inf - 1) / (rho_inf + 1), rho_inf / (rho_inf + 1)
+        return cls(am, af, (1 - am + af) ** 2 / 4, 0.5 - am + af)
+
+    @property
+    def shift(self) -> float:
+        """am - af: in steps, the time after t for which the accelerations a of the method stand."""
+        return self.am - self.af
+
+    @property
+    def order(self) -> int:
+        """Of the global error: 2 where gamma = 1/2 - am + af."""
+        return 2 if math.isclose(self.gamma, 0.5 - self.shift, abs_tol=1e-12) else 1
+
+    @property
+    def error_constant(self) -> float:
+        """Of the position in a step: it is missed by this times h^3 times the third derivative."""
+        return self.beta + self.shift / 2 - 1 / 6
+
+    @property
+    def rho_inf(self) -> float:
+        """Factor per step of infinitely fast oscillations; with constraints, of their errors."""
+        # a and u that give no displacement, and what is left of udot
+        h_u, h_a = 1 - self.gamma / self.beta, 1 - self.gamma / (2 * self.beta)
+        a_u, a_a = -1 / self.beta, 1 - 1 / (2 * self.beta)
+        half, product = (h_u + a_a) / 2, h_u * a_a - h_a * a_u
+        root = half * half - product
+        pair = abs(half) + math.sqrt(root) if root > 0 else math.sqrt(product)
+        return max(pair, abs(self.af / (1 - self.af)))
+
+
+@dataclass(frozen=True)
+class GeneralizedAlpha:
+    """``method=`` of a run: the generalized-alpha method with a damping of choice.
+
+    Attributes:
+        rho_inf: Factor per step of what is too fast for the step, 0 to 1; with constraints at
+            most 0.95.
+        index: How constraints of positions are kept: 2, positions and velocities (stabilized);
+            3, positions alone.
+        coefficients: Others than those of Chung and Hulbert: ``cd.Alpha.hht(-0.05)``.
+
+    Raises:
+        ModelError: a number outside its range.
+    """
+
+    rho_inf: float = RHO
+    index: int = INDEX
+    coefficients: Alpha | None = None
+
+    def __post_init__(self) -> None:
+        Alpha.chung_hulbert(self.rho_inf)
+        if self.index not in (2, 3):
+            raise ModelError(
+                f"GeneralizedAlpha: index={self.index!r} is 2 (positions and velocities) or 3 "
+                "(positions alone)"
+            )
+
+    @property
+    def alpha(self) -> Alpha:
+        """The coefficients."""
+        return self.coefficients or Alpha.chung_hulbert(self.rho_inf)
+
+
+def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) -> Integrator:
+    """The method of some coefficients.
+
+    Args:
+        name: As users say it.
+        alpha: Coefficients.
+        index: 3 or 2.
+        chosen: Whether they are those of Chung and Hulbert, which may be capped.
+    """
+    return Integrator(
+        name=name,
+        kernel="alpha",
+        order=alpha.order,
+        dense_order=3,
+        stages=1,
+        dense_rows=3,
+        adaptive=True,
+        applies="constraints, stiff forces at moderate accuracy; damps what steps do not resolve",
+        source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
+        "A. Cardona, Numer. Math. 129 (2015)",
+        needs=("balance", "balance_tangent", "move", "qdot"),
+        multipliers=True,
+        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index)),
+        given_step=True,
+        suited=_capped if chosen else _suited,
+    )
+
+
+def method_of(given: GeneralizedAlpha) -> Integrator:
+    """The integrator of what a user chose."""
+    return record("GeneralizedAlpha", given.alpha, given.index, given.coefficients is None)
+
+
+def _capped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+    """The method for a model: rho_inf capped where there are constraints."""
+    alpha, index = Alpha(*method.options[:4]), int(method.options[4])
+    if model.nlam and alpha.rho_inf > MOST:
+        capped = record(method.name, Alpha.chung_hulbert(MOST), index, True)
+        method = replace(method, options=capped.options)
+        return _suited(model, method)[0], f"rho_inf {MOST:g} as constraints ask for damping"
+    return _suited(model, method)
+
+
+def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+    """The method for a model, and what there is to say about it.
+
+    Raises:
+        ModelError: the model is not one for it.
+    """
+    alpha, index = Alpha(*method.options[:4]), int(method.options[4])
+    if any(row["joint"] is None for row in model.manifest["speeds"]):
+        raise ModelError(
+            f"method '{method.name}' moves along the speeds of the joints, and those of model "
+            f"'{model.name}' were chosen: derive without speeds="
+        )
+    if model.manifest["z"]:
+        names = ", ".join(f"'{row['name']}'" for row in model.manifest["z"][:3])
+        raise ModelError(
+            f"method '{method.name}' takes no internal states, and model '{model.name}' has "
+            f"{names}: take method='auto'"
+        )
+    if not model.nlam:
+        return method, f"rho_inf {alpha.rho_inf:.3g}"
+    if not model.manifest.get("projected", True):
+        treatment = model.manifest["scene"]["treatment"]["name"]
+        raise ModelError(
+            f"method '{method.name}' keeps constraints itself, and model '{model.name}' has "
+            f"constraints='{treatment}': compile with constraints='multipliers'"
+        )
+    if alpha.rho_inf > MOST + 1e-9:
+        raise ModelError(
+            f"method '{method.name}' with {alpha} keeps {alpha.rho_inf:.3g} of an error of the "
+            f"constraints of model '{model.name}' in every step: it needs damping, at most "
+            f"{MOST:g}, such as cd.GeneralizedAlpha(rho_inf=0.8) or cd.Alpha.hht(-0.1)"
+        )
+    return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}"

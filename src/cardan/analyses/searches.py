@@ -1,0 +1,56 @@
+"""Searches for positions that meet what must hold, from a start and from random coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.initial import initial_state
+from ..runtime.states import random_state
+from .mechanism import Mechanism
+from .meeting import Conditions, Found, meet
+from .targets import Target
+
+Array = NDArray[np.float64]
+
+
+def search(
+    m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
+) -> list[Found]:
+    """Where searches from a start and from random coordinates end."""
+    found = list[Found]()
+    given = initial_state(m.model.manifest, {}, {})[0][: m.model.nq]
+    rng = np.random.default_rng(seed)
+    for k in range(starts):
+        end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
+        found.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
+    return found
+
+
+def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
+    """Where one search ends; held coordinates have their values to the bit."""
+    q = begin.copy()
+    for target in targets:
+        if target.kind == "coordinate" and target.weight is None:
+            q[target.place] = target.value
+    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.model.nu)))
+    q = end.q.copy()
+    end = replace(end, turned=m.turned(q) if end.closed else "")
+    for target in targets if end.met else ():
+        if target.kind == "coordinate" and target.weight is None and len(target.value) == 1:
+            q[target.place] = target.value
+    return replace(end, q=m.nearest(q, begin))
+
+
+def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
+    """Random coordinates; lengths without limits as far from their start as the mechanism is."""
+    manifest = m.model.manifest
+    q = random_state(manifest, rng)[: m.model.nq]
+    bound = {joint["name"] for joint in manifest["joints"] if joint["limits"]}
+    for k, row in enumerate(manifest["coordinates"]):
+        if row["unit"] == "m" and row.get("joint") not in bound:
+            q[k] = given[k] + m.size * (q[k] - (row["default"] or 0.0))
+    return q

@@ -1,0 +1,78 @@
+"""An actuator that follows its command with a lag."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import Scalar
+from ...ir.matrix import Matrix
+from ..internal import Internal
+from ..quantity import JointName, Quantity
+from ..written import number
+from .force import Action, ForceElement, JointLoad, Places
+
+
+@dataclass(frozen=True)
+class Actuator(ForceElement):
+    """A motor or cylinder on a joint whose force follows the command with a first-order lag.
+
+    lag d(force)/dt = command - force; the joint feels the force, cut off at +-limit.
+
+    Args:
+        joint: Name of a joint with one speed.
+        command: Wanted force [N m] or [N]: input, parameter or expression.
+        lag: Time constant [s].
+        limit: Largest force [N m] or [N]; None: none.
+        start: Force at the start of a run [N m] or [N].
+
+    Raises:
+        ModelError: a value that is no number or expression, a lag that is not positive or a
+            negative limit.
+
+    Source: K. J. Astrom, R. M. Murray, Feedback Systems, 2008, section 3.1.
+    """
+
+    kind: ClassVar[str] = "actuator"
+    source: ClassVar[str] = "K. J. Astrom and R. M. Murray, Feedback Systems, 2008, section 3.1"
+    joint: JointName
+    command: Any
+    lag: Any
+    limit: Any = None
+    start: Any = 0.0
+
+    def __post_init__(self) -> None:
+        who = f"actuator of joint '{self.joint}'"
+        for name in ("command", "lag", "limit", "start"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number("actuator", name, getattr(self, name)))
+        if isinstance(self.lag, float) and not self.lag > 0:
+            raise ModelError(f"{who}: lag is {self.lag:g}; give a time of more than 0 [s]")
+        if isinstance(self.limit, float) and self.limit < 0:
+            raise ModelError(f"{who}: limit is {self.limit:g}; give 0 or more")
+        if not isinstance(self.start, float):
+            raise ModelError(f"{who}: start must be a number")
+
+    def quantities(self) -> dict[str, Quantity]:
+        found = {"command": Quantity(self.command, "N*m|N"), "lag": Quantity(self.lag, "s")}
+        return found | ({} if self.limit is None else {"limit": Quantity(self.limit, "N*m|N")})
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def internals(self) -> tuple[Internal, ...]:
+        return (Internal("force", "N*m|N", self.start),)
+
+    def rates(self, at: Places) -> Matrix:
+        return Matrix.vector(
+            at.motion.graph, [(at.data["command"][0] - at.z[0]) / at.data["lag"][0]]
+        )
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        force: Scalar = at.z[0]
+        if "limit" in at.data:
+            limit = at.data["limit"][0]
+            force = (-limit).apply("max", limit.apply("min", force))
+        load = JointLoad(at.joints["joint"], Matrix.vector(at.motion.graph, [force]))
+        return (Action(joint_loads=(load,)),)

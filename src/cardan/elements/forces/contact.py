@@ -1,0 +1,165 @@
+"""Contact of a sphere with a plane or another sphere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import Scalar, norm, select, sqrt
+from ...ir.matrix import Matrix
+from ..internal import MODE, Change, Event, Jumped, Mode, Solved
+from ..quantity import Direction, Place, Quantity
+from ..written import axis, number
+from .force import Action, ForceElement, Load, Places, constant
+
+UNDECIDED, APART, TOUCHING = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Contact(ForceElement):
+    """A sphere that is pressed against a plane, or against another sphere, with friction.
+
+    The normal force is stiffness d^exponent (1 + damping d') as long as that pushes, d being how
+    deep the two overlap; friction is mu times it against the sliding velocity v, smoothed as
+    v / sqrt(v^2 + slip^2). Touching and parting are events, so that no step goes over them.
+
+    Args:
+        sphere: Frame whose origin is the center of the sphere.
+        radius: Of the sphere [m]; 0 for a point.
+        other: Frame of the plane (its origin is a point of it), or center of the other sphere.
+        stiffness: [N/m^exponent].
+        damping: Hunt and Crossley's: 3/2 (1 - restitution) / (speed of impact) [s/m].
+        exponent: 1.5 for spheres (Hertz), 1 for a linear spring.
+        normal: Of the plane, in axes of ``other``, out of its material.
+        other_radius: Of the other sphere [m]; None: ``other`` is a plane.
+        mu: Coefficient of friction.
+        slip: Speed over which friction is smoothed [m/s].
+
+    Raises:
+        ModelError: a value that is no number or expression, a negative radius, stiffness, damping
+            or mu, an exponent below 1, a slip that is not positive.
+
+    Source: K. H. Hunt, F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
+    """
+
+    kind: ClassVar[str] = "contact"
+    source: ClassVar[str] = "K. H. Hunt and F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440"
+    sphere: Place
+    other: Place
+    radius: Any
+    stiffness: Any
+    damping: Any = 0.0
+    exponent: Any = 1.5
+    normal: Direction = "z"
+    other_radius: Any = None
+    mu: Any = 0.0
+    slip: Any = 1e-3
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "normal", axis("contact", "normal", self.normal))
+        least = {"exponent": 1.0, "slip": 1e-300}
+        for name in ("radius", "stiffness", "damping", "exponent", "other_radius", "mu", "slip"):
+            if getattr(self, name) is None:
+                continue
+            value = number("contact", name, getattr(self, name))
+            object.__setattr__(self, name, value)
+            if isinstance(value, float) and value < least.get(name, 0.0):
+                wanted = "more than 0" if name == "slip" else f"{least.get(name, 0.0):g} or more"
+                raise ModelError(f"contact: {name} is {value:g}; give {wanted}")
+
+    def quantities(self) -> dict[str, Quantity]:
+        found = {
+            "radius": Quantity(self.radius, "m"),
+            "stiffness": Quantity(self.stiffness, ""),
+            "damping": Quantity(self.damping, "s/m"),
+            "exponent": Quantity(self.exponent, "", ratio=True),
+        }
+        if self.other_radius is None:
+            found["normal"] = Quantity(self.normal, "", ratio=True)
+        else:
+            found["other_radius"] = Quantity(self.other_radius, "m")
+        found["mu"] = Quantity(self.mu)
+        return found | {"slip": Quantity(self.slip, "m/s")}
+
+    def frames(self) -> dict[str, Any]:
+        return {"sphere": self.sphere, "other": self.other}
+
+    def _geometry(self, at: Places) -> tuple[Scalar, Matrix, Matrix]:
+        """Depth of the overlap, unit normal towards the sphere, and the place of the contact."""
+        motion, (a, b) = at.motion, (at.frames["sphere"], at.frames["other"])
+        span, radius = motion.position(a) - motion.position(b), at.data["radius"][0]
+        if "normal" in at.data:
+            local = at.data["normal"]
+            normal = motion.rotation(b) @ (local / norm(*local))
+            distance, reach = normal.dot(span), radius * 0
+        else:
+            distance, reach = norm(*span), at.data["other_radius"][0]
+            normal = span / distance
+        depth = radius + reach - distance
+        return depth, normal, motion.position(a) - normal * (radius - depth * 0.5)
+
+    def _velocity(self, at: Places, place: Matrix) -> Matrix:
+        """Of the sphere's material at a place against that of the other."""
+        motion = at.motion
+
+        def there(frame: int) -> Matrix:
+            arm = place - motion.position(frame)
+            return motion.velocity(frame) + motion.angular_velocity(frame).cross(arm)
+
+        return there(at.frames["sphere"]) - there(at.frames["other"])
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        data = at.data
+        depth, normal, place = self._geometry(at)
+        velocity = self._velocity(at, place)
+        closing = -normal.dot(velocity)
+        deep = (depth * 0).apply("lt", depth)
+        touching = deep.apply("and", at.s[0].apply("eq", float(APART)).apply("not"))
+        exponent, d = data["exponent"][0], select(touching, depth, 1)
+        elastic = select(touching, data["stiffness"][0] * d.apply("pow", exponent), 0)
+        push = elastic * (data["damping"][0] * closing + 1)
+        push = (push * 0).apply("max", push)
+        sliding = velocity + normal * closing
+        slip = data["slip"][0]
+        drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + slip * slip)
+        fixed = all(constant(data[name]) for name in ("stiffness", "exponent", "radius"))
+        # of places alone, whatever the mode
+        d = select(deep, depth, 1)
+        stored = data["stiffness"][0] * d.apply("pow", exponent + 1) / (exponent + 1)
+        energy = select(deep, stored, 0) if fixed else None
+        return (
+            Action(self._pair(at, place, normal * elastic), potential=energy),
+            Action(self._pair(at, place, normal * (push - elastic) - sliding * drag)),
+        )
+
+    def _pair(self, at: Places, place: Matrix, force: Matrix) -> tuple[Load, ...]:
+        """A force on the sphere at a place, and its opposite on the other."""
+        loads = []
+        for frame, sign in ((at.frames["sphere"], 1), (at.frames["other"], -1)):
+            own = force * sign
+            arm = place - at.motion.position(frame)
+            loads.append(Load(frame, arm.cross(own), own))
+        return tuple(loads)
+
+    # touching and parting
+
+    def modes(self) -> tuple[Mode, ...]:
+        labels = ((UNDECIDED, "undecided"), (APART, "apart"), (TOUCHING, "touching"))
+        return (Mode("", UNDECIDED, labels),)
+
+    def events(self) -> tuple[Event, ...]:
+        return (Event("touch", MODE, "they touch"), Event("part", MODE, "they part"))
+
+    def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        mode, depth = at.s[0], self._geometry(at)[0]
+        undecided = mode.apply("eq", float(UNDECIDED))
+        touch = select(undecided, -1, select(mode.apply("eq", float(APART)), -depth, 1))
+        return touch, select(mode.apply("eq", float(TOUCHING)), depth, 1)
+
+    def change(self, at: Places, jumped: Jumped) -> Change:
+        depth = self._geometry(at)[0]
+        undecided = at.s[0].apply("eq", float(UNDECIDED))
+        found = select(undecided.apply("and", depth.apply("le", 0.0)), APART, TOUCHING)
+        mode = select(jumped.fired(0), found, select(jumped.fired(1), APART, at.s[0]))
+        return Change(s=Matrix.vector(at.motion.graph, [mode]))

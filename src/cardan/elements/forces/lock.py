@@ -1,0 +1,119 @@
+"""A mechanism that locks a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import Scalar, select
+from ...ir.matrix import Matrix
+from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..quantity import JointName, Quantity
+from ..written import number
+from .force import Action, ForceElement, Places, one_coordinate
+
+OPEN, LOCKED = 0, 1
+
+
+@dataclass(frozen=True)
+class Lock(ForceElement):
+    """A latch that catches a joint: from then on it is held, until it is released or gives way.
+
+    Locking takes the speed by an impulse that goes through the whole system: momentum that the
+    joint does not bear is kept.
+
+    Args:
+        joint: Name of a joint with one speed.
+        when: It locks where this expression falls through 0, such as ``1.57 - scene.q("hinge")``.
+        release: It opens where this falls through 0; None: it does not.
+        strength: The most it bears [N m] or [N]; None: anything.
+        locked: Whether it is locked at the start.
+
+    Raises:
+        ModelError: a value that is no number or expression, or a negative strength.
+
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 5.3
+        (constraints that are added); F. Pfeiffer, Ch. Glocker, chapter 8 (impulses).
+    """
+
+    kind: ClassVar[str] = "lock"
+    source: ClassVar[str] = (
+        "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8"
+    )
+    joint: JointName
+    when: Any
+    release: Any = None
+    strength: Any = None
+    locked: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("when", "release", "strength"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number("lock", name, getattr(self, name)))
+        if isinstance(self.strength, float) and self.strength < 0:
+            raise ModelError(
+                f"lock of joint '{self.joint}': strength is {self.strength:g}; give 0 or more"
+            )
+
+    @property
+    def _opens(self) -> tuple[tuple[str, str], ...]:
+        """What opens it: the name of the event, that of its quantity."""
+        ways = (("release", "release"), ("break", "strength"))
+        return tuple((event, name) for event, name in ways if getattr(self, name) is not None)
+
+    def quantities(self) -> dict[str, Quantity]:
+        found = {"when": Quantity(self.when)}
+        if self.release is not None:
+            found["release"] = Quantity(self.release)
+        if self.strength is not None:
+            found["strength"] = Quantity(self.strength, "N*m|N")
+        return found
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        return ()
+
+    def modes(self) -> tuple[Mode, ...]:
+        start = LOCKED if self.locked else OPEN
+        return (Mode("", start, ((OPEN, "open"), (LOCKED, "locked"))),)
+
+    def events(self) -> tuple[Event, ...]:
+        about = {"release": "it is released", "break": "it gives way"}
+        opening = (Event(event, MODE, about[event]) for event, _ in self._opens)
+        return (Event("lock", IMPACT, "it locks"), *opening)
+
+    def holding(self) -> tuple[tuple[str, str], ...]:
+        return (("lock", "rad/s|m/s"),)
+
+    def holds(self, at: Places) -> tuple[Hold, ...]:
+        return (Hold(self._speed(at), select(self._locked(at), 1, 0)),)
+
+    def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        locked = self._locked(at)
+        left = {"release": at.data.get("release"), "break": at.data.get("strength")}
+        found = [select(locked, 1, at.data["when"][0])]
+        for event, _ in self._opens:
+            value = left[event]
+            assert value is not None
+            load = solved.held[0].apply("abs") if event == "break" else 0
+            found.append(select(locked, value[0] - load, 1))
+        return tuple(found)
+
+    def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
+        speed = self._speed(at)
+        return (Impulse(speed, speed * 0, select(self._locked(at), 1, jumped.fired(0))),)
+
+    def change(self, at: Places, jumped: Jumped) -> Change:
+        changed = select(jumped.fired(0), LOCKED, at.s[0])
+        for event in range(1, 1 + len(self._opens)):
+            changed = select(jumped.fired(event), OPEN, changed)
+        return Change(s=Matrix.vector(at.motion.graph, [changed]))
+
+    def _locked(self, at: Places) -> Scalar:
+        return at.s[0].apply("eq", float(LOCKED))
+
+    def _speed(self, at: Places) -> Scalar:
+        return one_coordinate(at.motion, at.joints["joint"], f"lock of joint '{self.joint}'")[1]

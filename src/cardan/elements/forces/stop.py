@@ -1,0 +1,130 @@
+"""Rigid stops of a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import Scalar, select
+from ...ir.matrix import Matrix
+from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..quantity import JointName, Quantity
+from ..written import number
+from .force import Action, ForceElement, Places, one_coordinate
+
+LOWER, FREE, UPPER = -1, 0, 1
+# speeds behind an impact that count as none, absolute and relative
+NONE = 1e-12
+
+
+@dataclass(frozen=True)
+class Stop(ForceElement):
+    """Rigid ends of the range of a joint: it bounces off them, or comes to lie against them.
+
+    An impact turns the speed v of approach into -restitution v; below the speed ``settle`` into 0,
+    and the joint then stays at the stop for as long as something presses it there. Impulses go
+    through the whole system, closed circuits included.
+
+    Args:
+        joint: Name of a joint with one speed.
+        lower, upper: Ends of the range [rad] or [m]; None: no stop on that side.
+        restitution: 0 (no bounce) to 1 (no loss).
+        settle: Speed below which it no longer bounces [rad/s] or [m/s]; 0: it bounces for ever.
+
+    Raises:
+        ModelError: no stop at all, lower above upper, restitution outside 0 ... 1, a negative
+            speed, or a value that is no number or expression.
+
+    Source: F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8.
+    """
+
+    kind: ClassVar[str] = "stop"
+    source: ClassVar[str] = (
+        "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8"
+    )
+    joint: JointName
+    lower: Any = None
+    upper: Any = None
+    restitution: Any = 0.0
+    settle: Any = 1e-4
+
+    def __post_init__(self) -> None:
+        who = f"stop of joint '{self.joint}'"
+        for name in ("lower", "upper", "restitution", "settle"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number("stop", name, getattr(self, name)))
+        if self.lower is None and self.upper is None:
+            raise ModelError(f"{who}: give lower or upper, or both")
+        ends = self.lower, self.upper
+        if all(isinstance(end, float) for end in ends) and not self.lower < self.upper:
+            raise ModelError(f"{who}: lower={self.lower:g} must be below upper={self.upper:g}")
+        if isinstance(self.restitution, float) and not 0 <= self.restitution <= 1:
+            raise ModelError(f"{who}: restitution is {self.restitution:g}; give 0 ... 1")
+        if isinstance(self.settle, float) and self.settle < 0:
+            raise ModelError(f"{who}: settle is {self.settle:g}; give a speed of 0 or more")
+
+    @property
+    def _sides(self) -> tuple[tuple[str, int], ...]:
+        """The stops there are: the name of its quantity, and the mode of lying against it."""
+        ends = (("lower", LOWER), ("upper", UPPER))
+        return tuple((name, side) for name, side in ends if getattr(self, name) is not None)
+
+    def quantities(self) -> dict[str, Quantity]:
+        found = {name: Quantity(getattr(self, name), "rad|m") for name, _ in self._sides}
+        found["restitution"] = Quantity(self.restitution)
+        return found | {"settle": Quantity(self.settle, "rad/s|m/s")}
+
+    def joints(self) -> dict[str, str]:
+        return {"joint": self.joint}
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        return ()
+
+    def modes(self) -> tuple[Mode, ...]:
+        labels = ((LOWER, "at the lower stop"), (FREE, "free"), (UPPER, "at the upper stop"))
+        return (Mode("", FREE, labels),)
+
+    def events(self) -> tuple[Event, ...]:
+        hits = (Event(name, IMPACT, f"it hits the {name} stop") for name, _ in self._sides)
+        return (*hits, Event("release", MODE, "it leaves the stop"))
+
+    def holding(self) -> tuple[tuple[str, str], ...]:
+        return (("stop", "rad/s|m/s"),)
+
+    def holds(self, at: Places) -> tuple[Hold, ...]:
+        free = at.s[0].apply("eq", float(FREE))
+        return (Hold(self._of_joint(at)[1], select(free, 0, 1)),)
+
+    def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        free, q = at.s[0].apply("eq", float(FREE)), self._of_joint(at)[0]
+        gaps = (select(free, (at.data[name][0] - q) * side, 1) for name, side in self._sides)
+        pressed = -(at.s[0] * solved.held[0])
+        return (*gaps, select(free, 1, pressed))
+
+    def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
+        v, settle, found = self._of_joint(at)[1], at.data["settle"][0], []
+        for event, (_, side) in enumerate(self._sides):
+            # away from the stop
+            leaving = v * -side
+            bounce = -(leaving * at.data["restitution"][0])
+            after = select((-leaving).apply("le", settle), 0, bounce)
+            after = select(leaving.apply("lt", 0.0), after, leaving)
+            lying = at.s[0].apply("eq", float(side))
+            active = select(lying, 1, jumped.fired(event))
+            found.append(Impulse(leaving, select(lying, 0, after), active, unilateral=True))
+        return tuple(found)
+
+    def change(self, at: Places, jumped: Jumped) -> Change:
+        v, mode = self._of_joint(at)[1], at.s[0]
+        behind = jumped.after(v)
+        none = (behind.apply("abs") - v.apply("abs") * NONE).apply("le", NONE)
+        # what lies there is torn off by impacts elsewhere only
+        changed = select(mode.apply("eq", float(FREE)), FREE, select(none, mode, FREE))
+        for event, (_, side) in enumerate(self._sides):
+            changed = select(jumped.fired(event), select(none, side, FREE), changed)
+        changed = select(jumped.fired(len(self._sides)), FREE, changed)
+        return Change(s=Matrix.vector(at.motion.graph, [changed]))
+
+    def _of_joint(self, at: Places) -> tuple[Scalar, Scalar]:
+        return one_coordinate(at.motion, at.joints["joint"], f"stop of joint '{self.joint}'")

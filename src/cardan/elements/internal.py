@@ -1,0 +1,134 @@
+"""What elements keep themselves: internal states, modes, events, and conditions that modes hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from ..ir.arithmetic import Scalar
+from ..ir.matrix import Matrix
+
+# kinds of events: what happens when one does
+MODE, IMPACT, TICK, END, MARK = "mode", "impact", "tick", "end", "mark"
+
+
+@dataclass(frozen=True)
+class Internal:
+    """A continuous internal state, an entry of z.
+
+    Attributes:
+        name: Part of its name after that of the element; "" for the bare one.
+        unit: Of its value.
+        default: Value at the start of a run.
+    """
+
+    name: str
+    unit: str = ""
+    default: float = 0.0
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A discrete state, an entry of s: constant between events.
+
+    Attributes:
+        name: Part of its name after that of the element; "" for the bare one.
+        default: Value at the start of a run.
+        labels: What its values mean, by value; none for a sampled number.
+    """
+
+    name: str
+    default: float = 0.0
+    labels: tuple[tuple[int, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happens where its sign function falls through zero.
+
+    Attributes:
+        name: Part of its name after that of the element; "" for the bare one.
+        kind: ``"mode"`` (a mode changes), ``"impact"`` (speeds jump), ``"tick"`` (at known
+            times), ``"end"`` (the run is over) or ``"mark"`` (it is recorded).
+        about: What happens, in words.
+        period, phase: Of a tick: it happens at phase + k period [s].
+    """
+
+    name: str
+    kind: str
+    about: str
+    period: float = 0.0
+    phase: float = 0.0
+
+
+@dataclass(frozen=True)
+class Hold:
+    """A velocity that is kept at 0 while a mode holds it.
+
+    Attributes:
+        velocity: Linear in the speeds.
+        active: 1 where it is held, else 0.
+    """
+
+    velocity: Scalar
+    active: Scalar
+
+
+@dataclass(frozen=True)
+class Impulse:
+    """A jump of a velocity by an impulse along it.
+
+    Attributes:
+        velocity: Linear in the speeds.
+        after: Its value behind the jump.
+        active: 1 where the impulse acts, else 0.
+        unilateral: It can only push the velocity up; where it would pull it is left out.
+    """
+
+    velocity: Scalar
+    after: Scalar
+    active: Scalar
+    unilateral: bool = False
+
+
+@dataclass(frozen=True)
+class Change:
+    """What an event does to the states of an element.
+
+    Attributes:
+        z: New internal states, None where they stay.
+        s: New modes, None where they stay.
+    """
+
+    z: Matrix | None = None
+    s: Matrix | None = None
+
+
+class Solved(Protocol):
+    """What an element may know of the solution of the equations of motion.
+
+    Attributes:
+        held: Multipliers of its holds (their number, 1): the forces along their velocities.
+        certainty: Positive where the force that follows from the reaction of its joint is the
+            only one possible; None where it has no such force.
+    """
+
+    held: Matrix
+    certainty: Scalar | None
+
+    def derivative(self, x: Scalar) -> Scalar:
+        """Time derivative of an expression along the motion."""
+
+
+class Jumped(Protocol):
+    """What an element may know of an event."""
+
+    def fired(self, event: int) -> Scalar:
+        """1 where this event of the element happened, else 0."""
+
+    @property
+    def before(self) -> Solved:
+        """The solution of the equations of motion before the event."""
+
+    def after(self, x: Scalar) -> Scalar:
+        """Value of an expression with the speeds behind the event."""

@@ -1,0 +1,121 @@
+"""What the builders of functions work with, and what is known about a function."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from ..errors import DerivationError, near
+from ..ir.function import Output
+from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
+from ..topology.system import System
+from .dynamics import Dynamics
+from .kinematics import Kinematics
+from .pressing import pressed, solved
+
+
+def frame_number(system: System, name: str) -> int:
+    """Index of a frame by its name.
+
+    Raises:
+        DerivationError: no such frame.
+    """
+    for i, frame in enumerate(system.frames):
+        if frame.name == name:
+            return i
+    names = [f.name for f in system.frames]
+    raise DerivationError(f"frame '{name}' does not exist.{near(name, names)}")
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a builder works with.
+
+    Attributes:
+        d: The dynamics, underived.
+        names, units: Of the entries of every input block, and of ``qdot``.
+        of: The frame or joint asked for.
+    """
+
+    d: Dynamics
+    names: dict[str, tuple[str, ...]]
+    units: dict[str, tuple[str, ...]]
+    of: str | None = None
+
+    @property
+    def k(self) -> Kinematics:
+        return self.d.k
+
+    @property
+    def udot(self) -> Matrix:
+        """The block udot as a vector."""
+        return self.d.block("udot", self.k.system.nu)
+
+    @property
+    def frame(self) -> int:
+        return frame_number(self.k.system, self.of or "")
+
+    def with_friction_at(self, udot: Matrix) -> None:
+        """Let friction that follows from reactions be that at given accelerations.
+
+        Raises:
+            DerivationError: the reactions do not follow from these, as circuits are closed.
+        """
+        own = pressed(self.k.system)
+        if own and (self.k.system.cuts or self.k.system.constraints):
+            raise DerivationError(
+                f"the friction of '{own[0].name}' follows from reactions, which accelerations "
+                "alone do not determine in closed circuits: inverse dynamics has no answer here"
+            )
+        if own:
+            rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+            self.d.pressed = solved(self.d, rest, udot)
+
+    def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
+        """A result with the names and units of an input block."""
+        return (Output(name, (x.rows,), x.nodes, self.names[like], self.units[like]),)
+
+
+Builder = Callable[[Context], tuple[Output, ...]]
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a function comes about.
+
+    Attributes:
+        about: One line for the reader.
+        build: Its builder.
+        of: What ``of`` names.
+        told: Whether it is the same in whatever frames and by whatever grouping of inertia the
+            bodies are told.
+        bound: Whether there is one only of systems with constraints.
+        solved: Whether there is one only of systems with circuits in closed form.
+        moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
+            user chose.
+        happens: Whether there is one only of systems with events.
+    """
+
+    about: str
+    build: Builder
+    of: str = ""
+    told: bool = False
+    bound: bool = False
+    solved: bool = False
+    moves: bool = False
+    happens: bool = False
+
+
+def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:
+    """Results with the friction that follows from reactions, at the model's own forces if no others
+    were spoken of."""
+    if not pressed(c.k.system):
+        return results
+    if not c.d.pressed.values:
+        c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
+    graph, values = c.k.graph, c.d.pressed.values
+    return tuple(
+        replace(output, nodes=tuple(rebuild(graph, output.nodes, values, into=graph)[1]))
+        for output in results
+    )

@@ -1,0 +1,70 @@
+/* The generalized-alpha method on systems with constraints: what its parts share.
+ *
+ * Part of cardan. Caller owns all memory; everything here lies in `own` of the run.
+ */
+#ifndef CARDAN_ALPHA_H
+#define CARDAN_ALPHA_H
+
+#include "run.h"
+
+/* how a step was made, in `now` */
+enum {
+    ALPHA_STEP,    /* for which a stands */
+    ALPHA_MATRIX,  /* step of the factored matrix, 0: there is none */
+    ALPHA_RATE,    /* by which the corrections of the last iteration shrank */
+    ALPHA_SINCE,   /* steps since their size was last changed */
+    ALPHA_NOW
+};
+
+typedef struct cardan_alpha {
+    real am, af, beta, gamma;
+    ptrdiff_t index;    /* 3, or 2: stabilized */
+    ptrdiff_t adaptive;
+    ptrdiff_t nq, nu, mp, m, size; /* size: of the largest system */
+
+    /* kept from step to step */
+    real *now;       /* ALPHA_NOW numbers */
+    real *a;         /* (nu) the accelerations of the method: udot near t + (am - af) h */
+    real *udot;      /* (nu) at t */
+    real *rise;      /* (nu) by which a grew in the last step, per time */
+    real *lam_old;   /* (m) at t_old, then */
+    real *lam;       /* (m) at t */
+    real *amplitude; /* (nq) largest coordinates of the run so far */
+    real *picked;    /* (m) 1 for rows that follow from no others */
+
+    /* of the step that is tried */
+    real *a_new, *udot_new, *lam_new;
+    real *shift;     /* (nu) what the stabilization takes off the increment */
+    real *increment; /* (nu) */
+    real *moved;     /* q (nq), T (nu, nu) */
+    real *residual;  /* balance (nu), g (mp), rates (m) */
+    real *rates;     /* (nq) */
+
+    /* of the factored matrix */
+    real *tangent;   /* K C M (nu, nu) each, R G (m, nu) each */
+    real *weight;    /* (nu) unit of a speed: the root of the inverse of its inertia */
+    real *unit;      /* (m) unit of a row: the inverse of its length in these units */
+    real *matrix;    /* (size, size) */
+    real *order, *right; /* (size) */
+    real *room;      /* (size, nu) */
+} cardan_alpha;
+
+/* alpha_memory.c */
+cardan_alpha cardan_alpha_at(const cardan_run *run);
+
+/* alpha_matrix.c */
+int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const real *y,
+                         const real *udot, const real *lam);
+void cardan_alpha_pick(const cardan_alpha *v);
+ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h);
+int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h);
+void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx);
+
+/* alpha_newton.c */
+int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h);
+int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t);
+int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new);
+real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
+                       real atol, int *status);
+
+#endif

@@ -1,0 +1,70 @@
+/* Where the generalized-alpha method keeps what in `own` of the run. Part of cardan. */
+#include "alpha.h"
+
+/* The next piece of a block; a NULL block is only measured. */
+static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
+{
+    real *start = block ? block + *used : block;
+
+    *used += size;
+    return start;
+}
+
+/* Point into the memory of a run. Returns how many numbers that takes. */
+static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
+{
+    const ptrdiff_t nq = run->nq, nu = run->nu, mp = run->positions, m = run->rates;
+    const ptrdiff_t size = nu + mp + m;
+    real *own = run->own;
+    ptrdiff_t used = 0;
+
+    v->nq = nq, v->nu = nu, v->mp = mp, v->m = m, v->size = size;
+    v->now = piece(own, &used, ALPHA_NOW);
+    v->a = piece(own, &used, nu);
+    v->udot = piece(own, &used, nu);
+    v->rise = piece(own, &used, nu);
+    v->lam_old = piece(own, &used, m);
+    v->lam = piece(own, &used, m);
+    v->amplitude = piece(own, &used, nq);
+    v->picked = piece(own, &used, m);
+    v->a_new = piece(own, &used, nu);
+    v->udot_new = piece(own, &used, nu);
+    v->lam_new = piece(own, &used, m);
+    v->shift = piece(own, &used, nu);
+    v->increment = piece(own, &used, nu);
+    v->moved = piece(own, &used, nq + nu * nu);
+    v->residual = piece(own, &used, nu + mp + m);
+    v->rates = piece(own, &used, nq);
+    v->tangent = piece(own, &used, 3 * nu * nu + 2 * m * nu);
+    v->weight = piece(own, &used, nu);
+    v->unit = piece(own, &used, m);
+    v->matrix = piece(own, &used, size * size);
+    v->order = piece(own, &used, size);
+    v->right = piece(own, &used, size);
+    v->room = piece(own, &used, (size + 1) * nu);
+    return used;
+}
+
+/* The method with its coefficients, over the memory of a run. */
+cardan_alpha cardan_alpha_at(const cardan_run *run)
+{
+    cardan_alpha v = {0};
+
+    v.am = run->options[0];
+    v.af = run->options[1];
+    v.beta = run->options[2];
+    v.gamma = run->options[3];
+    v.index = (ptrdiff_t)run->options[4];
+    v.adaptive = (ptrdiff_t)run->options[5];
+    (void)lay(run, &v);
+    return v;
+}
+
+ptrdiff_t cardan_alpha_length(const cardan_run *run)
+{
+    cardan_run measured = *run;
+    cardan_alpha v = {0};
+
+    measured.own = NULL;
+    return lay(&measured, &v);
+}
