@@ -38,6 +38,12 @@ def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.Com
 CASES: dict[str, tuple[str, Any, dict[str, Any]]] = {
     "adaptive": ("double", 1.0, {"q": {"elbow": 0.4}, **FINE}),
     "fixed step": ("double", 0.3, {"q": {"elbow": 0.4}, "method": "RK4", "step": 1e-3}),
+    "implicit": ("double", 0.3, {"q": {"elbow": 0.4}, "method": "Radau", **FINE}),
+    "implicit quaternion": (
+        "ball",
+        0.2,
+        {"u": {"base": [1, 2, 3, 0, 1, 2]}, "method": "Radau", "rtol": 1e-9, "atol": 1e-10},
+    ),
     "order 5": ("double", 1.0, {"q": {"elbow": 0.4}, "method": "RK45", **FINE}),
     "backward": ("double", (1.0, 0.2), {"u": {"elbow": 0.4}, **FINE}),
     "at times": ("double", np.linspace(0, 1, 13), {"q": {"elbow": 0.4}, **FINE}),

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 LEAST = 2.3e-14  # SciPy takes no smaller rtol
+FAR = 1e150
 
 
 class Broken(Exception):
@@ -93,6 +94,33 @@ def rk45(runner: PlainRunner, stop: float) -> Iterator[Step]:
     return adaptive(RK45, runner, stop, _quartic)
 
 
+def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
+    """Steps of SciPy's Radau, with the Jacobian of the model."""
+    from scipy.integrate import Radau
+
+    run = runner.record
+
+    def right(t: float, y: Array) -> Array:
+        # as the Jacobian takes quaternions
+        own = y.copy()
+        runner.normalize(own)
+        # a step to where there is no derivative is one that goes much too far
+        return np.nan_to_num(runner.derivative(t, own), nan=FAR, posinf=FAR, neginf=-FAR)
+
+    def jacobian(t: float, y: Array, *_: Any) -> Array:
+        run.jacobians += 1
+        found = runner.jacobian(t, y)
+        if not np.isfinite(found).all():
+            raise Broken(abi.NOT_FINITE)
+        return found
+
+    def spread(solver: Any) -> Array:
+        first, second, third = solver.dense_output().Q.T
+        return np.stack([first + second + third, -second - third, -third])
+
+    return adaptive(Radau, runner, stop, spread, right, jac=jacobian)
+
+
 def _quartic(solver: Any) -> Array:
     """Rows of the dense output of RK45: values and slopes at both ends, then the fourth power."""
     dense = solver.dense_output()
@@ -107,6 +135,8 @@ def adaptive(
     runner: PlainRunner,
     stop: float,
     spread: Callable[[Any], Array],
+    right: Callable[[float, Array], Array] | None = None,
+    **more: Any,
 ) -> Iterator[Step]:
     """Steps of an adaptive method of SciPy from here to a stop.
 
@@ -114,6 +144,8 @@ def adaptive(
         kind: The method.
         runner, stop: As of every method.
         spread: Its dense output in the rows that are kept.
+        right: Right-hand side in place of the derivative of the run.
+        more: Other arguments of the method.
 
     The energies of the sources take no part in the error control: their tolerance is infinite,
     and the mean over all entries is made one over the state.
@@ -125,7 +157,7 @@ def adaptive(
     wanted = abs(run.h)
     length = abs(stop - run.t)
     solver = kind(
-        runner.derivative,
+        right or runner.derivative,
         run.t,
         runner.views["y"].copy(),
         stop,
@@ -133,16 +165,21 @@ def adaptive(
         rtol=max(how.rtol * share, LEAST) if how.rtol else LEAST,
         atol=atol,
         first_step=min(wanted, length) if wanted else None,
+        **more,
     )
     closed = runner.quaternions or runner.closing.rows
     while solver.status == "running":
-        spent, before = solver.nfev, (solver.t, solver.y, solver.f)
+        spent, factored, before = solver.nfev, solver.nlu, (solver.t, solver.y, solver.f)
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
-        run.rejections += max(0, (solver.nfev - spent) // kind.n_stages - 1)
+        if hasattr(kind, "n_stages"):
+            run.rejections += max(0, (solver.nfev - spent) // kind.n_stages - 1)
+        # of two systems each time
+        run.factorizations += (solver.nlu - factored) // 2
         if closed and not _closed(runner, solver):
             # again from before, shorter
+            solver.LU_real = solver.LU_complex = None
             solver.h_abs = 0.25 * abs(solver.t - before[0])
             (solver.t, solver.y, solver.f), solver.status = before, "running"
             run.rejections += 1
@@ -172,4 +209,5 @@ METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {
     "DOP853": dop853,
     "RK45": rk45,
     "RK4": rk4,
+    "Radau": radau,
 }

@@ -34,7 +34,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     what.add_argument("--language", choices=("cython", "c"), default="cython",
                       help="cython adds a package for NumPy (default)")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
-                      help="dop853, rk45, rk4: C that simulates")  # fmt: skip
+                      help="dop853, rk45, rk4, radau, rosenbrock: C that simulates")  # fmt: skip
     what.add_argument("--method", metavar="METHOD", default="auto",
                       help="kane, newton_euler, composite or articulated")  # fmt: skip
     what.add_argument("--reproducible", action="store_true",

@@ -8,7 +8,7 @@ from typing import Any
 from . import header
 from .naming import comment
 
-# files every integrator needs, and those of each
+# files every integrator needs, and those of each with the functions it calls beside rhs
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
@@ -18,6 +18,14 @@ INTEGRATORS = {
     "rk4": ("rk4.c",),
     "rk45": ("rk45.c",),
     "dop853": ("dop853.c", "dop853_tables.h"),
+    "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
+    "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
+    "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),
+}
+NEEDS = {
+    "midpoint": ("energy",),
+    "radau": ("rhs_jacobian",),
+    "rosenbrock": ("rhs_jacobian",),
 }
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity")
@@ -55,7 +63,7 @@ def prototypes(manifest: dict[str, Any]) -> str:
 
 def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the first function at the start, and one second of motion if it can."""
-    name = min(manifest["functions"], key=CLOSING.__contains__)
+    name = min(manifest["functions"], key=(*CLOSING, "rhs_jacobian").__contains__)
     fields = _fields(manifest["functions"][name]["inputs"])
     zero = f"zero[{_zeros(manifest)}], " if "zero" in fields else ""
     lines = [
@@ -103,10 +111,11 @@ def _fields(inputs: Sequence[str]) -> str:
 def _simulation(method: str, manifest: dict[str, Any]) -> list[str]:
     """A run of one second from the start, printed at its end."""
     closed = [name for name in CLOSING if name in manifest["functions"]]
-    work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in closed)
-    rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in closed)
-    lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in closed]
-    lines += [f"    run.{name}.function = {name}, run.{name}.w = w_{name};" for name in closed]
+    called = [*closed, *NEEDS.get(method, ())]
+    work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in called)
+    rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in called)
+    lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in called]
+    lines += [f"    run.{name}.function = {name}, run.{name}.w = w_{name};" for name in called]
     if closed:
         rows = [row["level"] for row in manifest["multipliers"]]
         lines.append(f"    run.positions = {rows.count('position')}, run.rates = {len(rows)};")

@@ -38,8 +38,8 @@ def export(
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
             default the dynamics and the energy, of a closed system also what closes it.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-        integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``: their C comes along, and ``example.c``
-            simulates.
+        integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``, ``"radau"``, ``"rosenbrock"``: their C
+            comes along, and ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         loops: As :func:`cardan.compile` takes it.
 
@@ -58,7 +58,8 @@ def export(
     # what keeps a closed system closed belongs to its dynamics
     called = [name for name in companions.CLOSING if name in known]
     if wanted or not functions:
-        more = (*(("rhs",) if wanted else ()), *called)
+        needed = dict.fromkeys(name for one in wanted for name in companions.NEEDS.get(one, ()))
+        more = (*(("rhs",) if wanted else ()), *called, *needed)
         asked += [(name, None) for name in more if (name, None) not in asked]
     for name, _ in asked:
         if name not in known:

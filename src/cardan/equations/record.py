@@ -353,7 +353,7 @@ class Equations(Readable):
             directory: A new or empty one, or an earlier export, which is replaced.
             functions: Names, or pairs such as ``("pose", "hand")``.
             language: ``"cython"``, or ``"c"`` without the package.
-            integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``: to simulate from C.
+            integrators: ``"dop853"``, ``"rk45"``, ``"radau"``, ...: to simulate from C.
             reproducible: Equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
 

@@ -35,7 +35,7 @@ static inline int cardan_factor(ptrdiff_t n, real *a, real *order)
         if (pivot != k)
             cardan_exchange(n, a + k * n, a + pivot * n);
         scale = 1 / a[k * n + k];
-        if (!(scale - scale == 0))
+        if (!(scale - scale == 0) || scale == 0)
             return 1;
         for (ptrdiff_t i = k + 1; i < n; i++) {
             real factor = a[i * n + k];
@@ -89,7 +89,7 @@ static inline int cardan_factor_complex(ptrdiff_t n, real *re, real *im, real *o
         }
         x = re[k * n + k], y = im[k * n + k];
         size = 1 / (x * x + y * y);
-        if (!(size - size == 0))
+        if (!(size - size == 0) || size == 0)
             return 1;
         x *= size, y *= -size;
         for (ptrdiff_t i = k + 1; i < n; i++) {

@@ -13,7 +13,7 @@
 #include <math.h>
 
 /* the error of a step behaves like h^4 */
-enum { ORDER = 4, ITERATIONS = 7 };
+enum { ORDER = 4, ITERATIONS = 7, TO_ROUNDING = 30 };
 /* iterations that converge faster keep the Jacobian; steps that would grow by less stay */
 static const real FAST = 1e-3, DEAD_BAND = 1.2;
 
@@ -194,12 +194,14 @@ static int solve(cardan_run *run, const parts *own, real h, int *count)
 {
     const real rounding = 10 * DBL_EPSILON * norm(run, run->y, 1);
     const real wanted = fmax(rounding, fmin(0.03, sqrt(run->rtol)));
+    /* without a relative tolerance nothing says when it is enough: to rounding */
+    const int most = run->rtol > 0 ? ITERATIONS : TO_ROUNDING;
     real last = 0, size, rate = 0;
     /* how the iterations before went says something of the first one */
     real left = pow(fmax(own->now->rate, DBL_EPSILON), 0.8);
 
     predict(run, own, h);
-    for (*count = 1; *count <= ITERATIONS; (*count)++) {
+    for (*count = 1; *count <= most; (*count)++) {
         int status = iterate(run, own, h, &size);
         if (status != 0)
             return status;
@@ -207,15 +209,16 @@ static int solve(cardan_run *run, const parts *own, real h, int *count)
             return CARDAN_NOT_FINITE;
         if (*count > 1) {
             rate = *count == 2 ? size / last : sqrt(rate * size / last);
-            if (rate >= 0.99 && size > rounding)
+            if (rate >= 0.99 && size > 100 * rounding)
                 return CARDAN_TOO_SMALL;
             left = rate / (1 - fmin(rate, 0.99));
             /* what is left after the last one is told in advance */
-            if (left * size * pow(rate, ITERATIONS - 1 - *count) > 10 * wanted)
+            if (left * size * pow(rate, most - 1 - *count) > 10 * wanted)
                 return CARDAN_TOO_SMALL;
         }
         last = size;
-        if (size == 0 || left * size <= wanted || (*count > 1 && size <= rounding)) {
+        if (size == 0 || left * size <= wanted
+            || (*count > 1 && (size <= rounding || rate >= 0.99))) {
             own->now->rate = left;
             if (*count > 1 && rate > FAST)
                 own->now->kept = 0;
