@@ -17,7 +17,7 @@ from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
-METHODS = {name: m for name, m in INTEGRATORS.items() if "balance" not in m.needs}
+METHODS = {name: m for name, m in INTEGRATORS.items() if not {"balance", "energy"} & {*m.needs}}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -96,6 +96,7 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        energy_of: Body of the energies: kinetic, potential, total.
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
@@ -119,6 +120,7 @@ class Problem:
     velocity: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
+    energy_of: str = ""
     z: tuple[str, ...] = ()
     s: tuple[str, ...] = ()
     events: str = ""
@@ -187,7 +189,10 @@ class Problem:
                 for k, kind in enumerate(self.kinds)
             ],
             "ticks": list(self.ticks),
-            "available": ["rhs_jacobian", *(name for name in WRITTEN if getattr(self, name))],
+            "available": [
+                *("rhs_jacobian", *(["energy"] if self.energy_of else [])),
+                *(name for name in WRITTEN if getattr(self, name)),
+            ],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -204,6 +209,7 @@ class Problem:
                 "rhs": self.rhs,
                 "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
+                "energy": self.energy_of,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
                 "events": self.events,

@@ -38,9 +38,9 @@ enum {
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
-    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_STORM = -9,     /* events go on and on at one time */
     CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
 };
