@@ -16,7 +16,7 @@ RUN = (
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),
-    "rk45": ("rk45.c",),
+    "rk45": ("rk45.c", "rk45_tables.h"),
     "dop853": ("dop853.c", "dop853_tables.h"),
     "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
