@@ -84,6 +84,8 @@ _PUBLIC: dict[str, str] = {
     "Equations": "equations.record",
     "CompiledModel": "runtime.compiled",
     "load_model": "runtime.saved",
+    "sample": "analyses.sample",
+    "Ensemble": "analyses.ensembles",
     "Trajectory": "runtime.trajectory",
     "load_motion": "runtime.trajectory",
     **dict.fromkeys(
@@ -103,7 +105,7 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
-_MODULES = frozenset({"inertia", "shape"})
+_MODULES = frozenset({"inertia", "shape", "sample"})
 _RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]

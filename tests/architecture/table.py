@@ -49,6 +49,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("hybrid_dynamics", "actuation"),
             ("partition", "reduced"),
             ("residual", "implicit"),
+            ("ensemble", "ensembles"),
         )
     },
     ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),

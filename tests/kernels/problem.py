@@ -12,7 +12,8 @@ import numpy as np
 
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
-from cardan.runtime import cache, kernels
+from cardan.errors import CompilerMissing
+from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
@@ -23,7 +24,8 @@ int NAME(const cardan_in *in, real *out, real *work);
 int NAME(const cardan_in *in, real *out, real *work)
 {
     const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
-    (void)t; (void)q; (void)u; (void)r; (void)work;
+    const real *z = in->z, *s = in->s, *e = in->e;
+    (void)t; (void)q; (void)u; (void)r; (void)work; (void)z; (void)s; (void)e;
     BODY
     return 0;
 }
@@ -71,9 +73,16 @@ def function(folder: Path, name: str, body: str, entries: list[str], before: str
     library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
-    return SimpleNamespace(
-        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library
+    # what runs without integrators in C call it by
+    caller = SimpleNamespace(
+        call=lambda blocks, strides, rows: abi.run(address, blocks, strides, len(rows), rows, 0)
     )
+    return SimpleNamespace(
+        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library, caller=caller
+    )
+
+
+WRITTEN = ("rhs", "power", "events", "transition")
 
 
 @dataclass
@@ -90,6 +99,11 @@ class Problem:
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
         position, velocity: Bodies of the functions that close; both "" or both not.
         multipliers: Rows of the manifest.
+        z, s: Names of internal and discrete states.
+        events, transition: Bodies of the functions; the second writes u, z, s.
+        kinds: Of every event; they are called e0, e1, ... of elements a0, a1, ...
+        ticks: Rows of the manifest.
+        bare: Run it as without a compiler.
     """
 
     folder: Path
@@ -105,11 +119,42 @@ class Problem:
     velocity: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
+    z: tuple[str, ...] = ()
+    s: tuple[str, ...] = ()
+    events: str = ""
+    transition: str = ""
+    kinds: tuple[str, ...] = ()
+    ticks: tuple[dict[str, float], ...] = ()
+    bare: bool = False
     _made: dict[str, Any] = field(default_factory=dict)
 
     @property
     def nx(self) -> int:
-        return self.nq + self.nu
+        return self.nq + self.nu + self.nz
+
+    @property
+    def nz(self) -> int:
+        return len(self.z)
+
+    @property
+    def ns(self) -> int:
+        return len(self.s)
+
+    @property
+    def internals(self) -> tuple[str, ...]:
+        return self.z
+
+    @property
+    def _layout(self) -> Any:
+        return SimpleNamespace(start=lambda block: np.zeros(self.ns))
+
+    def parts_of(self, x: Any) -> tuple[Any, Any, Any]:
+        n = self.nq + self.nu
+        return x[..., : self.nq], x[..., self.nq : n], x[..., n:]
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        return ()
 
     @property
     def nr(self) -> int:
@@ -135,13 +180,22 @@ class Problem:
             "bodies": [],
             "quaternions": list(self.quaternions),
             "multipliers": list(self.multipliers),
-            "available": ["rhs", "rhs_jacobian", *(["power"] if self.power else [])],
+            "z": [{"name": n, "unit": "", "default": 0.0} for n in self.z],
+            "s": [{"name": n, "default": 0.0, "labels": {}} for n in self.s],
+            "events": [
+                {"name": f"e{k}", "element": f"a{k}", "kind": kind, "about": ""}
+                for k, kind in enumerate(self.kinds)
+            ],
+            "ticks": list(self.ticks),
+            "available": ["rhs_jacobian", *(name for name in WRITTEN if getattr(self, name))],
         }
 
     def prepare(self, *_: Any) -> None:
         """Nothing to compile side by side."""
 
     def _kernels(self) -> ctypes.CDLL:
+        if self.bare:
+            raise CompilerMissing("as on a machine without a compiler")
         return kernels.library()
 
     def _function(self, name: str) -> Any:
@@ -152,8 +206,10 @@ class Problem:
                 "power": self.power,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
+                "events": self.events,
+                "transition": self.transition,
             }[name]
-            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
+            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
             before = self._before() if body == DIFFERENCES else ""
             self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]

@@ -16,7 +16,7 @@ STEPS = {
     2: (20, 40, 80, 160, 320),
     3: (10, 20, 40, 80, 160),
     4: (5, 7, 10, 15, 20, 30),
-    5: (7, 10, 15, 20, 30, 40, 50),
+    5: (13, 17, 25, 35, 50),
     8: (3, 4, 5, 6, 7, 8, 10),
 }
 # where spans start: the error of one span may change its sign with the step

@@ -16,6 +16,7 @@ from .branches import Branch, branches, refuse
 from .consistent import accelerations, speeds
 from .mechanism import Mechanism
 from .meeting import Found
+from .rounded import rounded, slack
 from .searches import search
 from .targets import Target, read
 from .unassembled import explain
@@ -70,6 +71,9 @@ def assemble(
     begin = _begin(model, start)
     found = search(m, goals, begin, starts, seed)
     met = [one for one in found if one.met]
+    if not met:
+        found = rounded(m, goals, begin, starts, seed)
+        met = [one for one in found if one.met]
     if not met:
         explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
     different = _different(m, met)
@@ -147,7 +151,8 @@ def finish(
 ) -> Assembly:
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
-    rest = initial_state(model.manifest, {}, {})[0][model.nq :]
+    m.slack = m.slack or slack(m, q)
+    rest = initial_state(model.manifest, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, rest), None
     if "forward_dynamics" in model.manifest["available"]:
         rates = accelerations(m, q, velocities, udot)

@@ -17,6 +17,7 @@ from .consistent import speeds
 from .mechanism import Mechanism
 from .meeting import Found
 from .redundancy import rank_of
+from .rounded import rounded, slack
 from .searches import search, search_from
 from .settings import Start
 from .targets import Target, read
@@ -45,10 +46,11 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
         # the run itself projects what it is given
         return begin
     m = Mechanism(model, t, r)
-    place, speed = begin.x[: model.nq], begin.x[model.nq :]
+    place, speed, internal = model.parts_of(begin.x)
     place = _positions(m, place, _named("q", model, q))
+    m.slack = m.slack or slack(m, place)
     speed = _speeds(m, place, speed, _named("u", model, u))
-    return replace(begin, x=np.concatenate([place, speed]))
+    return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
 
 
 def _named(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:
@@ -68,7 +70,8 @@ def _positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array
         end = search_from(m, [], q)
         if end.turned:
             raise ModelError(turned_round(end.turned))
-        return end.q
+        if end.met:
+            return end.q
     every = dict(zip(m.model.coordinates, q.tolist(), strict=True))
     goals = read(m, every if named is None else named)
     return _assembled(m, goals, q).q
@@ -87,6 +90,9 @@ def _assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
         nearest = search_from(m, wished, q)
         if nearest.met and nearest.cost <= NEARLY**2:
             return nearest
+        found = rounded(m, goals, q, STARTS, 0)
+        met = [one for one in found if one.met]
+    if not met:
         explain(m, goals, found, lambda n, some: search(n, some, q, 6, 0), NAMED)
     return choose(m, met, [], q)
 

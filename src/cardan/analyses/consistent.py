@@ -13,7 +13,6 @@ from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
 
 Array = NDArray[np.float64]
-RANK = 1e-10
 CONSISTENT = 1e-9  # of the largest of the given values
 
 
@@ -93,13 +92,13 @@ def _meet(
     missing_part = right - G @ (wanted / m.columns)
     L = _metric(m, q, free)
     # the least change of the free entries that closes the gap
-    step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=RANK)
+    step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
     v = wanted.copy()
     v[free] += m.columns[free] * (L @ step)
     left = right - G @ (v / m.columns)
     scale = max(1.0, float(np.abs(wanted / m.columns).max(initial=0.0)))
     worst = int(np.abs(left).argmax()) if len(left) else 0
-    if len(left) and not abs(left[worst]) <= CONSISTENT * scale:
+    if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.slack) * scale:
         row = m.closing.rows[worst]
         said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
         kind = "speeds" if what == "u" else "accelerations"

@@ -26,10 +26,12 @@ class Integrator:
         applies: Where it is the one to take, in words.
         source: Where it comes from.
         needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
+        multipliers: Whether it finds multipliers along with the motion.
         options: Numbers that its kernel reads, before the one that says whether it is adaptive.
         given_step: Whether it is adaptive, but steps as told where a step is given.
         suited: What it makes of itself for a model, with words to print; raises ModelError where
             that is none for it.
+        lanes: Whether ``kernels/lane_<kernel>.c`` takes its steps side by side.
     """
 
     name: str
@@ -43,6 +45,8 @@ class Integrator:
     source: str
     charted: bool = False
     needs: tuple[str, ...] = ()
+    multipliers: bool = False
     options: tuple[float, ...] = ()
     given_step: bool = False
     suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = None
+    lanes: bool = False

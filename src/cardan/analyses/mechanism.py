@@ -18,6 +18,7 @@ from ..runtime.closing import Closing, size_of, unit
 from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
+TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
 
 
@@ -29,9 +30,12 @@ class Mechanism:
         size: Against which lengths count [m].
         columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
         released: Relations of the user that are not asked to hold.
+        slack: Residual without units up to which conditions that say the same twice may disagree,
+            as rounded lengths make them; 0 where they agree.
     """
 
     released: frozenset[str] = frozenset()
+    slack: float = 0.0
 
     def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
         """Args:
@@ -94,6 +98,11 @@ class Mechanism:
             return np.zeros((0, self.model.nu))
         found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
         return found[self._kept]
+
+    @property
+    def rank(self) -> float:
+        """Singular values below this part of the largest are those of dependent conditions."""
+        return LOOSE if self.slack else TIGHT
 
     @property
     def positions(self) -> int:

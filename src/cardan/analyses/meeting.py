@@ -20,7 +20,6 @@ MET = 1e-11  # residuals without units that count as zero
 SOUGHT = 1e-15
 STEPS = 80
 LONGEST = 0.7  # radians, or sizes of the mechanism
-RANK = 1e-10  # singular values below this part of the largest are zero
 LEAST_STEP = 1e-13
 
 
@@ -35,6 +34,7 @@ class Found:
         freedoms: Steps that keep what must hold, to first order.
         turned: Cut joint of which an axis is turned round there, "" if none.
         first: Whether the search began at the start that was given.
+        slack: Residual that counts as none.
     """
 
     q: Array
@@ -43,11 +43,12 @@ class Found:
     freedoms: int
     turned: str = ""
     first: bool = False
+    slack: float = 0.0
 
     @property
     def closed(self) -> bool:
         """Whether all residuals that must vanish do."""
-        return self.open <= MET
+        return self.open <= max(MET, self.slack)
 
     @property
     def met(self) -> bool:
@@ -114,7 +115,7 @@ def meet(conditions: Conditions, q: Array) -> Found:
             break
         damping = max(1e-12, 0.2 * damping) if np.allclose(step, across + along) else damping * 2
         q, hard, soft = trial, new_hard, new_soft
-    return Found(q, _size(hard), float(soft @ soft), m.model.nu - rank)
+    return Found(q, _size(hard), float(soft @ soft), m.model.nu - rank, slack=m.slack)
 
 
 def _step(
@@ -124,7 +125,7 @@ def _step(
     A = conditions.hard_jacobian(q)
     U, s, Vt = np.linalg.svd(A)
     top = float(s.max(initial=0.0))
-    rank = int(np.sum(s > RANK * max(top, 1.0)))
+    rank = int(np.sum(s > conditions.m.rank * max(top, 1.0)))
     # damped by the residual itself: bounded where the rank drops, quadratic at the end
     distance = float(np.linalg.norm(hard)) * 0.1
     inverse = s[:rank] / (s[:rank] ** 2 + distance**2)

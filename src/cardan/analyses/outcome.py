@@ -38,9 +38,14 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
             "more than its increment can tell. Take step= shorter"
         )
+    if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
+        return _event(runner, answer, at)
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
+        if runner.record.culprit >= runner.n:
+            what = _happening(runner)
+            return "not_finite", f"stopped {at}: what says when {what} happens is not finite"
         return "not_finite", (
             f"stopped {at}: the derivative{who} is not finite. {_domain(runner)}: look at the "
             "state motion.x[-1]"
@@ -104,5 +109,30 @@ def _driven(runner: Runner | PlainRunner) -> str:
 def _culprit(runner: Runner | PlainRunner) -> str:
     """`` of 'elbow.u'``, or nothing when no entry is to blame."""
     k = runner.record.culprit
-    names = (*runner.model.coordinates, *runner.model.speeds, *runner.sources)
+    model = runner.model
+    names = (*model.coordinates, *model.speeds, *model.internals, *runner.sources)
     return f" of '{names[k]}'" if 0 <= k < len(names) else ""
+
+
+def _happening(runner: Runner | PlainRunner) -> str:
+    """The event that is to blame, with the element it happens to."""
+    row = runner.may.rows[runner.record.culprit - runner.n]
+    owner = f" of '{row['element']}'" if row["element"] and row["element"] != row["name"] else ""
+    return f"'{row['name']}'{owner}"
+
+
+def _event(runner: Runner | PlainRunner, answer: int, at: str) -> tuple[str, str]:
+    """A run that events ended."""
+    what = _happening(runner)
+    if answer == abi.EVENT:
+        return "event", f"ended {at} by {what}"
+    if answer == abi.STORM:
+        return "event_storm", (
+            f"stopped {at}: {what} happens again and again at this one time: what it changes does "
+            "not end what causes it"
+        )
+    return "chatter", (
+        f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
+        "bounces of a ball that comes to rest. Let it stick below a speed, take a smooth law, or "
+        "end the run there with events="
+    )

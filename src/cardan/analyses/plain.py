@@ -19,7 +19,9 @@ from ..runtime.ledger import Ledger
 from ..runtime.loaded import LoadedFunction
 from ..runtime.slots import ORDER, SLOT
 from . import record as abi
+from .happenings import NOTHING, Happenings
 from .plain_closing import PlainCloser
+from .plain_events import PlainEvents
 from .plain_methods import METHODS, Broken, Step
 from .run import SLICE, Saved
 from .settings import Settings
@@ -40,6 +42,7 @@ class Progress:
     evaluations: int = 0
     count: int = 0
     nr: int = 0
+    nlam: int = 0
     culprit: int = -1
     model_status: int = 0
     open_row: int = -1
@@ -48,13 +51,20 @@ class Progress:
     loosened: int = 0
     jacobians: int = 0
     factorizations: int = 0
+    occurred: int = 0
+    log_count: int = 0
 
 
 class PlainRunner:
     """A run from a state over segments of time; used as :class:`.run.Runner` is."""
 
     def __init__(
-        self, model: CompiledModel, settings: Settings, given: Signals, power: bool = True
+        self,
+        model: CompiledModel,
+        settings: Settings,
+        given: Signals,
+        power: bool = True,
+        may: Happenings = NOTHING,
     ) -> None:
         """Args: as of :class:`.run.Runner`.
 
@@ -66,7 +76,7 @@ class PlainRunner:
                 f"method '{settings.method.name}' needs a C compiler: pip install "
                 f"'cardan[compiler]'. Without one there are {', '.join(METHODS)}"
             )
-        self.model, self.settings, self.signals = model, settings, given
+        self.model, self.settings, self.signals, self.may = model, settings, given, may
         self.functions = [model._function("rhs"), *([model._function("power")] if power else [])]
         self.powered = power
         outputs = self.functions[-1].outputs if power else []
@@ -75,9 +85,12 @@ class PlainRunner:
         self.error: BaseException | None = None
         self.record = Progress(nr=model.nr, h=settings.step)
         self.views = {"y": np.zeros(self.n), "r": given.constants.copy()}
+        self.views["s"] = model._layout.start("s")
         self._rest = np.zeros(max(model.nu, 6 * len(model.bodies)))
         self.quaternions = tuple(model.manifest["quaternions"])
         self.closer = PlainCloser(self)
+        self.events = PlainEvents(self)
+        self.happened = np.empty((0, 1 + len(may.rows) + 2 * (model.nx + model.ns)))
         self._kept: list[tuple[Array, Array]] = []
         self._times: Array | None = None
         self._where: dict[int, int] = {}
@@ -112,15 +125,21 @@ class PlainRunner:
         found[:nx, :nx] = numbers[: nx * nx].reshape(nx, nx)
         return found
 
-    def call(self, function: LoadedFunction, t: float, y: Array, out: Array) -> None:
-        """Results of a function at t, y.
+    def call(
+        self, function: LoadedFunction, t: float, y: Array, out: Array, e: Array | None = None
+    ) -> None:
+        """Results of a function at t, y, and where it asks for them events that happen.
 
         Raises:
             Broken: it has none.
         """
         nq, caller = self.model.nq, function.caller
-        given = {"t": np.array([t]), "q": y[:nq], "u": y[nq : self.nx], "r": self.views["r"]}
+        speeds = nq + self.model.nu
+        given = {"t": np.array([t]), "q": y[:nq], "u": y[nq:speeds], "z": y[speeds : self.nx]}
+        given |= {"r": self.views["r"], "s": self.views["s"]}
         given |= {"tau": self._rest, "wrench": self._rest}
+        if e is not None:
+            given["e"] = e
         blocks: list[Array | None] = [given.get(name) for name in ORDER]
         blocks[SLOT["w"]] = function.w
         status, _ = caller.call(blocks, [0] * len(ORDER), out[None, :])
@@ -162,11 +181,34 @@ class PlainRunner:
             self.closer.close(t, y, noted=True)
             if self._blamed(self.derivative(t, y)):
                 return abi.NOT_FINITE
+            self.events.start()
+            self.jumped()
         except Broken as broken:
             return broken.answer
-        if self._times is None or self._times[0] == t:
-            self._keep(t, y, np.zeros((self.settings.method.dense_rows, self.n)))
+        self._next_time = 0
+        if self._times is None:
+            self._keep(t, y, self._flat)
+        else:
+            self._here()
         return abi.DONE
+
+    @property
+    def _flat(self) -> Array:
+        """Dense output of no time."""
+        return np.zeros((self.settings.method.dense_rows, self.n))
+
+    def _here(self) -> None:
+        """The row for the present time if it is wanted, and all that happens there has."""
+        times = self._times
+        if (
+            times is None
+            or self._next_time >= len(times)
+            or times[self._next_time] != self.record.t
+        ):
+            return
+        if not (self.events.happened or self.events.due()):
+            self._keep(self.record.t, self.views["y"], self._flat)
+            self._next_time += 1
 
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
@@ -176,7 +218,11 @@ class PlainRunner:
     def want(self, times: Array | None, dense: bool) -> None:
         """Say which rows to write, as :meth:`.run.Runner.want`; dense output is always kept."""
         self._times, self._all = times, dense
-        self._kept, self._next_time = [], 1
+        self._kept, self._next_time = [], 0
+
+    def loosen(self, slack: float) -> None:
+        """As :meth:`.run.Runner.loosen`."""
+        self.closer.closing = self.closer.closing.loosened(slack)
 
     @property
     def closing(self) -> Closing:
@@ -192,7 +238,9 @@ class PlainRunner:
     def rows(self) -> Array:
         """Rows so far (count, 1 + n + nr)."""
         rows = [row for row, _ in self._kept]
-        return np.stack(rows) if rows else np.empty((0, 1 + self.n + self.record.nr))
+        return (
+            np.stack(rows) if rows else np.empty((0, 1 + self.n + self.record.nr + self.model.ns))
+        )
 
     @property
     def spreads(self) -> Array:
@@ -216,6 +264,7 @@ class PlainRunner:
         except Broken as broken:
             return broken.answer
         answer = self._drive(math.inf)
+        self.happened = self.drained()
         if answer == abi.STOPPED:
             raise KeyboardInterrupt
         return answer
@@ -224,12 +273,19 @@ class PlainRunner:
         """Step until the run is over or the time is up."""
         try:
             while time.perf_counter() < deadline:
-                if self.record.t == self._stops[self._next]:
-                    if self._next + 1 == len(self._stops):
-                        return abi.DONE
+                if self.events.happened:
+                    self._happen()
+                elif self.record.t != self._until:
+                    self._step()
+                elif self.events.tick():
+                    continue
+                elif self.record.t != self._stops[self._next]:
+                    self.jumped()
+                elif self._next + 1 == len(self._stops):
+                    return abi.DONE
+                else:
                     self._next += 1
                     self._segment()
-                self._step()
         except Broken as broken:
             return broken.answer
         except KeyboardInterrupt:
@@ -244,16 +300,45 @@ class PlainRunner:
             where = int(np.searchsorted(piece.breaks, middle, side="right")) - 1
             self._where[k] = min(max(where, 0), len(piece.coefficients) - 1)
         self._inputs(t, self.views["y"], True)
+        self.jumped()
+
+    def jumped(self) -> None:
+        """Start over at t, where something has changed."""
         self._method = None
+        self._until = self.events.until(self._stops[self._next])
+
+    def _happen(self) -> None:
+        """What happens at t: transitions until nothing happens any more."""
+        self.events.changed = over = False
+        while self.events.happened and not over:
+            over = self.events.apply()
+        if self._times is None and self._all and self.events.changed:
+            self._keep(self.record.t, self.views["y"], self._flat)
+        self._here()
+        if over:
+            raise Broken(abi.EVENT)
+
+    def drained(self) -> Array:
+        """What has happened since the last call, as ``Happened.log``."""
+        log, self.events.log = self.events.log, []
+        return np.stack(log) if log else self.happened[:0]
+
+    @property
+    def end(self) -> float:
+        """Where the run ends [s]."""
+        return self._stops[-1]
 
     def _step(self) -> None:
         run, y = self.record, self.views["y"]
         if self._method is None:
-            self._method = METHODS[self.settings.method.name](self, self._stops[self._next])
+            self._method = METHODS[self.settings.method.name](self, self._until)
         before, old = run.t, y.copy()
         step = next(self._method)
         if self._blamed(step.y):
             raise Broken(abi.NOT_FINITE)
+        whole, step = step, self.events.seek(before, old, step)
+        if step is not whole:
+            self._method = None
         run.t, y[:] = step.t, step.y
         run.steps += 1
         if self._times is not None:
@@ -266,7 +351,7 @@ class PlainRunner:
         times, sign = self._times, 1.0 if step.t > before else -1.0
         assert times is not None
         first = self._next_time
-        while self._next_time < len(times) and (times[self._next_time] - step.t) * sign <= 0:
+        while self._next_time < len(times) and (times[self._next_time] - step.t) * sign < 0:
             self._next_time += 1
         inside = times[first : self._next_time]
         if len(inside):
@@ -277,10 +362,11 @@ class PlainRunner:
             ):
                 self.closer.between(float(t), y)
                 self._keep(float(t), y, spread)
+        self._here()
 
     def _keep(self, t: float, y: Array, spread: Array) -> None:
         self.at(t, y)
-        self._kept.append((np.concatenate([[t], y, self.views["r"]]), spread))
+        self._kept.append((np.concatenate([[t], y, self.views["r"], self.views["s"]]), spread))
         self.record.count = len(self._kept)
 
     def normalize(self, y: Array) -> None:
@@ -306,8 +392,14 @@ class PlainRunner:
 
     def save(self) -> Saved:
         """State, inputs and counters."""
-        memory = np.concatenate([self.views["y"], self.views["r"], self.closer.numbers])
+        memory = np.concatenate(self._memory)
         return Saved(replace(self.record), memory.tobytes(), id(self))
+
+    @property
+    def _memory(self) -> list[Array]:
+        """Everything that a checkpoint holds besides the record."""
+        own = [self.views["y"], self.views["r"], self.views["s"], self.closer.numbers]
+        return [*own, *self.events.memory]
 
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this run.
@@ -319,6 +411,7 @@ class PlainRunner:
             raise ModelError("this checkpoint was made by another stepper")
         self.record = replace(saved.record)
         memory = np.frombuffer(saved.memory)
-        width = self.n + self.record.nr
-        self.views["y"][:], self.views["r"][:] = memory[: self.n], memory[self.n : width]
-        self.closer.numbers[:] = memory[width:]
+        start = 0
+        for block in self._memory:
+            block[:] = memory[start : start + len(block)]
+            start += len(block)

@@ -9,9 +9,11 @@ from typing import Any
 from ..errors import BuildError
 
 # answers of the kernels, as in run.h
-DONE, MORE, FULL, STOPPED = 0, 1, 2, 3
+DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
 NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
-UNSOLVED = -8
+UNSOLVED, STORM, CHATTER = -8, -9, -10
+# kinds of events, as in run.h
+MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 INPUTS = ctypes.CFUNCTYPE(
@@ -21,7 +23,7 @@ INPUTS = ctypes.CFUNCTYPE(
 FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "init step dense length"),
     (POINTER, "rhs rhs_w power power_w"),
-    (POINTER, "rhs_jacobian rhs_jacobian_w"),
+    (POINTER, "energy energy_w rhs_jacobian rhs_jacobian_w"),
     (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
     (POINTER, "options"),
     (POINTER, "inputs signals quaternions"),
@@ -29,17 +31,23 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (COUNT, "positions rates"),
     (REAL, "size"),
-    (POINTER, "y y_old trial k f r s spread at_rest work closing chart own ledger"),
+    (POINTER, "events events_w transition transition_w watch kinds ticks"),
+    (COUNT, "ne watched tick_count"),
+    (POINTER, "y y_old trial k f r s spread at_rest work closing chart own e board ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
-    (REAL, "t t_old t_start segment"),
+    (REAL, "t t_old t_start segment until"),
     (COUNT, "in_segment"),
     (REAL, "rtol atol max_step h correction left_open carried magnified magnified_here"),
     (REAL, "first_h best_h best_error allowed"),
     (COUNT, "fresh is_dense rejected near_singular rounded"),
-    (POINTER, "rows spreads times"),
+    (POINTER, "rows lam"),
+    (COUNT, "nlam"),
+    (POINTER, "spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),
+    (POINTER, "log"),
+    (COUNT, "log_capacity log_count happened at_once occurred"),
     (COUNT, "steps rejections evaluations budget culprit model_status"),
     (COUNT, "open_row projections loosened"),
     (COUNT, "jacobians factorizations"),
@@ -65,6 +73,18 @@ class Signal(ctypes.Structure):
     ]
 
 
+class Tick(ctypes.Structure):
+    """``cardan_tick``: an event at known times."""
+
+    _fields_ = [
+        ("event", COUNT),
+        ("period", REAL),
+        ("phase", REAL),
+        ("count", COUNT),
+        ("next", REAL),
+    ]
+
+
 @lru_cache(maxsize=4)
 def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     """The kernels library with the types of its run functions declared.
@@ -82,7 +102,7 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
-    for name in ("cardan_closing_length", "cardan_chart_length"):
+    for name in ("cardan_closing_length", "cardan_chart_length", "cardan_board_length"):
         getattr(library, name).argtypes = [record]
         getattr(library, name).restype = COUNT
     return library

@@ -20,7 +20,8 @@ from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
 from . import record as abi
-from .record import INPUTS, Run, Signal
+from .happenings import NOTHING, Happenings
+from .record import INPUTS, Run, Signal, Tick
 from .settings import Settings
 from .signals import Signals
 
@@ -28,6 +29,7 @@ Array = NDArray[np.float64]
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
+LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,7 @@ class Saved:
     record: Any
     memory: bytes
     owner: int
+    ticks: bytes = b""
 
 
 class Runner:
@@ -46,7 +49,12 @@ class Runner:
     """
 
     def __init__(
-        self, model: CompiledModel, settings: Settings, given: Signals, power: bool = True
+        self,
+        model: CompiledModel,
+        settings: Settings,
+        given: Signals,
+        power: bool = True,
+        may: Happenings = NOTHING,
     ) -> None:
         """Allocate.
 
@@ -55,8 +63,9 @@ class Runner:
             settings: How to step.
             given: The inputs.
             power: Integrate the power of the sources too.
+            may: What may happen.
         """
-        self.model, self.settings, self.signals = model, settings, given
+        self.model, self.settings, self.signals, self.may = model, settings, given, may
         self.library = abi.kernels(model._kernels())
         self.functions = [model._function("rhs")]
         if power:
@@ -64,7 +73,7 @@ class Runner:
         self.powered = power
         self.closing = Closing.of(model)
         self.closers = [model._function(name) for name in self.closing.functions]
-        self.needed = [model._function(name) for name in settings.method.needs]
+        self.needed = [model._function(name) for name in (*settings.method.needs, *may.functions)]
         outputs = self.functions[-1].outputs if power else []
         self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
@@ -80,9 +89,17 @@ class Runner:
         """Fill in how long everything is."""
         model, run = self.model, self.record
         run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
+        run.nz, run.ns = model.nz, model.ns
+        run.ne, run.watched = self.may.model, self.may.watched
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
+        run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+
+    def loosen(self, slack: float) -> None:
+        """Let residuals up to a slack, without units, count as none."""
+        self.closing = self.closing.loosened(slack)
+        self.record.size = self.closing.size
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
@@ -96,11 +113,14 @@ class Runner:
             "k": method.stages * n,
             "spread": method.dense_rows * n,
             "r": model.nr,
+            "s": model.ns,
             "at_rest": max(model.nu, 6 * parts),
             "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
             "closing": self.library.cardan_closing_length(self.record),
             "chart": self.library.cardan_chart_length(self.record),
             "own": abi.length(self.library, method.kernel, self.record),
+            "e": len(self.may.rows),
+            "board": self.library.cardan_board_length(self.record),
             "ledger": 4 * (self.closing.positions + self.closing.rates),
         }
         self.memory = np.zeros(sum(sizes.values()))
@@ -125,7 +145,7 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
-        names = (*self.closing.functions, *settings.method.needs)
+        names = (*self.closing.functions, *settings.method.needs, *self.may.functions)
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
@@ -135,7 +155,9 @@ class Runner:
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1
         self.views["r"][:] = self.signals.constants
+        self.views["s"][:] = model._layout.start("s")
         self._connect_signals()
+        self._connect_events()
 
     def _connect_signals(self) -> None:
         run, pieces = self.record, self.signals.pieces
@@ -152,6 +174,22 @@ class Runner:
             run.inputs = ctypes.cast(call, ctypes.c_void_p).value
             run.sampled = self.signals.sample is not None
 
+    def _connect_events(self) -> None:
+        run, ticks = self.record, self.may.ticks
+        run.kinds = self._pointer(np.array(self.may.kinds, dtype=np.intp))
+        self.ticks = (Tick * max(1, len(ticks)))()
+        for row, tick in zip(self.ticks, ticks, strict=False):
+            row.event, row.period, row.phase = tick["event"], tick["period"], tick["phase"]
+        run.ticks, run.tick_count = ctypes.addressof(self.ticks), len(ticks)
+        width = 1 + len(self.may.rows) + 2 * (self.model.nx + self.model.ns)
+        run.log_capacity = LOG + ROOM * len(self.may.rows) if self.may.rows else 0
+        self.log = np.empty((run.log_capacity, width))
+        run.log = self.log.ctypes.data
+        if self.may.watches:
+            call = INPUTS(self._look)
+            self._keep.append(call)
+            run.watch = ctypes.cast(call, ctypes.c_void_p).value
+
     def _pointer(self, array: NDArray[Any]) -> int:
         """Address of an array that must live as long as this."""
         self._keep.append(array)
@@ -165,6 +203,17 @@ class Runner:
                 r[k] = float(function(t, state))
         except BaseException as error:
             # it must not cross the C frames: the drive raises it again
+            self.error = error
+            return 1
+        return 0
+
+    def _look(self, t: float, x: Any, values: Any) -> int:
+        """Evaluate what the caller watches; called from C."""
+        try:
+            state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
+            for k, value in enumerate(self.may.watch(t, state)):
+                values[k] = value
+        except BaseException as error:
             self.error = error
             return 1
         return 0
@@ -200,7 +249,8 @@ class Runner:
         """
         run = self.record
         run.capacity = ROWS if times is None else len(times)
-        self.rows = np.empty((run.capacity, 1 + self.n + self.model.nr))
+        width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
+        self.rows = np.empty((run.capacity, width))
         run.rows = self.rows.ctypes.data
         if times is not None:
             self._times = np.ascontiguousarray(times)
@@ -223,16 +273,25 @@ class Runner:
         self.aim([end])
         run.t_start = run.t
         # inputs may have jumped: the derivative at the start is new
-        answer = int(self.library.cardan_segment(run))
-        while answer in (abi.DONE, abi.MORE, abi.FULL) and run.t != end:
+        answer = int(self.library.cardan_segment(run)) or abi.MORE
+        logs = []
+        while answer in (abi.MORE, abi.FULL):
             run.count = 0
             answer = self.drive(SOME_STEPS)
+            logs.append(self.drained())
+        self.happened = np.concatenate(logs) if logs else self.log[:0]
         self.check()
         return answer
 
+    def drained(self) -> Array:
+        """What has happened since the last call, as ``Happened.log``."""
+        taken = self.log[: self.record.log_count].copy()
+        self.record.log_count = 0
+        return taken
+
     def save(self) -> Saved:
         """A checkpoint."""
-        return Saved(bytes(self.record), self.memory.tobytes(), id(self))
+        return Saved(bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks))
 
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this run.
@@ -248,6 +307,7 @@ class Runner:
         # the stops were those of a step that is over
         run.stops, run.stop_count, run.next_stop = stops, 1, 0
         memory[:] = np.frombuffer(saved.memory)
+        ctypes.memmove(self.ticks, saved.ticks, ctypes.sizeof(self.ticks))
 
     def check(self) -> None:
         """Raise what an input function raised."""

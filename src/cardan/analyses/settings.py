@@ -114,35 +114,44 @@ def integrator(name: str | GeneralizedAlpha) -> Integrator:
 
 @dataclass(frozen=True)
 class Start:
-    """Where a run starts: the state and which of its entries nobody named."""
+    """Where a run starts.
+
+    Attributes:
+        x: The state (nx,).
+        defaulted: Those of its entries that nobody named.
+        slack: Residual, in sizes of the mechanism, up to which circuits count as closed because
+            conditions that say the same twice disagree; 0 where they agree.
+    """
 
     x: Array
     defaulted: tuple[str, ...]
+    slack: float = 0.0
 
     def named(self, model: CompiledModel) -> dict[str, float]:
         """Every entry by its name."""
-        names = (*model.coordinates, *model.speeds)
+        names = (*model.coordinates, *model.speeds, *model.internals)
         return dict(zip(names, self.x.tolist(), strict=True))
 
 
-def start(model: CompiledModel, x0: Any, q: Any, u: Any) -> Start:
-    """The initial state from ``x0`` or from ``q`` and ``u``, each by names or as an array.
+def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start:
+    """The initial state from ``x0`` or from ``q``, ``u`` and ``z``, each by names or as an array.
 
     Raises:
         ModelError: both given, or an unknown name. ArgumentError: wrong shape.
         SolveError: a value that is not finite.
     """
-    if x0 is not None and (q is not None or u is not None):
-        raise ModelError("the start is given twice: by x0= and by q= or u=. Leave one out")
-    coordinates, speeds = model.coordinates, model.speeds
+    if x0 is not None and any(block is not None for block in (q, u, z)):
+        raise ModelError("the start is given twice: by x0= and by q=, u= or z=. Leave one out")
+    coordinates, speeds, internals = model.coordinates, model.speeds, model.internals
     if x0 is not None:
-        x = _array("x0", x0, (*coordinates, *speeds))
-        q, u = x[: model.nq], x[model.nq :]
+        x = _array("x0", x0, (*coordinates, *speeds, *internals))
+        nq, nu = len(coordinates), len(speeds)
+        q, u, z = x[:nq], x[nq : nq + nu], x[nq + nu :]
     names = {
         letter: _by_entry(letter, value, entries)
-        for letter, value, entries in (("q", q, coordinates), ("u", u, speeds))
+        for letter, value, entries in (("q", q, coordinates), ("u", u, speeds), ("z", z, internals))
     }
-    return Start(*initial_state(model.manifest, names["q"], names["u"]))
+    return Start(*initial_state(model.manifest, names["q"], names["u"], names["z"]))
 
 
 def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:

@@ -16,11 +16,13 @@ from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.conduct import Conduct
 from ..runtime.dense import Dense
+from ..runtime.events import Happened
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
+from .happenings import NOTHING, Happenings, happenings
 from .outcome import explain
 from .plain import PlainRunner
 from .progress import showing
@@ -39,6 +41,8 @@ def simulate(
     x0: ArrayLike | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
+    z: Values | ArrayLike | None = None,
+    events: Mapping[str, Any] | None = None,
     method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
@@ -59,6 +63,11 @@ def simulate(
         q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
             or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
             of a system with circuits it is assembled next to that, see ``model.assemble``.
+        z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
+        events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
+            ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
+            internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
+            a further word says which way, along the run.
         method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853.
         rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
             state, root mean square over them.
@@ -73,8 +82,9 @@ def simulate(
             the run takes longer than a second.
 
     Returns:
-        The motion. If the run breaks down or is interrupted (Ctrl-C): what was computed, with
-        ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`.
+        The motion; ``motion.events`` says what happened. If the run breaks down or is interrupted
+        (Ctrl-C): what was computed, with ``status``, ``message`` and a
+        :class:`~cardan.errors.SolveWarning`.
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
@@ -82,11 +92,15 @@ def simulate(
         SolveError: a number that is not finite; with ``check``, an early end.
     """
     over = span(t)
-    begin = start(model, x0, q, u)
+    begin = start(model, x0, q, u, z)
+    may = happenings(model, events)
+    may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    motion = _run(runner_of(model, how, given), over, begin, given, progress)
+    runner = runner_of(model, how, given, may)
+    runner.loosen(begin.slack)
+    motion = _run(runner, over, begin, given, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -94,27 +108,31 @@ def simulate(
     return motion
 
 
-def runner_of(model: CompiledModel, how: Settings, given: Signals) -> Runner | PlainRunner:
+def runner_of(
+    model: CompiledModel, how: Settings, given: Signals, may: Happenings = NOTHING
+) -> Runner | PlainRunner:
     """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
     available = model.manifest["available"]
     power = "power" in available
-    for name in how.method.needs:
+    needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
+    needs += [("a run with events", name) for name in may.functions]
+    for what, name in needs:
         if name not in available:
             raise ModelError(
-                f"method '{how.method.name}' needs the function '{name}', which model "
+                f"{what} needs the function '{name}', which model "
                 f"'{model.name}' lacks: cd.compile(..., functions=[..., '{name}'])"
             )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
-    called += how.method.needs
+    called += [name for _, name in needs]
     # side by side, as both must be compiled
     model.prepare(*called)
     if all(model._function(name).address for name in called) and _integrators(model):
-        return Runner(model, how, given, power)
+        return Runner(model, how, given, power, may)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
-    return PlainRunner(model, replace(how, words=words), given, power)
+    return PlainRunner(model, replace(how, words=words), given, power, may)
 
 
 def _integrators(model: CompiledModel) -> bool:
@@ -134,7 +152,8 @@ def _run(
     progress: bool | Callable[[float], None] | None,
 ) -> Trajectory:
     """Drive the run to its end and collect what came out."""
-    run, how, rows, spreads = runner.record, runner.settings, [], []
+    run, how, rows, spreads = runner.record, runner.settings, list[Array](), list[Array]()
+    logs: list[Array] = []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
@@ -145,10 +164,12 @@ def _run(
             if answer != abi.MORE:
                 rows.append(runner.rows[: run.count].copy())
                 spreads.append(runner.spreads[: run.count].copy())
+                logs.append(runner.drained())
                 run.count = 0
             show(min(1.0, abs(run.t - over.start) / over.length))
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    table = np.concatenate(rows) if rows else np.empty((0, 1 + runner.n + run.nr))
+    width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
+    table = np.concatenate(rows) if rows else np.empty((0, width))
     if not len(table):
         table = _first_row(runner, over, begin)
     status, message = explain(runner, answer, over)
@@ -160,6 +181,7 @@ def _run(
         "factorizations": run.factorizations,
         "projections": run.projections,
         "loosened": run.loosened,
+        "events": run.occurred,
         "milliseconds": milliseconds,
     }
     defaulted = (*begin.defaulted, *given.defaulted)
@@ -168,20 +190,28 @@ def _run(
     conduct = Conduct(
         how.method.name, how.words, initial, defaulted, status, message, dict(statistics)
     )
-    return _trajectory(runner, table, spreads if over.times is None else None, conduct)
+    log = np.concatenate([*logs, runner.drained()])
+    return _trajectory(runner, table, spreads if over.times is None else None, log, conduct)
 
 
 def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
     """The start alone, for a run that broke down there."""
     rest = np.zeros(runner.n - len(begin.x))
-    return np.concatenate([[over.start], begin.x, rest, runner.signals.constants])[None, :]
+    modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
+    known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
+    return np.concatenate(known)[None, :]
 
 
 def _trajectory(
-    runner: Runner | PlainRunner, table: Array, spreads: list[Array] | None, conduct: Conduct
+    runner: Runner | PlainRunner,
+    table: Array,
+    spreads: list[Array] | None,
+    log: Array,
+    conduct: Conduct,
 ) -> Trajectory:
-    model, n = runner.model, runner.n
-    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n :].copy()
+    model, n, end = runner.model, runner.n, 1 + runner.n + runner.model.nr
+    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
+    s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
     quaternions = tuple(model.manifest["quaternions"])
     dense = None
     if spreads and len(t) > 1:
@@ -199,4 +229,6 @@ def _trajectory(
         dense=dense,
         inputs_at=runner.signals.recorded(t, r).at,
         ledger=runner.ledger,
+        stored={"multipliers": lam.copy()} if runner.record.nlam else {},
+        happened=Happened(s.copy(), runner.may.rows, log),
     )

@@ -151,6 +151,7 @@ def stepper(
     begin = start(model, x0, q, u)
     begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
     runner = runner_of(model, how, given)
+    runner.loosen(begin.slack)
     runner.want(None, dense=False)
     return Stepper(runner, begin.x, t)
 

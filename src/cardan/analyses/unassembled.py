@@ -13,6 +13,7 @@ from ..errors import ModelError
 from ..runtime.ledger import residual_unit
 from .mechanism import Mechanism
 from .meeting import Found
+from .rounded import ROUNDED
 from .searches import search_from
 from .targets import Target
 
@@ -20,6 +21,7 @@ Array = NDArray[np.float64]
 WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
 T = TypeVar("T")
 Search = Callable[[Mechanism, Sequence[Target]], list[Found]]
+NEAR = 1e-3  # residuals without units that rounding may explain
 HALVINGS = 30  # of the way from what is reached to what is asked
 
 
@@ -144,14 +146,15 @@ def _culprits(m: Mechanism, again: Search) -> str:
 
 def _open(m: Mechanism, found: Sequence[Found]) -> str:
     """What has the largest residual where the search came nearest."""
-    turned = [one.turned for one in found if one.closed and one.turned]
-    if turned:
-        return turned_round(turned[0])
 
     def gap_of(one: Found) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
 
-    gaps = m.gaps(min(found, key=gap_of).q)
+    straight = [one for one in found if not m.turned(one.q)]
+    turned = [one.turned for one in found if one.closed and one.turned]
+    if turned and not any(gap_of(one) < NEAR for one in straight):
+        return turned_round(turned[0])
+    gaps = m.gaps(min(straight or found, key=gap_of).q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
     many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
@@ -165,11 +168,17 @@ def _open(m: Mechanism, found: Sequence[Found]) -> str:
             "is meant"
         )
     gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
+    near = ""
+    if max(length / m.size, other) < NEAR:
+        near = (
+            f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
+            "the size of the mechanism they are ignored, so give lengths and axes more digits"
+        )
     path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
     return (
         f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
         f"least residual found is {gap}, between frames '{cut['parent_frame']}' and "
         f"'{cut['child_frame']}', from {many}. Check lengths and places of its joints"
         f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
-        "the position that is meant"
+        f"the position that is meant{near}"
     )

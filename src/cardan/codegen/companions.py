@@ -12,10 +12,12 @@ from .naming import comment
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
+    *("events.h", "events.c", "search.c", "dips.c"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),
     "rk45": ("rk45.c",),
+    "midpoint": ("midpoint.c",),
     "dop853": ("dop853.c", "dop853_tables.h"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),

@@ -140,6 +140,11 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
+    unknown += [
+        f"the friction of '{force.name}' follows from reactions"
+        for force in system.forces
+        if force.element.pressed
+    ]
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],

@@ -109,9 +109,12 @@ class Solved(Protocol):
 
     Attributes:
         held: Multipliers of its holds (their number, 1): the forces along their velocities.
+        certainty: Positive where the force that follows from the reaction of its joint is the
+            only one possible; None where it has no such force.
     """
 
     held: Matrix
+    certainty: Scalar | None
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from ..ir.matrix import Matrix
 from ..topology.system import Cut
 from .accelerations import Accelerations
-from .dynamics import Dynamics
 from .kinematics import Kinematics
 from .loads import Loads
 from .relative.newton_euler import along_joint, driving_force, joint_forces
+
+if TYPE_CHECKING:
+    from .dynamics import Dynamics
 
 Wrenches = dict[int, tuple[Matrix, Matrix]]
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..errors import DerivationError, near
 from ..ir.function import Output
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..topology.system import System
 from .dynamics import Dynamics
 from .kinematics import Kinematics
+from .pressing import pressed, solved
 
 
 def frame_number(system: System, name: str) -> int:
@@ -54,6 +56,22 @@ class Context:
     def frame(self) -> int:
         return frame_number(self.k.system, self.of or "")
 
+    def with_friction_at(self, udot: Matrix) -> None:
+        """Let friction that follows from reactions be that at given accelerations.
+
+        Raises:
+            DerivationError: the reactions do not follow from these, as circuits are closed.
+        """
+        own = pressed(self.k.system)
+        if own and (self.k.system.cuts or self.k.system.constraints):
+            raise DerivationError(
+                f"the friction of '{own[0].name}' follows from reactions, which accelerations "
+                "alone do not determine in closed circuits: inverse dynamics has no answer here"
+            )
+        if own:
+            rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+            self.d.pressed = solved(self.d, rest, udot)
+
     def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
         """A result with the names and units of an input block."""
         return (Output(name, (x.rows,), x.nodes, self.names[like], self.units[like]),)
@@ -87,3 +105,17 @@ class Recipe:
     solved: bool = False
     moves: bool = False
     happens: bool = False
+
+
+def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:
+    """Results with the friction that follows from reactions, at the model's own forces if no others
+    were spoken of."""
+    if not pressed(c.k.system):
+        return results
+    if not c.d.pressed.values:
+        c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
+    graph, values = c.k.graph, c.d.pressed.values
+    return tuple(
+        replace(output, nodes=tuple(rebuild(graph, output.nodes, values, into=graph)[1]))
+        for output in results
+    )

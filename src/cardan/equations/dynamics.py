@@ -12,6 +12,7 @@ from ..ir.solve import solve
 from .constraints import Constraints
 from .kinematics import Kinematics
 from .loads import Loads, applied, none
+from .pressing import Pressed, pressed, solved, with_values
 from .relative import articulated, composite, kane, newton_euler
 from .treatments import Bound, Multipliers, Treatment
 from .treatments.treatment import symmetric
@@ -39,6 +40,9 @@ class Dynamics:
         # (tau, udot, multipliers) of everything that was solved for
         self.solutions: list[tuple[Matrix, Matrix, Matrix]] = []
         self._bound: dict[tuple[object, ...], tuple[Matrix, Matrix]] = {}
+        # friction that follows from reactions, once accelerations are known
+        self.pressed = Pressed({}, {})
+        self._pressing = False
 
     @cached_property
     def loads(self) -> Loads:
@@ -96,9 +100,19 @@ class Dynamics:
         """
         if self.k.system.closed:
             return self.bound(tau)[0]
-        udot = self._free(tau)
-        self.solutions.append((tau, udot, Matrix.zeros(self.k.graph, 0)))
-        return udot
+        udot, none = self._free(tau), Matrix.zeros(self.k.graph, 0)
+        self.solutions.append((tau, udot, none))
+        return self._with_friction(tau, udot, none)[0]
+
+    def _with_friction(self, tau: Matrix, udot: Matrix, lam: Matrix) -> tuple[Matrix, Matrix]:
+        """udot and lam with the friction that their reactions make."""
+        if self._pressing or not pressed(self.k.system):
+            return udot, lam
+        self._pressing = True
+        self.pressed = solved(self, tau, udot)
+        self._pressing = False
+        values = self.pressed.values
+        return with_values(udot, values), with_values(lam, values)
 
     def _free(self, tau: Matrix) -> Matrix:
         """udot of a tree."""
@@ -129,7 +143,7 @@ class Dynamics:
         key = (tau.nodes, id(self.loads))
         if key not in self._bound:
             self._bound[key] = self._accelerations(tau)
-        return self._bound[key]
+        return self._with_friction(tau, *self._bound[key])
 
     def _accelerations(self, tau: Matrix) -> tuple[Matrix, Matrix]:
         if self.method == "articulated":

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 STARTS, STEPS = 12, 60
 LONGEST = 0.5  # of a step [rad, m]
-# residuals that count as closed, in the size of what is closed
-CLOSED = 1e-9
+# residuals that are sought, and those that count as closed: rounded lengths leave as much
+SOUGHT, CLOSED = 1e-11, 1e-6
 
 
 @dataclass(frozen=True)
@@ -103,10 +103,10 @@ def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> A
     for _ in range(STEPS):
         values = {**given, "q": q}
         g = value(functions["constraints"], values, len(q))
-        if g.shape[-1] == 0 or np.abs(g).max() <= 0.01 * CLOSED:
+        if g.shape[-1] == 0 or np.abs(g).max() <= SOUGHT:
             break
         G = value(functions["constraint_jacobian"], values, len(q))[:, : g.shape[-1]]
-        step = -(np.linalg.pinv(G, rcond=1e-6) @ g[..., np.newaxis])[..., 0]
+        step = -(np.linalg.pinv(G, rcond=1e-5) @ g[..., np.newaxis])[..., 0]
         size = np.abs(step).max(axis=-1, keepdims=True)
         step *= np.minimum(1.0, LONGEST / np.maximum(size, LONGEST))
         moved = evaluate(functions["integrate"], {**given, "q": q, "du": step}, "numpy")["q"]

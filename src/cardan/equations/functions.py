@@ -35,6 +35,7 @@ def _forward(c: Context) -> tuple[Output, ...]:
 
 
 def _inverse(c: Context) -> tuple[Output, ...]:
+    c.with_friction_at(c.udot)
     return c.vector("tau", c.d.inverse(c.udot), "tau")
 
 
@@ -140,12 +141,30 @@ def _give_accelerations(c: Context) -> None:
 
 
 def _power(c: Context) -> tuple[Output, ...]:
-    values = [(name, value.node, "W") for name, value in c.d.loads.power]
+    moved = _held_power(c)
+    values = []
+    for name, value in c.d.loads.power:
+        values.append((name, (value + moved.pop(name, 0)).node, "W"))
+    values += [(name, value.node, "W") for name, value in moved.items()]
     for i, force in _motion(c).items():
         name = f"{c.k.system.joints[i].name}.motion"
         values.append((name, (force * c.k.u(i)[0]).node, "W"))
     values += _relations_power(c)
     return _list("power", values)
+
+
+def _held_power(c: Context) -> dict[str, Scalar]:
+    """Power of what elements hold on surfaces that move by themselves: lam G u = -lam g_t."""
+    found: dict[str, Scalar] = {}
+    if not any(force.element.holding() for force in c.k.system.forces):
+        return found
+    own = c.d.constraints
+    for row, rate in own.surfaces:
+        if rate.node != ZERO:
+            _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
+            owner = own.rows[row].owner
+            found[owner] = found.get(owner, Scalar(c.k.graph, ZERO)) - lam[row] * rate
+    return found
 
 
 def _relations_power(c: Context) -> list[tuple[str, int, str]]:

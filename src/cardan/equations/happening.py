@@ -38,12 +38,14 @@ class Along:
         self.udot = d.forward(rest)
         self._lam = d.bound(rest)[1] if d.k.system.closed else rest
         self._rows = [row.name for row in d.constraints.rows] if d.k.system.closed else []
+        self._certainty = d.pressed.certainty
 
     def of(self, force: Force) -> Own:
         """The part of one element."""
         names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
         nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
-        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes))
+        certainty = self._certainty.get(force.name)
+        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
@@ -57,8 +59,8 @@ class Along:
 class Own:
     """What one element may know of the solution of the equations of motion."""
 
-    def __init__(self, along: Along, held: Matrix) -> None:
-        self.held = held
+    def __init__(self, along: Along, held: Matrix, certainty: Scalar | None) -> None:
+        self.held, self.certainty = held, certainty
         self._along = along
 
     def derivative(self, x: Scalar) -> Scalar:

@@ -69,9 +69,11 @@ def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:
 
 def places(k: Kinematics, force: Force) -> Places:
     """Where an element acts and what it keeps."""
-    z = k.block("z", force.z, len(force.element.internals()))
-    s = k.block("s", force.s, len(force.element.modes()))
-    return Places(k, _data(k, force), force.frames, force.joints, z, s)
+    element = force.element
+    z = k.block("z", force.z, len(element.internals()))
+    s = k.block("s", force.s, len(element.modes()))
+    held = Scalar(k.graph, k.graph.atom(f"{force.name}.pressing")) if element.pressed else None
+    return Places(k, _data(k, force), force.frames, force.joints, z, s, held)
 
 
 def _actions(k: Kinematics, force: Force) -> tuple[Action, ...]:

@@ -19,12 +19,13 @@ from . import blocks
 from .base import BaseParameters, base_parameters
 from .classification import Classification, classification
 from .constraints import Row, rows
-from .context import Context
+from .context import Context, settled
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
+from .pressing import pressed
 from .readable import Readable
 from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
@@ -155,7 +156,8 @@ class Equations(Readable):
 
     def ways(self, name: str, of: str | None) -> list[Told]:
         """How the system may be told for a function."""
-        if not is_told(name, of):
+        # friction that follows from reactions: regrouped inertia has others
+        if not is_told(name, of) or pressed(self.system):
             return [((), self.system)]
         rigid = name in DIFFERENTIATED
         if rigid not in self._systems:
@@ -242,9 +244,8 @@ class Equations(Readable):
         units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
         names["zdot"] = tuple(f"{n}dot" for n in names["z"])
         units["zdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["z"])
-        results = RECIPES[name].build(
-            Context(Dynamics(k, self.method, self.treatment), names, units, of)
-        )
+        context = Context(Dynamics(k, self.method, self.treatment), names, units, of)
+        results = settled(context, RECIPES[name].build(context))
         owners = [
             owner
             for joint, body in zip(self.system.joints, self.system.bodies, strict=True)

@@ -19,17 +19,21 @@ static const real WAVE = 8, QUIET = 10, GROW_3 = 1.4;
 int cardan_alpha_init(cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
+    int status = 0;
 
+    run->lam = v.lam_old;
     if (v.adaptive)
-        return cardan_first_step(run, LOCAL);
-    run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
-    return 0;
+        status = cardan_first_step(run, LOCAL);
+    else
+        run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
+    /* the first row shows multipliers too */
+    return status != 0 ? status : cardan_alpha_restart(run, &v, run->h);
 }
 
 /* End of the next step. */
 static int aim(cardan_run *run, const cardan_alpha *v, real *h, real *t_new)
 {
-    const real stop = run->stops[run->next_stop];
+    const real stop = run->until;
 
     if (v->adaptive)
         return cardan_trial_step(run, h, t_new);
@@ -124,8 +128,10 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         v->a[i] = v->a_new[i];
         v->udot[i] = v->udot_new[i];
     }
-    for (ptrdiff_t k = 0; k < v->m; k++)
+    for (ptrdiff_t k = 0; k < v->m; k++) {
+        v->lam_old[k] = v->lam[k];
         v->lam[k] = v->lam_new[k];
+    }
     for (ptrdiff_t i = 0; i < v->nq; i++)
         v->amplitude[i] = fmax(v->amplitude[i], fabs(run->y[i]));
     run->t_old = run->t;

@@ -27,6 +27,7 @@ typedef struct cardan_alpha {
     real *a;         /* (nu) the accelerations of the method: udot near t + (am - af) h */
     real *udot;      /* (nu) at t */
     real *rise;      /* (nu) by which a grew in the last step, per time */
+    real *lam_old;   /* (m) at t_old, then */
     real *lam;       /* (m) at t */
     real *amplitude; /* (nq) largest coordinates of the run so far */
     real *picked;    /* (m) 1 for rows that follow from no others */

@@ -23,6 +23,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->a = piece(own, &used, nu);
     v->udot = piece(own, &used, nu);
     v->rise = piece(own, &used, nu);
+    v->lam_old = piece(own, &used, m);
     v->lam = piece(own, &used, m);
     v->amplitude = piece(own, &used, nq);
     v->picked = piece(own, &used, m);

@@ -228,7 +228,7 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
             return status;
         cardan_alpha_correct(v, 0, v->room + v->size * v->nu);
         for (ptrdiff_t k = 0; k < v->m; k++)
-            v->lam[k] = v->lam_new[k];
+            v->lam_old[k] = v->lam[k] = v->lam_new[k];
     }
     v->now[ALPHA_MATRIX] = 0;
     v->now[ALPHA_STEP] = h;

@@ -97,7 +97,7 @@ int cardan_first_step(cardan_run *run, int order)
 /* The step to try: h from t to t_new, not over the stop. */
 int cardan_trial_step(cardan_run *run, real *h, real *t_new)
 {
-    real stop = run->stops[run->next_stop], left = stop - run->t;
+    real stop = run->until, left = stop - run->t;
 
     *h = copysign(fmin(fabs(run->h), run->max_step), run->h);
     if (fabs(*h) < least(run) && fabs(left) > least(run))

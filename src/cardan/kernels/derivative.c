@@ -79,6 +79,18 @@ int cardan_refresh(cardan_run *run)
     return status;
 }
 
+/* Start over at t, where something has changed: steps go to the next stop or tick. */
+void cardan_restart(cardan_run *run)
+{
+    run->segment = run->t;
+    run->in_segment = 0;
+    run->fresh = 0;
+    run->until = run->stops[run->next_stop];
+    for (ptrdiff_t i = 0; i < run->tick_count; i++)
+        if (run->ticks[i].next < run->until)
+            run->until = run->ticks[i].next;
+}
+
 /* Start the segment that lies ahead of t: choose the pieces of its inputs.
  *
  * All stages of its steps lie between two stops, so that one piece serves them all and a corner
@@ -88,9 +100,7 @@ int cardan_segment(cardan_run *run)
 {
     real middle = 0.5 * (run->t + run->stops[run->next_stop]);
 
-    run->segment = run->t;
-    run->in_segment = 0;
-    run->fresh = 0;
+    cardan_restart(run);
     for (ptrdiff_t i = 0; i < run->signal_count; i++) {
         cardan_signal *s = run->signals + i;
         while (s->where + 1 < s->pieces && s->breaks[s->where + 1] < middle)

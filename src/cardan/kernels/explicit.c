@@ -1,9 +1,27 @@
-/* Trials of a step by an adaptive explicit method, and cubic dense output.
+/* Steps on a grid, trials of a step by an adaptive explicit method, cubic dense output.
  *
  * Part of cardan. Caller owns all memory.
  */
 #include "explicit.h"
 #include <math.h>
+
+/* Begin with a fixed step h; its sign comes from the direction of the run. */
+int cardan_fixed_init(cardan_run *run)
+{
+    run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
+    return cardan_refresh(run);
+}
+
+/* End of the next fixed step: on the grid of the segment, or the stop if that is as near. */
+real cardan_grid(const cardan_run *run)
+{
+    real stop = run->until;
+    /* steps of a part of h may have led here */
+    real done = floor((run->t - run->segment) / run->h + 1e-6);
+    real t = run->segment + (done + 1) * run->h;
+
+    return (stop - t) / run->h < 1e-9 ? stop : t;
+}
 
 /* One accepted step from t, y. */
 int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)

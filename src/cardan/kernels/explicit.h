@@ -30,6 +30,8 @@ typedef struct cardan_explicit {
     real (*error)(cardan_run *run, real h, const real *against); /* in units of the tolerance */
 } cardan_explicit;
 
+int cardan_fixed_init(cardan_run *run);
+real cardan_grid(const cardan_run *run);
 int cardan_explicit_step(cardan_run *run, const cardan_explicit *method);
 void cardan_hermite(cardan_run *run, const real *first, real *last);
 

@@ -23,6 +23,13 @@
  *     run.close_velocity.function = close_velocity, run.close_velocity.w = w_of_it;
  *     run.positions = ..., run.rates = ...;
  *     run.size = 1.0;
+ *
+ * With events `kinds` says what each is, and where one changes something
+ *
+ *     run.events.function = events, run.events.w = w_of_it;
+ *     run.transition.function = transition, run.transition.w = w_of_it;
+ *     run.ne = ..., run.kinds = ..., run.log = ..., run.log_capacity = ...;
+ *     run.ns = ...;
  */
 #include "run.h"
 
@@ -34,9 +41,10 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
     size_t closing = (size_t)cardan_closing_length(run), own = (size_t)run->length(run);
     size_t ledger = 4 * (size_t)(run->positions + run->rates);
     size_t chart = (size_t)cardan_chart_length(run);
+    size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
 
     return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + chart + own
-           + ledger;
+           + ledger + events;
 }
 
 /* The next piece of a block. */
@@ -69,6 +77,8 @@ void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
     run->closing = take(&next, cardan_closing_length(run));
     run->chart = take(&next, cardan_chart_length(run));
     run->own = take(&next, run->length(run));
+    run->e = take(&next, run->ne + run->watched);
+    run->board = take(&next, cardan_board_length(run));
     run->ledger = take(&next, 4 * (run->positions + run->rates));
     run->times = run->stops;
     run->time_count = 0;

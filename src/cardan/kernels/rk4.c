@@ -5,22 +5,10 @@
  * sections II.1 and II.6.
  */
 #include "explicit.h"
-#include <math.h>
 
-/* h is the wanted step; its sign comes from the direction of the run. */
 int cardan_rk4_init(cardan_run *run)
 {
-    run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
-    return cardan_refresh(run);
-}
-
-/* End of the next step: on the grid of the segment, or the stop if that is as near. */
-static real grid(const cardan_run *run)
-{
-    real stop = run->stops[run->next_stop];
-    real t = run->segment + (real)(run->in_segment + 1) * run->h;
-
-    return (stop - t) / run->h < 1e-9 ? stop : t;
+    return cardan_fixed_init(run);
 }
 
 ptrdiff_t cardan_rk4_length(const cardan_run *run)
@@ -35,7 +23,7 @@ int cardan_rk4_step(cardan_run *run)
     static const real c[4] = {0, 0.5, 0.5, 1};
     ptrdiff_t n = run->n;
     real *k = run->k, *trial = run->trial;
-    real t_new = grid(run), h = t_new - run->t;
+    real t_new = cardan_grid(run), h = t_new - run->t;
     int status = cardan_refresh(run);
     const real *y = cardan_enter(run, run->y, run->f, k);
 

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdint.h>
 
+enum { FINAL = -1000 }; /* within this file: the end of the run */
+
 /* For bindings: the size they must agree with. */
 size_t cardan_run_size(void)
 {
@@ -51,10 +53,16 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     return status == CARDAN_OPEN ? 0 : status;
 }
 
+static ptrdiff_t width(const cardan_run *run)
+{
+    return 1 + run->n + run->nr + run->ns + run->nlam;
+}
+
 /* Write a row for time t. */
 static int put(cardan_run *run, real t)
 {
-    real *row = run->rows + run->count * (1 + run->n + run->nr);
+    real *row = run->rows + run->count * width(run);
+    real theta = run->t == run->t_old ? 1 : (t - run->t_old) / (run->t - run->t_old);
     int status = cardan_run_at(run, t, row + 1);
 
     if (status != 0)
@@ -63,19 +71,33 @@ static int put(cardan_run *run, real t)
     (void)cardan_inputs_at(run, t, row + 1);
     for (ptrdiff_t i = 0; i < run->nr; i++)
         row[1 + run->n + i] = run->r[i];
+    for (ptrdiff_t i = 0; i < run->ns; i++)
+        row[1 + run->n + run->nr + i] = run->s[i];
+    /* of the second order between the steps too */
+    for (ptrdiff_t i = 0; i < run->nlam; i++)
+        row[1 + run->n + run->nr + run->ns + i] =
+            run->lam[i] + theta * (run->lam[run->nlam + i] - run->lam[i]);
     run->count++;
     return 0;
 }
 
+/* Whether a wanted time has come; at an event it is what comes after that counts. */
+static int is_due(const cardan_run *run)
+{
+    real ahead = run->times[run->next_time] - run->t;
+
+    if (ahead == 0)
+        return !run->happened && !cardan_events_due(run);
+    return ahead * (run->stops[run->stop_count - 1] - run->t_start) < 0;
+}
+
 /* Rows of the present step that are still to be written. */
-static int write_rows(cardan_run *run)
+int cardan_write_rows(cardan_run *run)
 {
     int status = 0;
-    real direction = run->stops[run->stop_count - 1] - run->t_start;
 
     if (run->times) {
-        while (run->next_time < run->time_count
-               && (run->times[run->next_time] - run->t) * direction <= 0) {
+        while (run->next_time < run->time_count && is_due(run)) {
             if (run->count == run->capacity)
                 return CARDAN_FULL;
             status = put(run, run->times[run->next_time]);
@@ -89,9 +111,10 @@ static int write_rows(cardan_run *run)
         /* the first row belongs to no step */
         if (run->spreads && run->steps > 0) {
             ptrdiff_t size = run->dense_rows * run->n;
-            status = run->is_dense ? 0 : run->dense(run);
+            const int jump = run->row_open == 2;
+            status = run->is_dense || jump ? 0 : run->dense(run);
             for (ptrdiff_t i = 0; i < size && status == 0; i++)
-                run->spreads[run->count * size + i] = run->spread[i];
+                run->spreads[run->count * size + i] = jump ? 0 : run->spread[i];
         }
         if (status == 0)
             status = put(run, run->t);
@@ -117,7 +140,9 @@ static int sizes_fit(const cardan_run *run)
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
-           && fits(run->capacity, 1 + run->n + run->nr)
+           && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->nlam, 4)
+           && fits(run->capacity, width(run))
+           && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
            && fits(run->positions, 16) && fits(run->rates, 16);
@@ -146,34 +171,70 @@ int cardan_run_start(cardan_run *run)
         run->culprit = cardan_not_finite(run->f, run->n);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
+    if (status == 0)
+        status = cardan_events_start(run);
     run->row_open = 1;
-    return status == 0 ? write_rows(run) : status;
+    return status == 0 ? cardan_write_rows(run) : status;
 }
 
-/* Step until the run is over, the budget is spent, or there is no room for a row. */
+/* What happens at t: transitions until nothing happens any more. */
+static int happen(cardan_run *run)
+{
+    int status = 0, written = 0;
+
+    while (status == 0 && run->happened)
+        status = cardan_events_apply(run);
+    /* the wanted time may be just here */
+    if (status == CARDAN_EVENT)
+        written = cardan_write_rows(run);
+    return written != 0 ? written : status;
+}
+
+/* At the time where a step must end: ticks, then the next segment, or FINAL. */
+static int turn(cardan_run *run)
+{
+    if (cardan_events_tick(run) || run->t != run->stops[run->next_stop])
+        return 0;
+    if (run->next_stop + 1 == run->stop_count)
+        return FINAL;
+    run->next_stop++;
+    return cardan_segment(run);
+}
+
+/* One step, and what happened in it. */
+static int advance(cardan_run *run)
+{
+    int status = run->step(run);
+
+    if (status != 0)
+        return status;
+    run->row_open = 1;
+    run->at_once = 0;
+    return cardan_events_seek(run);
+}
+
+/* Step until the run is over, the budget is spent, or there is no room for a row or an event. */
 int cardan_run_drive(cardan_run *run)
 {
     int status;
 
     for (ptrdiff_t i = 0; i < run->budget; i++) {
-        status = write_rows(run);
+        status = cardan_write_rows(run);
         if (status != 0)
             return status;
         if (run->stop)
             return CARDAN_STOPPED;
-        /* at a stop: the next segment, or the end */
-        if (run->t == run->stops[run->next_stop]) {
-            if (run->next_stop + 1 == run->stop_count)
-                return CARDAN_DONE;
-            run->next_stop++;
-            status = cardan_segment(run);
-        }
-        if (status == 0)
-            status = run->step(run);
+        if (cardan_events_full(run))
+            return CARDAN_FULL;
+        if (run->happened)
+            status = happen(run);
+        else if (run->t == run->until)
+            status = turn(run);
+        else
+            status = advance(run);
         if (status != 0)
-            return status;
-        run->row_open = 1;
+            return status == FINAL ? CARDAN_DONE : status;
     }
-    status = write_rows(run);
+    status = cardan_write_rows(run);
     return status != 0 ? status : CARDAN_MORE;
 }

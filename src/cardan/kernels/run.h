@@ -32,15 +32,37 @@ enum {
     CARDAN_MORE = 1,       /* the budget of steps is spent */
     CARDAN_FULL = 2,       /* no room for another row */
     CARDAN_STOPPED = 3,    /* somebody set `stop` */
+    CARDAN_EVENT = 4,      /* an event ended the run */
     CARDAN_NOT_FINITE = -1,
     CARDAN_TOO_SMALL = -2, /* the step size fell below what t can resolve */
     CARDAN_MODEL = -3,     /* a generated function returned a status */
     CARDAN_INPUT = -4,     /* the callback of the inputs returned a status */
     CARDAN_SIZE = -5,      /* a size is negative, or no array can have it */
+    CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_OPEN = -6,      /* no state near the step fulfills the constraints: see `open_row` */
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
-    CARDAN_UNSOLVED = -8   /* the equations of an implicit step were not solved */
+    CARDAN_STORM = -9,     /* events go on and on at one time */
+    CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
 };
+
+/* What happens where the value of an event falls through zero. An event of the first four kinds is
+ * due as well where its value is negative without having fallen. */
+enum {
+    CARDAN_MODE = 0,   /* other discrete states */
+    CARDAN_IMPACT = 1, /* other speeds */
+    CARDAN_TICK = 2,   /* at known times, whatever its value: see cardan_tick */
+    CARDAN_END = 3,    /* the run is over */
+    CARDAN_MARK = 4,   /* nothing: it is noted */
+    CARDAN_HALT = 5    /* the run is over, if the value falls */
+};
+
+/* An event at the times phase + k period. */
+typedef struct cardan_tick {
+    ptrdiff_t event;
+    real period, phase;
+    ptrdiff_t count; /* k of the next one */
+    real next;       /* when that is */
+} cardan_tick;
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
 typedef struct cardan_signal {
@@ -62,6 +84,7 @@ struct cardan_run {
     cardan_call rhs;
     cardan_call power; /* of every source */
     /* those that some methods need, by their record in Python */
+    cardan_call energy;       /* kinetic, potential, total */
     cardan_call rhs_jacobian; /* d rhs / d x (nx, nx), / d t (nx), / d r (nx, nr) */
     cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
     cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
@@ -83,6 +106,14 @@ struct cardan_run {
     ptrdiff_t positions, rates;
     real size; /* of the mechanism [m], against which residuals count */
 
+    /* events: (ne) values of the model, then (watched) of the user */
+    cardan_call events;     /* (ne): what falls through zero */
+    cardan_call transition; /* u, z, s after the events in `e` */
+    int (*watch)(real t, const real *x, real *values); /* (watched), NULL without */
+    const ptrdiff_t *kinds; /* (ne + watched) */
+    cardan_tick *ticks;
+    ptrdiff_t ne, watched, tick_count;
+
     /* memory */
     real *y;        /* (n) at t */
     real *y_old;    /* (n) at t_old, the start of the last step */
@@ -98,6 +129,8 @@ struct cardan_run {
     real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
     real *chart;    /* cardan_chart_length(run) numbers, NULL unless charted */
     real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
+    real *e;        /* (ne + watched) 1: happens at t */
+    real *board;    /* cardan_board_length(run) numbers: what is known of the events */
     real *ledger;   /* (positions + rates, 4): the largest residual before projection and when,
                        the largest after it and when; NULL without constraints */
     ptrdiff_t stages, dense_rows;
@@ -107,7 +140,8 @@ struct cardan_run {
     ptrdiff_t stop_count, next_stop;
     real t, t_old, t_start;
     real segment; /* start of the present segment */
-    ptrdiff_t in_segment; /* steps since then */
+    real until;   /* where a step must end: the next stop or tick */
+    ptrdiff_t in_segment; /* steps since then; 0: what a method remembers of the past is void */
 
     /* step size control */
     real rtol, atol, max_step;
@@ -123,12 +157,22 @@ struct cardan_run {
     ptrdiff_t near_singular; /* whether derivatives of the present step are taken on constraints */
     ptrdiff_t rounded;       /* whether rounding may explain its errors */
 
-    /* rows that come out: t, y, r */
-    real *rows;    /* (capacity, 1 + n + nr) */
+    /* rows that come out: t, y, r, s, lam */
+    real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
+    real *lam;     /* (2, nlam) at t_old and t, where the method finds multipliers itself */
+    ptrdiff_t nlam;
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;
-    ptrdiff_t capacity, count, row_open;
+    ptrdiff_t capacity, count;
+    ptrdiff_t row_open; /* 1: a row for the last step is due; 2: one for what an event changed */
+
+    /* events that come out: t, e, then [x, s] before and after */
+    real *log; /* (log_capacity, 1 + ne + watched + 2 (nx + ns)) */
+    ptrdiff_t log_capacity, log_count;
+    ptrdiff_t happened; /* 1: the events in `e` wait for their transition */
+    ptrdiff_t at_once;  /* transitions at t so far */
+    ptrdiff_t occurred; /* events so far */
 
     /* counters and answers */
     ptrdiff_t steps, rejections, evaluations;
@@ -171,6 +215,7 @@ size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
+int cardan_write_rows(cardan_run *run);
 int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
@@ -184,6 +229,7 @@ int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *po
 int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
+void cardan_restart(cardan_run *run);
 int cardan_commit(cardan_run *run, real t, const real *y);
 int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
 void cardan_normalize(const cardan_run *run, real *y);
@@ -202,6 +248,14 @@ real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 /* implicit.c: the Jacobian of a run, for the methods that need one */
 ptrdiff_t cardan_jacobian_length(const cardan_run *run);
 int cardan_jacobian(cardan_run *run, real h, real *jacobian);
+/* events.c and dips.c */
+ptrdiff_t cardan_board_length(const cardan_run *run);
+int cardan_events_start(cardan_run *run);
+int cardan_events_seek(cardan_run *run);
+int cardan_events_apply(cardan_run *run);
+int cardan_events_full(const cardan_run *run);
+int cardan_events_due(const cardan_run *run);
+int cardan_events_tick(cardan_run *run);
 
 /* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
 enum {
@@ -209,6 +263,8 @@ enum {
     cardan_rk4_rows = 3,
     cardan_rk45_stages = 7,
     cardan_rk45_rows = 4,
+    cardan_midpoint_stages = 3,
+    cardan_midpoint_rows = 3,
     cardan_dop853_stages = 16,
     cardan_dop853_rows = 7,
     cardan_alpha_stages = 1,
@@ -230,6 +286,10 @@ int cardan_rk45_init(cardan_run *run);
 int cardan_rk45_step(cardan_run *run);
 int cardan_rk45_dense(cardan_run *run);
 ptrdiff_t cardan_rk45_length(const cardan_run *run);
+int cardan_midpoint_init(cardan_run *run);
+int cardan_midpoint_step(cardan_run *run);
+int cardan_midpoint_dense(cardan_run *run);
+ptrdiff_t cardan_midpoint_length(const cardan_run *run);
 int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);

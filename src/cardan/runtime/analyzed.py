@@ -14,6 +14,7 @@ from .evaluation import State
 if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
+    from ..analyses.ensembles import Ensemble
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
@@ -191,3 +192,17 @@ class Analyzed(Described):
         from ..analyses.implicit import residual
 
         return residual(self._itself, t, q, u, udot, lam, qdot=qdot, index=index, **options)
+
+    def ensemble(self, t: ArrayLike, **options: Any) -> Ensemble:
+        """Many runs that differ by start, parameters or inputs, in SIMD lanes and threads.
+
+        Args:
+            t: End, ``(start, end)`` or output times [s].
+            options: ``vary`` (a plan of ``cd.sample``), ``x0``, ``q``, ``u``, ``parameters``,
+                ``inputs``, ``runs``, ``seed``, ``reduce``, ``method``, ``rtol``, ``atol``,
+                ``step``, ``max_step``, ``threads``, ``lanes``, ``client``, ``checkpoint``,
+                ``check``, ``progress``; see :func:`cardan.analyses.ensembles.ensemble`.
+        """
+        from ..analyses.ensembles import ensemble
+
+        return ensemble(self._itself, t, **options)

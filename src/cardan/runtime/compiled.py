@@ -240,11 +240,13 @@ class CompiledModel(Analyzed):
         nq, end = self.nq, self.nq + self.nu
         return array[..., :nq], array[..., nq:end], array[..., end:]
 
-    def initial(self, q: Values | None = None, u: Values | None = None) -> Array:
+    def initial(
+        self, q: Values | None = None, u: Values | None = None, z: Values | None = None
+    ) -> Array:
         """A state x (nx,) from named values; the rest from q0 and u0 of the joints, then 0."""
         from .initial import initial_state
 
-        state: Array = initial_state(self.manifest, q or {}, u or {})[0]
+        state: Array = initial_state(self.manifest, q or {}, u or {}, z or {})[0]
         return state
 
     def random_state(
@@ -278,6 +280,8 @@ class CompiledModel(Analyzed):
         x0: ArrayLike | None = None,
         q: Any = None,
         u: Any = None,
+        z: Any = None,
+        events: Mapping[str, Any] | None = None,
         method: str = "auto",
         rtol: float = 1e-6,
         atol: float = 1e-9,
@@ -292,16 +296,19 @@ class CompiledModel(Analyzed):
 
         Args:
             t: End, ``(start, end)`` or output times [s].
-            x0: State (nx,); or q, u: arrays or values by name, such as ``{"elbow": 0.3}``.
+            x0: State (nx,); or q, u, z: arrays or values by name, such as ``{"elbow": 0.3}``.
+            events: Name -> ``f(t, x)`` or ``("elbow", value)``: where the run ends, or what is
+                noted.
             method, rtol, atol, step, max_step: ``"DOP853"`` or ``"RK4"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
             check, progress: Raise where the end is not reached; show how far it is.
         """
         from ..analyses.simulate import simulate
 
-        start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "inputs": inputs, "sample": sample}
+        start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "z": z, "events": events}
+        given: dict[str, Any] = {"inputs": inputs, "sample": sample, "progress": progress}
         how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
-        return simulate(self, t, method=method, check=check, progress=progress, **start, **how)
+        return simulate(self, t, method=method, check=check, **start, **given, **how)
 
     def stepper(self, **options: Any) -> Any:
         """Motion step by step; see :class:`cardan.analyses.stepper.Stepper`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-FINISHED = "finished"
+FINISHED, EVENT = "finished", "event"
 
 
 @dataclass(frozen=True)
@@ -16,8 +16,9 @@ class Conduct:
         settings: Its tolerances or step, as words to print.
         initial: Named initial value of every coordinate and speed.
         defaulted: Those that the caller did not give.
-        status: ``finished``, ``interrupted``, ``step_too_small``, ``not_finite``,
-            ``not_closed``, ``model_failed`` or ``too_large``.
+        status: ``finished``, ``event`` (one ended the run), ``interrupted``, ``step_too_small``,
+            ``not_finite``, ``not_closed``, ``model_failed``, ``event_storm``, ``chatter`` or
+            ``too_large``.
         message: The same as a sentence, with time and coordinate.
         statistics: steps, rejections, evaluations, milliseconds.
     """

@@ -35,7 +35,10 @@ class Dense:
         sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
         last = len(self.spreads) - 1
         step = np.clip(np.searchsorted(sign * self.t, sign * times, side="right") - 1, 0, last)
-        theta = ((times - self.t[step]) / (self.t[step + 1] - self.t[step]))[:, None]
+        # a step without length is a jump: what counts is what lies behind it
+        length = self.t[step + 1] - self.t[step]
+        theta = np.divide(times - self.t[step], length, out=np.ones_like(times), where=length != 0)
+        theta = theta[:, None]
         total = np.zeros((len(times), self.y.shape[1]))
         for row in range(self.spreads.shape[1] - 1, -1, -1):
             total = (total + self.spreads[step, row]) * (theta if row % 2 == 0 else 1 - theta)
@@ -57,3 +60,32 @@ def turned(q: Array, v: Array) -> Array:
     w, by = np.cos(half), 0.5 * np.sinc(half / np.pi) * v
     first = q[:, :1] * w - (q[:, 1:] * by).sum(axis=1, keepdims=True)
     return np.hstack([first, q[:, :1] * by + w * q[:, 1:] + np.cross(q[:, 1:], by)])
+
+
+def shortened(spread: Array, part: float) -> Array:
+    """The dense output of a step over a part of it.
+
+    Args:
+        spread: F0, F1, ... (rows, size).
+        part: 0 ... 1.
+    """
+    rows, size = spread.shape
+    a = np.zeros((rows + 1, size))
+    # powers of theta, those of phi = theta / part, and back again
+    for j in range(rows - 1, -1, -1):
+        a[0] += spread[j]
+        down = np.concatenate([np.zeros((1, size)), a[:-1]])
+        a = down if j % 2 == 0 else a - down
+    a *= part ** np.arange(rows + 1)[:, None]
+    result = np.empty_like(spread)
+    for j in range(rows):
+        if j % 2 == 0:
+            # divided by phi; what is left after the row vanishes at phi = 1
+            a = np.concatenate([a[1:], np.zeros((1, size))])
+            result[j] = a.sum(axis=0)
+        else:
+            # divided by 1 - phi; what is left vanishes at phi = 0
+            a = np.cumsum(a, axis=0)
+            result[j] = a[0]
+        a[0] -= result[j]
+    return result

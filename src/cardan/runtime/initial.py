@@ -18,16 +18,19 @@ def initial_state(
     manifest: Mapping[str, Any],
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None = None,
 ) -> tuple[Array, tuple[str, ...]]:
-    """State x = [q, u] from values by joint (``"elbow"``, ``"base"``) or entry (``"base.px"``).
+    """State x = [q, u, z] from values by joint (``"elbow"``, ``"base"``) or entry (``"base.px"``).
 
     Args:
         manifest: Of the model.
         q, u: Values; a joint with several coordinates takes all of them at once.
+        z: Internal states by their names.
 
     Returns:
         x (nx,) with quaternions of unit length, and the names of the entries that were not given:
-        they come from q0 and u0 of their joints, else they are those of the reference position.
+        they come from q0 and u0 of their joints, else they are those of the reference position;
+        internal states start as their elements say.
 
     Raises:
         ModelError: an unknown name, a joint without coordinates of its own, a value given twice.
@@ -39,6 +42,7 @@ def initial_state(
     for letter, rows, named in (
         ("q", manifest["coordinates"], q),
         ("u", manifest["speeds"], u),
+        ("z", manifest["z"], z or {}),
     ):
         block = _defaults(letter, rows, joints)
         named_here = _fill(letter, block, rows, manifest, named)
@@ -48,14 +52,14 @@ def initial_state(
         )
     for start in manifest["quaternions"]:
         _normalize(values[0], start, manifest["coordinates"][start]["name"])
-    return np.concatenate(values), (*given[0], *given[1])
+    return np.concatenate(values), (*given[0], *given[1], *given[2])
 
 
 def _defaults(letter: str, rows: Rows, joints: Rows) -> Array:
     """q0 or u0 where a joint has them, else what the coordinates start from."""
     block = np.array([row.get("default") or 0.0 for row in rows], dtype=np.float64)
     for joint in joints:
-        start, size = joint[letter] or (0, 0)
+        start, size = joint.get(letter) or (0, 0)
         if size and joint.get(f"{letter}0") is not None:
             block[start : start + size] = joint[f"{letter}0"]
     return block
@@ -90,7 +94,7 @@ def _places(letter: str, rows: Rows, joints: Rows) -> dict[str, slice]:
     """Name -> entries: every entry by its own name, every joint for all of its entries."""
     places = {}
     for joint in joints:
-        start, size = joint[letter] or (0, 0)
+        start, size = joint.get(letter) or (0, 0)
         if size:
             places[str(joint["name"])] = slice(start, start + size)
     for k, row in enumerate(rows):
@@ -110,6 +114,8 @@ def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
 
 
 def _unknown(letter: str, name: str, manifest: Mapping[str, Any]) -> str:
+    if letter == "z":
+        return f"there is no internal state '{name}'."
     what = {"q": "coordinate", "u": "speed"}[letter]
     joint = next((j for j in manifest["joints"] if j["name"] == name), None)
     if joint is None and name in (row["name"] for row in manifest.get("cuts", [])):

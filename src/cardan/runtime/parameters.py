@@ -55,14 +55,19 @@ class Parameters(Mapping[str, float]):
         Raises:
             ModelError: unknown or structural name; a value that is not finite; a negative mass.
         """
-        read = {name: self._check(name, value) for name, value in values.items()}
+        read = {name: self.checked(name, value) for name, value in values.items()}
         lead = common("parameters", {name: value.shape for name, value in read.items()})
         result = np.broadcast_to(self._values, (*lead, len(self))).copy()
         for name, value in read.items():
             result[..., self._place[name]] = value
         return result
 
-    def _check(self, name: str, value: ArrayLike) -> Array:
+    def checked(self, name: str, value: ArrayLike) -> Array:
+        """Values (...) that a parameter may have.
+
+        Raises:
+            ModelError: unknown or structural name; a value that is not finite; a negative mass.
+        """
         if name in self._structural:
             raise ModelError(
                 f"parameter '{name}' is structural: its value {self._structural[name]} is built "

@@ -27,8 +27,9 @@ def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
         for body in model.bodies:
             model._objects.symbol("pose", body)
     values = {field.name: getattr(motion, field.name) for field in fields(motion)}
-    # histories are computed again; those of a file cannot be
-    values["stored"] = {} if motion.model is not None else dict(motion.stored)
+    # histories are computed again; those of a file, and what the method found, cannot be
+    found = {name: x for name, x in motion.stored.items() if name == "multipliers"}
+    values["stored"] = found if motion.model is not None else dict(motion.stored)
     return values, digest(values)
 
 

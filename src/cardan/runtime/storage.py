@@ -11,6 +11,8 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -32,6 +34,7 @@ FORMAT = 1
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 ENDINGS = ("", ".nc", ".nc3", ".cdf")
+KEPT = ("kinetic", "potential", "constraints", "multipliers")
 LEFT_OUT = ("functions", "sha256", "available")
 COLUMNS = "largest before projection, when, largest after it, when"
 
@@ -60,18 +63,24 @@ def save(motion: Trajectory, path: Path) -> Path:
                 f"{path}: '{name}' takes {values.nbytes / 1e9:.1f} GB, netCDF-3 holds 2 GB in one "
                 "variable. Simulate with an array of output times to keep fewer of them"
             )
+    with replaced(path) as new, netcdf_file(new, "w", version=2) as file:
+        _attributes(file, motion)
+        _write(file, variables)
+    return path
+
+
+@contextmanager
+def replaced(path: Path) -> Iterator[str]:
+    """A new file that takes the place of another one, or of none, once it is whole."""
     handle, new = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".nc")
     os.close(handle)
     try:
-        with netcdf_file(new, "w", version=2) as file:
-            _attributes(file, motion)
-            _write(file, variables)
+        yield new
         os.chmod(new, 0o666 & ~_umask())
         os.replace(new, path)
     except BaseException:
         Path(new).unlink(missing_ok=True)
         raise
-    return path
 
 
 def _umask() -> int:
@@ -113,6 +122,8 @@ def _variables(motion: Trajectory) -> Variables:
     if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
         residuals = np.stack([*motion.constraints.values()], axis=-1)
         found["constraints"] = (("time", "position_constraint"), residuals, {})
+    if "multipliers" in motion.stored:
+        found["multipliers"] = (("time", "multiplier"), motion.stored["multipliers"], {})
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
         found[f"pose_{k}"] = (("time", "axis", "column"), pose, {"frame": body})
@@ -190,7 +201,7 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     conduct = json.loads(notes["conduct"])
     conduct["defaulted"] = tuple(conduct["defaulted"])
-    stored = {k: values[k] for k in ("kinetic", "potential", "constraints") if k in values}
+    stored = {k: values[k] for k in KEPT if k in values}
     ledger = Ledger.of(manifest["multipliers"], values["ledger"]) if "ledger" in values else None
     return Trajectory(
         t=t,

@@ -15,10 +15,12 @@ from ..errors import ModelError, near
 from . import followers
 from .calling import Array
 from .closing import project
-from .conduct import FINISHED, Conduct
+from .conduct import EVENT, FINISHED, Conduct
 from .dense import Dense
+from .events import Event, Happened
 from .kinematics import Energy
 from .ledger import Drift, Ledger
+from .placing import placed, rigid_pose
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -34,7 +36,7 @@ class Trajectory:
 
     Attributes:
         t: Times (nt,) [s].
-        x: States [q, u] (nt, nx).
+        x: States [q, u, z] (nt, nx).
         r: Inputs (nt, nr).
         given: Energy that every source has given since the start (nt, sources) [J].
         sources: Names of the sources; None where the model has no function ``power``.
@@ -46,6 +48,7 @@ class Trajectory:
         stored: Histories read from a file or computed before, by name.
         numbers: The flat scene of a run read from a file, see :attr:`scene`.
         ledger: Residuals of the constraints over the run, None without circuits.
+        happened: The discrete states along the run, and its events; see :attr:`events`.
     """
 
     t: Array
@@ -61,17 +64,18 @@ class Trajectory:
     stored: dict[str, Array] = field(default_factory=dict)
     numbers: Mapping[str, Array] = field(default_factory=dict)
     ledger: Ledger | None = None
+    happened: Happened = field(default_factory=Happened)
 
     # what happened
 
     @property
     def success(self) -> bool:
-        """Whether the run reached its end."""
-        return self.conduct.status == FINISHED
+        """Whether the run reached its end, or an event that ends it."""
+        return self.conduct.status in (FINISHED, EVENT)
 
     @property
     def status(self) -> str:
-        """``finished``, or why the run ended early."""
+        """``finished``, ``event`` (one ended the run), or why it ended early."""
         return self.conduct.status
 
     @property
@@ -81,7 +85,7 @@ class Trajectory:
 
     @property
     def statistics(self) -> dict[str, float]:
-        """steps, rejections, evaluations, milliseconds."""
+        """steps, rejections, evaluations, events, milliseconds and more."""
         return dict(self.conduct.statistics)
 
     def __repr__(self) -> str:
@@ -113,10 +117,27 @@ class Trajectory:
     @property
     def u(self) -> Array:
         """Speeds (nt, nu)."""
-        return self.x[:, self.nq :]
+        return self.x[:, self.nq : self.nq + len(self.manifest["speeds"])]
+
+    @property
+    def z(self) -> Array:
+        """Internal states of elements (nt, nz)."""
+        return self.x[:, self.nq + len(self.manifest["speeds"]) :]
+
+    @property
+    def s(self) -> Array:
+        """Discrete states of elements (nt, ns)."""
+        return self.happened.s if self.happened.s.size else np.zeros((len(self), 0))
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """What happened, in the order of time. Rows at ``t`` stand before and behind a change."""
+        return self.happened.events(self.x.shape[1])
 
     def __getitem__(self, name: str) -> Array:
-        """History of a coordinate, speed, input, output or multiplier, (nt,), (nt, n) for several.
+        """History of a coordinate, speed, state of an element, input, output or multiplier.
+
+        Shape (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -134,7 +155,8 @@ class Trajectory:
         ):
             if name in names:
                 model = self._model(f"{what} '{name}'")
-                table: Array = getattr(model, function)(self.q, self.u, t=self.t, r=self._r)
+                given = {"t": self.t, "r": self._r, **self._own}
+                table: Array = getattr(model, function)(self.q, self.u, **given)
                 return table[:, names.index(name)]
         forces = [row["name"] for row in self.manifest["multipliers"]]
         known = [*self._places, *follow, *self._outputs, *forces]
@@ -150,7 +172,10 @@ class Trajectory:
                 if size:
                     columns = start if size == 1 else slice(start, start + size)
                     places[joint["name"] + suffix] = (values, columns)
-        for key, values in (("coordinates", self.q), ("speeds", self.u), ("inputs", self.r)):
+        for key, values in (
+            *(("coordinates", self.q), ("speeds", self.u), ("inputs", self.r)),
+            *(("z", self.z), ("s", self.s)),
+        ):
             for k, row in enumerate(self.manifest[key]):
                 places.setdefault(row["name"], (values, k))
         return places
@@ -164,6 +189,11 @@ class Trajectory:
     def _r(self) -> Array | None:
         """Inputs for functions of the model."""
         return self.r if self.r.shape[1] else None
+
+    @property
+    def _own(self) -> dict[str, Any]:
+        """States of elements for functions of the model that read them."""
+        return {"z": self.z, "s": self.s}
 
     def _model(self, what: str) -> CompiledModel:
         if self.model is None:
@@ -197,7 +227,8 @@ class Trajectory:
         if self.ledger is not None and self.model is not None:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
-            values[:, :nx] = project(self.model, times, values[:, :nx], self._r_at(times))
+            r = self._r_at(times)
+            values[:, :nx] = project(self.model, times, values[:, :nx], r, self.ledger)
         return values
 
     def _r_at(self, times: Array) -> Array:
@@ -216,7 +247,10 @@ class Trajectory:
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
-        return replace(self, t=at, x=y[:, :nx], r=r, given=y[:, nx:], dense=None, stored={})
+        rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
+        return replace(
+            self, t=at, x=y[:, :nx], r=r, happened=self.happened.resampled(self.t, at), **rest
+        )
 
     # energy
 
@@ -261,31 +295,25 @@ class Trajectory:
 
     # what a model shows along the motion
 
+    @property
+    def multipliers(self) -> dict[str, Array]:
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none.
+
+        Those that the method found along with the motion, else those of the accelerations at its
+        states. Where rows follow from others their forces are not unique: then they are basic.
+        """
+        rows = self.manifest.get("multipliers", ())
+        if rows and "multipliers" not in self.stored:
+            model = self._model("the multipliers")
+            self.stored["multipliers"] = model.multipliers(self.q, self.u, t=self.t, r=self._r)
+        return {row["name"]: self.stored["multipliers"][:, k] for k, row in enumerate(rows)}
+
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""
         key = f"pose {frame}"
         if key not in self.stored and self.model is not None:
             self.stored[key] = self.model.pose(frame, self.q, t=self.t, r=self._r)
-        return self.stored[key] if key in self.stored else self._rigid_pose(frame)
-
-    def _rigid_pose(self, frame: str) -> Array:
-        """Pose of a frame from the stored one of another frame of its body."""
-        rows = self.manifest["frames"]
-        body = next((row["body"] for row in rows if row["name"] == frame), None)
-        if body is None:
-            raise ModelError(
-                f"frame '{frame}' does not exist.{near(frame, [row['name'] for row in rows])}"
-            )
-        place = self.placed(frame)
-        if body == "ground":
-            return np.broadcast_to(place, (len(self), 4, 4)).copy()
-        for row in rows:
-            history = self.stored.get(f"pose {row['name']}")
-            if row["body"] == body and history is not None:
-                pose: Array = history @ np.linalg.inv(self.placed(row["name"])) @ place
-                return pose
-        self._model(f"the pose of '{frame}'")
-        raise ModelError(f"the file holds no pose of body '{body}'")
+        return self.stored[key] if key in self.stored else rigid_pose(self, frame)
 
     @cached_property
     def scene(self) -> Mapping[str, Array]:
@@ -303,18 +331,12 @@ class Trajectory:
 
     def placed(self, frame: str) -> Array:
         """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
-        names = [row["name"] for row in self.manifest["frames"]]
-        if "frame_rotation" not in self.scene:
-            raise ModelError("the file does not say where frames sit in their bodies")
-        k, place = names.index(frame), np.eye(4)
-        place[:3, :3] = np.reshape(self.scene["frame_rotation"], (-1, 3, 3))[k]
-        place[:3, 3] = np.reshape(self.scene["frame_position"], (-1, 3))[k]
-        return place
+        return placed(self, frame)
 
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
         model = self._model(f"the reaction of '{joint}'")
-        reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r)
+        reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r, **self._own)
         return reaction
 
     # ways out

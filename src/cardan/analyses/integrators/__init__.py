@@ -7,6 +7,7 @@ from . import (
     dop853,
     generalized_alpha,
     hht,
+    midpoint,
     newmark,
     radau,
     rk4,
@@ -18,7 +19,7 @@ from . import (
 )
 
 EXPLICIT = (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4)
-IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark)
+IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark, midpoint)
 INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (*EXPLICIT, *IMPLICIT)}
 
 __all__ = ["INTEGRATORS", "Integrator"]

@@ -14,4 +14,5 @@ METHOD = Integrator(
     adaptive=True,
     applies="anything that is not stiff, from rough to 14 digits",
     source="E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.10",
+    lanes=True,
 )

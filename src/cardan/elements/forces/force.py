@@ -76,6 +76,8 @@ class Places:
         frames, joints: Numbers of its frames and joints, by role.
         z: Its internal states (their number, 1).
         s: Its modes (their number, 1).
+        pressing: What stands for the force that follows from the reaction of its joint; None where
+            the element is not :attr:`ForceElement.pressed`.
     """
 
     motion: Motion
@@ -84,6 +86,7 @@ class Places:
     joints: Mapping[str, int]
     z: Matrix
     s: Matrix
+    pressing: Scalar | None = None
 
 
 class ForceElement(ABC):
@@ -113,6 +116,15 @@ class ForceElement(ABC):
     @abstractmethod
     def act(self, at: Places) -> tuple[Action, ...]:
         """Its actions, in ground axes."""
+
+    @property
+    def pressed(self) -> bool:
+        """Whether it has a force that follows from the reaction of its joint."""
+        return False
+
+    def pressing(self, at: Places) -> Scalar:
+        """That force per force of reaction across the line of the joint."""
+        raise TypeError(f"{self.kind} has no force that follows from a reaction")
 
     # what it keeps itself
 

@@ -8,12 +8,13 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal import MODE, Change, Event, Hold, Jumped, Mode, Solved
+from ..internal import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
 from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate
 
 UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
+FIELDS = ("coulomb", "static", "stribeck", "viscous", "against", "smooth", "mu", "radius")
 # of the speed behind an impact against that before it: whether a joint was torn loose
 LOOSE = 1e-12
 
@@ -31,16 +32,21 @@ class Friction(ForceElement):
         joint: Name of a joint with one speed.
         coulomb: Of sliding [N m] or [N]: number, parameter or expression, such as mu times a
             normal force.
-        static: The most that sticking bears [N m] or [N]; None: as much as ``coulomb``.
+        static: The most that sticking bears [N m] or [N]; None: as much as ``coulomb``. With
+            ``mu`` the coefficient of sticking.
         stribeck: Speed over which static falls to sliding friction [rad/s] or [m/s]; None: it
             falls at once.
         viscous: [N m s/rad] or [N s/m].
         against: Speed of the surface, such as that of a belt [rad/s] or [m/s].
         smooth: Speed over which sign(v) is smoothed [rad/s] or [m/s]; None: events.
+        mu: In place of ``coulomb``: coefficient of friction of sliding. The normal force is that of
+            the reaction of the joint across its axis, which friction changes in turn: both are
+            solved for together. Where they have no unique solution the run ends.
+        radius: Of the bearing of a joint that turns [m]: arm of the friction of ``mu``.
 
     Raises:
         ModelError: a value that is no number or expression; a negative force or speed; stribeck
-            without static.
+            without static; both or neither of coulomb and mu.
 
     Source: B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083
         (Stribeck curve); F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts,
@@ -52,27 +58,35 @@ class Friction(ForceElement):
         "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 5"
     )
     joint: JointName
-    coulomb: Any
+    coulomb: Any = None
     static: Any = None
     stribeck: Any = None
     viscous: Any = 0.0
     against: Any = 0.0
     smooth: Any = None
+    mu: Any = None
+    radius: Any = None
 
     def __post_init__(self) -> None:
         who = f"friction on joint '{self.joint}'"
-        for name in ("coulomb", "static", "stribeck", "viscous", "against", "smooth"):
+        for name in FIELDS:
             value = getattr(self, name)
             if value is None:
                 continue
             value = number("friction", name, value)
             object.__setattr__(self, name, value)
-            least = 0.0 if name in ("coulomb", "static", "viscous") else 1e-300
+            least = 1e-300 if name in ("stribeck", "smooth") else 0.0
             if name != "against" and isinstance(value, float) and value < least:
                 kind = "0 or more" if least == 0.0 else "more than 0"
                 raise ModelError(f"{who}: {name} is {value:g}; give {kind}")
         if self.stribeck is not None and self.static is None:
             raise ModelError(f"{who}: stribeck is the speed over which static falls; give static")
+        if (self.coulomb is None) == (self.mu is None):
+            raise ModelError(f"{who}: give either coulomb, a force, or mu, a coefficient")
+        if self.radius is not None and self.mu is None:
+            raise ModelError(f"{who}: radius goes with mu; coulomb is the torque itself")
+        if self.mu == 0:
+            raise ModelError(f"{who}: mu is 0; leave the friction out")
 
     @property
     def _sticks(self) -> bool:
@@ -80,8 +94,10 @@ class Friction(ForceElement):
 
     def quantities(self) -> dict[str, Quantity]:
         force, speed = "N*m|N", "rad/s|m/s"
-        found = {"coulomb": Quantity(self.coulomb, force)}
-        for name, unit in (("static", force), ("stribeck", speed), ("smooth", speed)):
+        units = {"coulomb": force, "mu": "", "radius": "m", "stribeck": speed, "smooth": speed}
+        units["static"] = force if self.mu is None else ""
+        found = {}
+        for name, unit in units.items():
             if getattr(self, name) is not None:
                 found[name] = Quantity(getattr(self, name), unit)
         found["viscous"] = Quantity(self.viscous, "N*m*s/rad|N*s/m")
@@ -97,13 +113,29 @@ class Friction(ForceElement):
         who = f"friction on joint '{self.joint}'"
         return one_coordinate(at.motion, at.joints["joint"], who)[1] - at.data["against"][0]
 
+    def _coulomb(self, at: Places) -> Scalar:
+        """Friction of fast sliding."""
+        return at.data["coulomb"][0] if at.pressing is None else at.pressing
+
     def _most(self, at: Places) -> Scalar:
         """The most that sticking bears."""
-        return at.data.get("static", at.data["coulomb"])[0]
+        coulomb = self._coulomb(at)
+        if "static" not in at.data:
+            return coulomb
+        static = at.data["static"][0]
+        return static if at.pressing is None else coulomb * (static / at.data["mu"][0])
+
+    @property
+    def pressed(self) -> bool:
+        return self.mu is not None
+
+    def pressing(self, at: Places) -> Scalar:
+        arm = at.data["radius"][0] if "radius" in at.data else 1
+        return at.data["mu"][0] * arm
 
     def _sliding(self, at: Places) -> Scalar:
         """Size of the dry friction of sliding."""
-        coulomb = at.data["coulomb"][0]
+        coulomb = self._coulomb(at)
         if "stribeck" not in at.data:
             return coulomb
         ratio = self._speed(at) / at.data["stribeck"][0]
@@ -137,11 +169,16 @@ class Friction(ForceElement):
 
     def events(self) -> tuple[Event, ...]:
         if not self._sticks:
-            return ()
+            return self._jams()
         return (
             Event("stop", MODE, "sliding comes to rest"),
             Event("slip", MODE, "sticking gives way"),
+            *self._jams(),
         )
+
+    def _jams(self) -> tuple[Event, ...]:
+        about = "it jams: friction has no unique solution there (Painleve)"
+        return (Event("jam", END, about),) if self.pressed else ()
 
     def holding(self) -> tuple[tuple[str, str], ...]:
         return (("stick", "rad/s|m/s"),) if self._sticks else ()
@@ -151,13 +188,14 @@ class Friction(ForceElement):
         return (Hold(self._speed(at), active),)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
+        jams = () if solved.certainty is None else (solved.certainty,)
         if not self._sticks:
-            return ()
+            return jams
         mode, v = at.s[0], self._speed(at)
         rest = select(mode.apply("eq", float(UNDECIDED)), -1, mode * v)
         left = self._most(at) - solved.held[0].apply("abs")
         sticking = mode.apply("eq", float(STICKING))
-        return select(sticking, 1, rest), select(sticking, left, 1)
+        return select(sticking, 1, rest), select(sticking, left, 1), *jams
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         if not self._sticks:

@@ -1,0 +1,201 @@
+"""Many runs of one model: side by side in lanes, shared by threads or a client, reduced on the way.
+
+What a run gives depends on its own numbers alone: it has the same bits whether it is computed in
+lanes, one by one, in threads or elsewhere with the same build.
+"""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing, nullcontext
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...errors import ModelError, SolveError, SolveWarning
+from ...runtime.batch import threads as threads_of
+from ...runtime.compiled import CompiledModel
+from ..progress import showing
+from ..sample import Plan
+from ..settings import settings
+from ..times import span
+from .checkpoint import Checkpoint
+from .crew import suits, width_of
+from .gathered import UNFINISHED, Gathered
+from .hands import Block, Client, Threads, interruptible
+from .job import Job, build_key, digest, histories_of
+from .reductions import reductions
+from .result import Ensemble
+from .varied import varied
+
+__all__ = ["Ensemble", "ensemble"]
+
+POINTS = 201  # output times of reductions where the user gave none
+LARGEST = 1024  # runs of a block
+ROOM = 16e6  # bytes of its rows
+SHARES = 16  # blocks at least, where runs suffice
+ALONE = 8  # runs of a block that are done one by one in Python
+
+
+def ensemble(
+    model: CompiledModel,
+    t: Any,
+    *,
+    vary: Plan | Mapping[str, Any] | None = None,
+    x0: Any = None,
+    q: Any = None,
+    u: Any = None,
+    parameters: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    runs: int | None = None,
+    seed: int = 0,
+    reduce: str | Sequence[str] | Mapping[str, Any] | None = None,
+    method: str = "auto",
+    rtol: float = 1e-6,
+    atol: float = 1e-9,
+    step: float | None = None,
+    max_step: float | None = None,
+    threads: int | None = None,
+    lanes: int | None = None,
+    client: Any = None,
+    checkpoint: str | Path | None = None,
+    check: bool = False,
+    progress: bool | Callable[[float], None] | None = None,
+) -> Ensemble:
+    """Many runs that differ by their start, parameters or inputs.
+
+    Args:
+        model: The compiled model.
+        t: End, ``(start, end)`` or output times [s].
+        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,); its names are
+            coordinates, speeds, parameters or inputs.
+        x0: States (runs, nx); or q, u: arrays (runs, nq), (runs, nu) or by names,
+            ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
+            ``cd.sample.normal(0, 0.1)`` is drawn for every run.
+        parameters: Name -> number, values (runs,) or a distribution.
+        inputs: Name -> number, array (runs,), distribution; or, for all runs alike,
+            ``(times, values)`` or ``f(t, x)``.
+        runs: How many, where nothing else says so.
+        seed: Of the distributions; every name is drawn on its own.
+        reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
+            several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
+            runs. By default the states at output times, if ``t`` has some. Without output times
+            201 of them, evenly from start to end, are taken.
+        method, rtol, atol, step, max_step: As of ``simulate``.
+        threads: By default ``$CARDAN_THREADS``, else the cores of this process.
+        lanes: 1: no lanes. By default as many as vectors have, once they pay.
+        client: Computes instead of threads: of ``dask.distributed``, or an executor.
+        checkpoint: A file that keeps finished blocks of runs. The same call goes on from there.
+        check: Raise where a run does not reach its end, instead of a warning.
+        progress: As of ``simulate``.
+
+    Returns:
+        Last states, status and reductions; after Ctrl-C of what was computed.
+
+    Raises:
+        ModelError: unknown names, nothing that differs, a checkpoint of other runs.
+        ArgumentError: shapes that do not fit. SolveError: a number that is not finite; no room for
+            the checkpoint; a run that failed, with ``check``.
+        BuildError: a client whose machine builds other bits.
+    """
+    over = span(t)
+    how = settings(method, rtol, atol, step, max_step, over.length)
+    kept = reductions(reduce, histories_of(model), over.times is not None)
+    if over.times is None and kept:
+        over = replace(over, times=np.linspace(over.start, over.end, POINTS))
+    if not kept:
+        over = replace(over, times=None)
+    made, given = varied(
+        model, x0=x0, q=q, u=u, parameters=parameters, inputs=inputs, vary=vary, runs=runs,
+        seed=seed, over=(over.start, over.end),
+    )  # fmt: skip
+    job = Job(model, how, given, over, made, kept)
+    job = replace(job, width=_width(job, lanes), build=build_key(model))
+    hands = Client(client) if client is not None else Threads(threads_of(threads))
+    result = _computed(job, hands, checkpoint, progress)
+    _complain(result, check)
+    return result
+
+
+def _width(job: Job, lanes: int | None) -> int:
+    """Lanes side by side; the first run tells whether they pay."""
+    if lanes not in (None, 1):
+        raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
+    if lanes == 1 or not suits(job.model, job.given):
+        return 1
+    crew, first = job.crew(), job.varied.part(0, 1)
+    crew.run(first)
+    before = time.perf_counter()
+    crew.run(first)
+    spent = time.perf_counter() - before
+    own = job.varied.own_parameters
+    return width_of(job.model, job.how, own, spent * job.varied.runs)
+
+
+def blocks(job: Job) -> list[Block]:
+    """First and last run of every block: the same for every way of computing them."""
+    runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
+    row = 8 * (1 + job.model.nx + job.model.nr)
+    most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
+    if not suits(job.model, job.given):
+        most = ALONE
+    size = max(8, int(most) // 8 * 8)
+    return [(first, min(first + size, runs)) for first in range(0, runs, size)]
+
+
+def whose(job: Job) -> dict[str, str]:
+    """Hashes of everything that decides about the answers."""
+    model, given = job.model, job.given
+    texts = {name: entry["sha256"] for name, entry in model.manifest["functions"].items()}
+    columns = [x for c in job.varied.columns for x in (c.block, c.name, repr(c.place), c.values)]
+    pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
+    times = np.empty(0) if job.over.times is None else job.over.times
+    functions = sorted(given.functions), given.sample
+    return {
+        "model": digest(model.name, texts.get("rhs"), model.parameters.vector),
+        "build": job.build,
+        "plan": digest(job.varied.runs, *columns, given.constants, *pieces, functions),
+        "settings": digest(job.how, job.over.start, job.over.end, times),
+        "reductions": digest({name: _told(one) for name, one in job.kept.items()}),
+    }
+
+
+def _told(reduction: Any) -> str:
+    """A reduction in words that are the same in every process."""
+    function = getattr(reduction, "function", None)
+    return repr(reduction) if function is None else f"{function.__module__}.{function.__qualname__}"
+
+
+def _computed(job: Job, hands: Threads | Client, checkpoint: Any, progress: Any) -> Ensemble:
+    """All blocks, those of the checkpoint first."""
+    gathered, left = Gathered(job), blocks(job)
+    clock = time.perf_counter()
+    file = Checkpoint(Path(checkpoint), whose(job)) if checkpoint is not None else None
+    with closing(file) if file else nullcontext(), interruptible() as stop:
+        for piece in file.pieces() if file else ():
+            gathered.add(piece)
+            left.remove((piece.first, piece.last))
+        with showing(progress, job.model.name) as show:
+            for piece in hands.pieces(job, left, stop) if left else ():
+                if file and not np.isin(piece.status, UNFINISHED).any():
+                    file.add(piece)
+                gathered.add(piece)
+                show(gathered.done / job.varied.runs)
+    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands))
+
+
+def _complain(result: Ensemble, check: bool) -> None:
+    """Warn of runs that did not reach their end."""
+    failed = len(result) - int(result.finished.sum())
+    if not failed:
+        return
+    first = int(np.argmin(result.finished))
+    why = result.messages.get(first, "interrupted before it began")
+    text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
+    if check:
+        raise SolveError(text)
+    warnings.warn(text, SolveWarning, stacklevel=4)

@@ -1,0 +1,220 @@
+"""Runs of one model by one thread, in compiled C: in lanes, or one after the other.
+
+Nothing here allocates per run: a block of runs is handed to ``kernels/ensemble.c``, whose answers
+are copies of run records. The GIL is released all the while.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import CompilerMissing
+from ...runtime import lanes as widths
+from ...runtime.closing import Closing
+from ...runtime.compiled import CompiledModel
+from ...runtime.samples import build
+from .. import record as abi
+from ..outcome import explain
+from ..run import Runner
+from ..settings import Settings
+from ..signals import Signals
+from ..times import Span
+from . import lanes as records
+from .varied import Varied
+
+Array = NDArray[np.float64]
+NOT_RUN = -1000  # answer of a run that has not begun
+UNITS = 8  # bytes of a number
+
+
+@dataclass(frozen=True)
+class Ends:
+    """What became of a block of runs.
+
+    Attributes:
+        x: Last states (count, nx).
+        rows: At the output times (count, nt, 1 + nx + nr): t, x, r; NaN where a run ended before.
+        status: Words, (count,).
+        messages: Of the runs that did not reach their end, by index in the block.
+        numbers: By name: where it ended ``t`` [s], ``steps``, ``rejections``, ``evaluations``.
+    """
+
+    x: Array
+    rows: Array
+    status: list[str]
+    messages: dict[int, str]
+    numbers: dict[str, Array]
+
+
+def suits(model: CompiledModel, given: Signals) -> bool:
+    """Whether the loop in C can do the runs: trees with a compiler, no Python on the way."""
+    if given.functions or Closing.of(model).rows or model.manifest.get("events"):
+        return False
+    try:
+        model._kernels()
+    except CompilerMissing:
+        return False
+    return bool(model._function("rhs").address)
+
+
+def width_of(model: CompiledModel, how: Settings, own: bool, seconds: float) -> int:
+    """Lanes side by side: 1 without vectors, or where building them takes longer than it saves.
+
+    Args:
+        own: Every run has parameters of its own.
+        seconds: What all runs would take one after the other.
+    """
+    function = model._function("rhs")
+    batch = function.caller.batch
+    if not how.method.lanes or batch.recipe is None or widths.width() == 1:
+        return 1
+    if batch.ready(own) is None and seconds < batch.cost:
+        return 1
+    return build(model, function, own)
+
+
+class Crew:
+    """A thread's records, one per lane."""
+
+    def __init__(
+        self, model: CompiledModel, how: Settings, given: Signals, over: Span, width: int
+    ) -> None:
+        """Allocate.
+
+        Args:
+            model: A model that :func:`suits`.
+            how: The method and its tolerances.
+            given: Inputs that are the same for all runs.
+            over: Start and end; ``times`` are the output times.
+            width: Lanes, as :func:`width_of` says.
+        """
+        self.model, self.how, self.over, self.width = model, how, over, width
+        self.runners = [Runner(model, how, given, power=False) for _ in range(width)]
+        self.times = np.empty(0) if over.times is None else np.ascontiguousarray(over.times)
+        stops = [*given.corners(over.start, over.end), over.end]
+        for runner in self.runners:
+            runner.aim(stops)
+            run = runner.record
+            run.t, run.times, run.time_count = over.start, self.times.ctypes.data, len(self.times)
+            run.capacity = len(self.times)
+        self._keep: list[Any] = [runner.memory.copy() for runner in self.runners]
+        size = ctypes.sizeof(abi.Run)
+        fresh = [ctypes.create_string_buffer(bytes(r.record), size) for r in self.runners]
+        self.lanes = (records.Lane * width)()
+        for lane, runner, record, memory in zip(
+            self.lanes, self.runners, fresh, self._keep, strict=True
+        ):
+            lane.run, lane.memory = ctypes.addressof(runner.record), runner.memory.ctypes.data
+            lane.fresh, lane.fresh_memory = ctypes.addressof(record), memory.ctypes.data
+        self._keep += fresh
+        self.driver = records.Driver()
+        self.driver.lanes, self.driver.lane_count = ctypes.addressof(self.lanes), width
+        self.driver.memory_length = len(self.runners[0].memory)
+        self.driver.order, self.driver.timed = how.method.order, bool(given.pieces)
+        self.drive = records.driver(model._kernels())
+
+    def stop(self) -> None:
+        """End soon, from any thread: runs under way are given up."""
+        self.driver.stop = 1
+
+    def run(self, part: Varied) -> Ends:
+        """All runs of a block."""
+        count, run = part.runs, self.runners[0].record
+        x0 = np.concatenate([part.block("q"), part.block("u")], axis=1)
+        r, p = part.block("r"), part.block("p") if part.own_parameters else None
+        x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
+        rows = np.full((count, len(self.times), 1 + run.n + run.nr), np.nan)
+        ends = (abi.Run * count)()
+        d = self.driver
+        keep = self._own(p)
+        d.x0, d.r, d.count = x0.ctypes.data, r.ctypes.data, count
+        d.rows = rows.ctypes.data if len(self.times) else None
+        d.x, d.ends, d.answers = x.ctypes.data, ctypes.addressof(ends), answers.ctypes.data
+        abreast = self._abreast(p is not None) if self.width > 1 else None
+        d.abreast = ctypes.addressof(abreast[0]) if abreast else None
+        self.drive(d)
+        del keep, abreast
+        return self._ends(x, rows, answers, ends)
+
+    def _own(self, p: Array | None) -> list[Any]:
+        """Prepared parameters of every run for every function that is called."""
+        d = self.driver
+        d.own, d.own_count, d.w, d.w_size = None, 0, None, 0
+        if p is None:
+            return []
+        pointers = [
+            (name.removesuffix("_w"), getattr(abi.Run, name).offset)
+            for name in (field[0] for field in abi.Run._fields_)
+            if name.endswith("_w") and getattr(self.runners[0].record, name)
+        ]
+        own, keep = (records.Own * len(pointers))(), []
+        for row, (name, offset) in zip(own, pointers, strict=True):
+            w = np.ascontiguousarray(self.model._function(name).prepared(p))
+            keep.append(w)
+            row.offset, row.base, row.stride = offset, w.ctypes.data, w.shape[1]
+            if name == "rhs":
+                d.w, d.w_size = w.ctypes.data, w.shape[1]
+        d.own, d.own_count = ctypes.addressof(own), len(own)
+        return [own, *keep]
+
+    def _abreast(self, own: bool) -> tuple[Any, ...]:
+        """The record of lanes, and what keeps its memory; ``own``: parameters per run."""
+        function, width, run = self.model._function("rhs"), self.width, self.runners[0].record
+        built = function.caller.batch.ready(own)
+        assert built is not None
+        library = records.trials(self.model._objects.reproducible, width)
+        a = records.Abreast()
+        kernel, n = self.how.method.kernel, run.n
+        a.rhs, a.n, a.nq, a.nu, a.nr = built.address, n, run.nq, run.nu, run.nr
+        a.trial_step = abi.address(library, f"cardan_{kernel}_abreast")
+        a.dense = abi.address(library, f"cardan_{kernel}_dense_abreast")
+        self.driver.commit = abi.address(library, "cardan_abreast_commit")
+        self.driver.move = abi.address(library, "cardan_abreast_move")
+        a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count
+        a.rtol, a.atol = self.how.rtol, self.how.atol
+        sizes = dict.fromkeys(records.PER_LANE.split(), 1)
+        sizes |= dict.fromkeys(("y", "f", "trial", "next"), n)
+        sizes |= {"k": run.stages * n, "spread": run.dense_rows * n, "r": run.nr, "s": run.ns}
+        sizes |= {"at_rest": len(self.runners[0].views["at_rest"]), "work": function.work_size}
+        sizes |= {"w": len(function.w) if own else 0}
+        memory = records.aligned(width * sum(sizes.values()), width)
+        start = 0
+        for name, size in sizes.items():
+            setattr(a, name, memory.ctypes.data + UNITS * width * start)
+            start += size
+        if not own:
+            a.w = function.w.ctypes.data
+        return a, memory, built, library
+
+    def _ends(
+        self, x: Array, rows: Array, answers: NDArray[np.intp], ends: ctypes.Array[abi.Run]
+    ) -> Ends:
+        """Answers in words and numbers."""
+        layout: Any = np.dtype(abi.Run)
+        table = np.frombuffer(memoryview(ends).cast("B"), dtype=layout)
+        begun = answers != NOT_RUN
+        x[~begun] = np.nan
+        status, messages = ["finished"] * len(x), {}
+        for k in np.flatnonzero(answers != abi.DONE).tolist():
+            status[k] = "not_run"
+            if begun[k]:
+                status[k], messages[k] = self._explain(ends[k], int(answers[k]))
+        names = ("steps", "rejections", "evaluations")
+        numbers = {name: np.where(begun, table[name], 0).astype(np.float64) for name in names}
+        numbers["t"] = np.where(begun, table["t"], np.nan)
+        return Ends(x, rows, status, messages, numbers)
+
+    def _explain(self, end: abi.Run, answer: int) -> tuple[str, str]:
+        """The status of a run and a sentence about it."""
+        runner = self.runners[0]
+        usual = bytes(runner.record)
+        ctypes.memmove(ctypes.addressof(runner.record), bytes(end), len(usual))
+        try:
+            return explain(runner, answer, self.over)
+        finally:
+            ctypes.memmove(ctypes.addressof(runner.record), usual, len(usual))

@@ -1,0 +1,175 @@
+"""What an ensemble is asked to do, and one block of it: the same on every thread and machine."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...runtime.compiled import CompiledModel
+from ...runtime.trajectory import Trajectory
+from ..settings import Settings
+from ..signals import Signals
+from ..times import Span
+from .crew import Crew, Ends, suits
+from .reductions import Histories, Parts, Reduction
+from .single import Single, motion
+from .varied import Varied
+
+Array = NDArray[np.float64]
+NUMBERS = ("t", "steps", "rejections", "evaluations")
+
+
+@dataclass(frozen=True)
+class Job:
+    """An ensemble, or some runs of it.
+
+    Attributes:
+        model: The compiled model.
+        how: The method and its tolerances.
+        given: Inputs that all runs share.
+        over: Start, end and output times.
+        varied: What the runs differ by.
+        kept: Reductions by name.
+        width: Lanes side by side.
+        build: What decides about the last bit, as :func:`build_key` says.
+    """
+
+    model: CompiledModel
+    how: Settings
+    given: Signals
+    over: Span
+    varied: Varied
+    kept: Mapping[str, Reduction]
+    width: int = 1
+    build: str = ""
+
+    def crew(self) -> Crew | Single:
+        """What a thread computes with."""
+        if suits(self.model, self.given):
+            return Crew(self.model, self.how, self.given, self.over, self.width)
+        return Single(self.model, self.how, self.given, self.over)
+
+    def motion(self, k: int, times: Array | None) -> Trajectory:
+        """One run as a trajectory, at times or dense."""
+        over = replace(self.over, times=times)
+        return motion(self.model, self.how, self.given, over, self.varied.part(k, k + 1))[0]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """What became of a block of runs.
+
+    Attributes:
+        first: Number of its first run.
+        x: Where they end (count, nx).
+        status: Words (count,).
+        numbers: (count, 4): where it ended [s], steps, rejections, evaluations.
+        messages: Of runs that did not reach their end, by number of the run.
+        parts: Of every reduction.
+    """
+
+    first: int
+    x: Array
+    status: NDArray[np.str_]
+    numbers: Array
+    messages: dict[int, str]
+    parts: dict[str, Parts] = field(repr=False)
+
+    @property
+    def last(self) -> int:
+        """Number of the run behind its last one."""
+        return self.first + len(self.x)
+
+
+def compute(job: Job, crew: Crew | Single, first: int, last: int) -> Piece:
+    """Runs from ``first`` to before ``last``."""
+    part = job.varied.part(first, last)
+    ends = crew.run(part)
+    block = histories(job, part, ends)
+    parts = {name: reduction.part(block) for name, reduction in job.kept.items()}
+    return Piece(
+        first,
+        ends.x,
+        np.array(ends.status),
+        np.stack([ends.numbers[name] for name in NUMBERS], axis=1),
+        {first + k: text for k, text in ends.messages.items()},
+        parts,
+    )
+
+
+def histories(job: Job, part: Varied, ends: Ends) -> Histories:
+    """What reductions see of a block."""
+    model = job.model
+    t = np.empty(0) if job.over.times is None else job.over.times
+    x, r = ends.rows[:, :, 1 : 1 + model.nx], ends.rows[:, :, 1 + model.nx :]
+    columns = {name: x[:, :, k] for k, name in enumerate((*model.coordinates, *model.speeds))}
+    columns |= {name: r[:, :, k] for k, name in enumerate(model.inputs)}
+    outputs = [row["name"] for row in model.manifest["outputs"]]
+    found: dict[str, Array] = {}
+
+    def of(name: str) -> Array:
+        if name in columns:
+            return columns[name]
+        if not found:
+            values = _outputs(model, part, x, r, t)
+            found.update((n, values[:, :, k]) for k, n in enumerate(outputs))
+        return found[name]
+
+    return Histories(t, x, np.array([s == "finished" for s in ends.status]), of)
+
+
+def _outputs(model: CompiledModel, part: Varied, x: Array, r: Array, t: Array) -> Array:
+    """The user's outputs (runs, nt, ny); NaN where a run had ended."""
+    there = np.isfinite(x).all(axis=2)
+    run, when = np.nonzero(there)
+    own = None
+    if part.own_parameters:
+        p = part.block("p")
+        changed = [c.name for c in part.columns if c.block == "p"]
+        names = list(model.parameters)
+        own = {name: p[run, names.index(name)] for name in changed}
+    q, u = model.split(x[there])
+    given = r[there] if r.shape[2] else None
+    values = model.outputs(q, u, t=t[when], r=given, parameters=own)
+    result = np.full((*there.shape, values.shape[1]), np.nan)
+    result[there] = values
+    return result
+
+
+def histories_of(model: CompiledModel) -> list[str]:
+    """Names that reductions may speak of."""
+    outputs = [row["name"] for row in model.manifest["outputs"]]
+    return [*model.coordinates, *model.speeds, *model.inputs, *outputs]
+
+
+def build_key(model: CompiledModel) -> str:
+    """What decides about the last bit of a run here: compiler, flags, processor and all texts.
+
+    The name of the compiled ``rhs`` and integrators in the cache; "NumPy" without a compiler.
+    """
+    function = model._function("rhs")
+    if function.code.built is None:
+        return "NumPy"
+    names = (str(function.code.built.path), model._kernels()._name)
+    return "-".join(Path(name).stem[:16] for name in names)
+
+
+def digest(*values: Any) -> str:
+    """Hash of arrays, and of what JSON or ``repr`` can tell."""
+    found = hashlib.sha256()
+    for value in values:
+        if isinstance(value, np.ndarray):
+            found.update(repr((value.shape, value.dtype.str)).encode())
+            found.update(np.ascontiguousarray(value).tobytes())
+        elif isinstance(value, dict):
+            found.update(json.dumps(value, sort_keys=True).encode())
+        else:
+            found.update(repr(value).encode())
+    return found.hexdigest()

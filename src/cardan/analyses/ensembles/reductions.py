@@ -1,0 +1,281 @@
+"""What is kept of the histories of runs: numbers per run, and statistics over runs.
+
+A reduction sees one block of runs at a time. Statistics of blocks are merged in the order of the
+blocks, so that they have the same bits whoever computed which block, and when.
+Source: T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for computing the sample variance, 1983.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ArgumentError, ModelError, near
+
+Array = NDArray[np.float64]
+Parts = dict[str, Array]
+
+OVER_TIME: dict[str, Callable[[Array], Array]] = {
+    "max": lambda y: y.max(axis=1),
+    "min": lambda y: y.min(axis=1),
+    "range": lambda y: y.max(axis=1) - y.min(axis=1),
+    "rms": lambda y: np.sqrt(np.square(y).mean(axis=1)),
+    "last": lambda y: y[:, -1],
+    "mean": lambda y: y.mean(axis=1),
+}
+OVER_RUNS = ("mean", "variance", "deviation", "min", "max")
+USUAL = {"mean": "runs", "variance": "runs", "deviation": "runs"}
+NUMBER = r"([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)"
+HISTOGRAM = re.compile(rf"histogram of (.+) from {NUMBER} to {NUMBER} in (\d+)")
+SPOKEN = re.compile(r"(\w+) of (.+?)(?: over (time|runs))?")
+FORMS = (
+    "'states', 'max of elbow' (max, min, range, rms, last, mean ... over time: one number per "
+    "run), 'mean of elbow' (mean, variance, deviation, min, max ... over runs: one per output "
+    "time), 'histogram of elbow from -1 to 1 in 50', or name=function(t, x)"
+)
+
+
+@dataclass(frozen=True)
+class Histories:
+    """What a block of runs did.
+
+    Attributes:
+        t: Output times (nt,).
+        x: States (runs, nt, nx); NaN where a run had ended before.
+        whole: Which runs reached their end, (runs,).
+        of: ``of(name)``: history of a coordinate, speed, input or output (runs, nt).
+    """
+
+    t: Array
+    x: Array
+    whole: NDArray[np.bool_]
+    of: Callable[[str], Array]
+
+
+class Reduction(ABC):
+    """One thing that is kept.
+
+    Attributes of members: ``per_run``: whether it has a value for every run.
+    """
+
+    per_run: bool
+
+    @abstractmethod
+    def part(self, block: Histories) -> Parts:
+        """What a block gives."""
+
+    def merged(self, one: Parts, other: Parts) -> Parts:
+        """Two parts as one; the blocks of the second follow those of the first."""
+        raise AssertionError("values per run are not merged")
+
+    def result(self, parts: Parts) -> Any:
+        """What the user gets of all parts."""
+        return parts["value"]
+
+
+@dataclass(frozen=True)
+class States(Reduction):
+    """The histories themselves (runs, nt, nx)."""
+
+    per_run = True
+
+    def part(self, block: Histories) -> Parts:
+        """States."""
+        return {"value": block.x}
+
+
+@dataclass(frozen=True)
+class OverTime(Reduction):
+    """A number of the history of every run."""
+
+    kind: str
+    name: str
+    per_run = True
+
+    def part(self, block: Histories) -> Parts:
+        """NaN for a run that did not reach its end."""
+        return {"value": OVER_TIME[self.kind](block.of(self.name))}
+
+
+@dataclass(frozen=True)
+class Own(Reduction):
+    """What a function of the user makes of states (runs, nt, nx): (runs, ...)."""
+
+    name: str
+    function: Callable[[Array, Array], Any]
+    per_run = True
+
+    def part(self, block: Histories) -> Parts:
+        """Values of the function.
+
+        Raises:
+            ArgumentError: it does not give one value per run.
+        """
+        value = np.asarray(self.function(block.t, block.x), dtype=np.float64)
+        if value.shape[:1] != block.x.shape[:1]:
+            raise ArgumentError(
+                f"reduce: '{self.name}' of states {block.x.shape} gave an array of shape "
+                f"{value.shape}; its first axis must be that of the runs, {len(block.x)} long"
+            )
+        return {"value": value}
+
+
+@dataclass(frozen=True)
+class OverRuns(Reduction):
+    """A statistic at every output time, of the runs that reached their end."""
+
+    kind: str
+    name: str
+    per_run = False
+
+    def part(self, block: Histories) -> Parts:
+        """Number of runs, mean, sum of squares about it, least and largest value."""
+        y = block.of(self.name)[block.whole]
+        mean = y.mean(axis=0) if len(y) else np.zeros(y.shape[1])
+        return {
+            "count": np.array([float(len(y))]),
+            "mean": mean,
+            "squares": np.square(y - mean).sum(axis=0),
+            "min": y.min(axis=0, initial=np.inf),
+            "max": y.max(axis=0, initial=-np.inf),
+        }
+
+    def merged(self, one: Parts, other: Parts) -> Parts:
+        """Moments of both about the common mean."""
+        count = one["count"] + other["count"]
+        share = other["count"] / np.maximum(count, 1.0)
+        apart = other["mean"] - one["mean"]
+        return {
+            "count": count,
+            "mean": one["mean"] + apart * share,
+            "squares": one["squares"] + other["squares"] + apart**2 * one["count"] * share,
+            "min": np.minimum(one["min"], other["min"]),
+            "max": np.maximum(one["max"], other["max"]),
+        }
+
+    def result(self, parts: Parts) -> Any:
+        """The statistic (nt,); NaN if no run reached its end."""
+        count = parts["count"][0]
+        if not count:
+            return np.full_like(parts["mean"], np.nan)
+        if self.kind not in ("variance", "deviation"):
+            return parts[self.kind]
+        variance = parts["squares"] / (count - 1) if count > 1 else 0 * parts["squares"]
+        return variance if self.kind == "variance" else np.sqrt(variance)
+
+
+@dataclass(frozen=True)
+class Bins:
+    """A histogram.
+
+    Attributes:
+        counts: Runs in every bin, (n,).
+        edges: Where bins begin and end, (n + 1,).
+        below, above: Runs outside.
+    """
+
+    counts: NDArray[np.intp]
+    edges: Array
+    below: int
+    above: int
+
+
+@dataclass(frozen=True)
+class Histogram(Reduction):
+    """How many runs end with a value in each bin."""
+
+    name: str
+    low: float
+    high: float
+    bins: int
+    per_run = False
+
+    def part(self, block: Histories) -> Parts:
+        """Counts."""
+        y = block.of(self.name)[block.whole, -1]
+        counts, _ = np.histogram(y, self.bins, (self.low, self.high))
+        outside = [(y < self.low).sum(), (y > self.high).sum()]
+        return {"value": np.concatenate([counts, outside]).astype(np.float64)}
+
+    def merged(self, one: Parts, other: Parts) -> Parts:
+        """Counts of both."""
+        return {"value": one["value"] + other["value"]}
+
+    def result(self, parts: Parts) -> Any:
+        """The counts with their bins."""
+        counts = parts["value"].astype(np.intp)
+        edges = np.linspace(self.low, self.high, self.bins + 1)
+        return Bins(counts[:-2], edges, int(counts[-2]), int(counts[-1]))
+
+
+def reductions(
+    asked: str | Sequence[str] | Mapping[str, Any] | None, known: Sequence[str], listed: bool
+) -> dict[str, Reduction]:
+    """What is kept, by name.
+
+    Args:
+        asked: Words; several; or name -> words or a function of (t, x).
+        known: Names that have histories.
+        listed: Whether the user gave output times: then the states there are kept by default.
+
+    Raises:
+        ModelError: words that mean nothing, an unknown name. ArgumentError: not a reduction.
+    """
+    if asked is None:
+        asked = ["states"] if listed else []
+    if isinstance(asked, str):
+        asked = [asked]
+    rows = asked if isinstance(asked, Mapping) else {str(word): word for word in asked}
+    found: dict[str, Reduction] = {}
+    for name, what in rows.items():
+        if callable(what):
+            found[name] = Own(name, what)
+        elif not isinstance(what, str):
+            raise ArgumentError(f"reduce: '{name}' is {what!r}; it may be {FORMS}")
+        elif what != "final":
+            # the last states are kept anyway
+            found[name] = _read(what, known)
+    return found
+
+
+def _read(words: str, known: Sequence[str]) -> Reduction:
+    text = " ".join(words.split())
+    if text == "states":
+        return States()
+    histogram, spoken = HISTOGRAM.fullmatch(text), SPOKEN.fullmatch(text)
+    if histogram:
+        name, low, high, bins = histogram.groups()
+        return _histogram(words, _known(words, name, known), low, high, int(bins))
+    if not spoken or spoken[1] not in (*OVER_TIME, *OVER_RUNS):
+        raise ModelError(f"reduce: '{words}' is no reduction: it may be {FORMS}")
+    kind, name, axis = spoken.groups()
+    axis = axis or USUAL.get(kind, "time")
+    if kind not in (OVER_TIME if axis == "time" else OVER_RUNS):
+        raise ModelError(f"reduce: '{words}': there is no {kind} over {axis}. It may be {FORMS}")
+    name = _known(words, name, known)
+    return OverTime(kind, name) if axis == "time" else OverRuns(kind, name)
+
+
+def _known(words: str, name: str, known: Sequence[str]) -> str:
+    if name not in known:
+        raise ModelError(f"reduce: '{words}': there is no history '{name}'.{near(name, known)}")
+    return name
+
+
+def _histogram(words: str, name: str, low: str, high: str, bins: int) -> Histogram:
+    try:
+        ends = float(low), float(high)
+    except ValueError:
+        ends = math.nan, math.nan
+    if not (math.isfinite(ends[0]) and ends[0] < ends[1] < math.inf and 1 <= bins <= 1_000_000):
+        raise ModelError(
+            f"reduce: '{words}': bins go from a lower to a higher number, in 1 or more"
+        )
+    return Histogram(name, *ends, bins)

@@ -1,0 +1,102 @@
+"""Runs one after the other, each as ``simulate`` makes it: circuits, events, Python on the way."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import CardanError
+from ...runtime.closing import Closing
+from ...runtime.compiled import CompiledModel
+from ...runtime.parameters import Parameters
+from ...runtime.trajectory import Trajectory
+from ..closed_start import closed_start
+from ..plain import PlainRunner
+from ..run import Runner
+from ..settings import Settings, Start
+from ..signals import Signals
+from ..simulate import _run, runner_of
+from ..times import Span
+from .crew import Ends
+from .varied import Varied
+
+Array = NDArray[np.float64]
+
+
+def prepared(
+    model: CompiledModel, how: Settings, given: Signals, over: Span, part: Varied
+) -> tuple[Runner | PlainRunner, Start, Signals]:
+    """The runner of the only run of a part, where it starts, and its inputs.
+
+    Raises:
+        ModelError: its circuits cannot be assembled.
+    """
+    if part.own_parameters:
+        model = model._with(Parameters(model.manifest, part.block("p")[0]))
+    constants = part.block("r")[0]
+    own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
+    x = np.concatenate([part.block("q")[0], part.block("u")[0]])
+    begin = Start(x, ())
+    if Closing.of(model).rows:
+        named = part.named("q", 0), part.named("u", 0)
+        begin = closed_start(model, begin, *named, over.start, own.first(over.start))
+    return runner_of(model, how, own), begin, own
+
+
+def motion(
+    model: CompiledModel, how: Settings, given: Signals, over: Span, part: Varied
+) -> tuple[Trajectory, Runner | PlainRunner]:
+    """The only run of a part."""
+    runner, begin, own = prepared(model, how, given, over, part)
+    return _run(runner, over, begin, own, False), runner
+
+
+class Single:
+    """Used as a :class:`.crew.Crew` is."""
+
+    def __init__(self, model: CompiledModel, how: Settings, given: Signals, over: Span) -> None:
+        self.model, self.how, self.given, self.over = model, how, given, over
+        self.stopped = False
+
+    def stop(self) -> None:
+        """End soon, from any thread."""
+        self.stopped = True
+
+    def run(self, part: Varied) -> Ends:
+        """All runs of a block."""
+        count, nx, nr = part.runs, self.model.nx, self.model.nr
+        times = np.empty(0) if self.over.times is None else self.over.times
+        over = Span(self.over.start, self.over.end, np.array([self.over.start, self.over.end]))
+        over = self.over if self.over.times is not None else over
+        ends = Ends(
+            np.full((count, nx), np.nan),
+            np.full((count, len(times), 1 + nx + nr), np.nan),
+            ["not_run"] * count,
+            {},
+            {name: np.zeros(count) for name in ("steps", "rejections", "evaluations")},
+        )
+        ends.numbers["t"] = np.full(count, np.nan)
+        for k in range(count):
+            if self.stopped:
+                break
+            try:
+                made, runner = motion(self.model, self.how, self.given, over, part.part(k, k + 1))
+            except CardanError as problem:
+                # such as circuits that do not close with the parameters of this run
+                ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"
+                continue
+            self._keep(ends, k, made, runner)
+        return ends
+
+    def _keep(self, ends: Ends, k: int, made: Trajectory, runner: Runner | PlainRunner) -> None:
+        """What became of one run."""
+        nx, reached = self.model.nx, len(made)
+        ends.x[k] = runner.views["y"][:nx]
+        ends.status[k] = made.status
+        if not made.success:
+            ends.messages[k] = made.message
+        ends.numbers["t"][k] = runner.record.t
+        for name in ("steps", "rejections", "evaluations"):
+            ends.numbers[name][k] = made.statistics[name]
+        if ends.rows.shape[1]:
+            ends.rows[k, :reached] = np.concatenate([made.t[:, None], made.x, made.r], axis=1)

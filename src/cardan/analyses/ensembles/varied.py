@@ -1,0 +1,306 @@
+"""What the runs of an ensemble differ by, from the words of the user to numbers per run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ArgumentError, ModelError, SolveError, near
+from ...runtime.calling import numbers
+from ...runtime.compiled import CompiledModel
+from ...runtime.initial import entries, initial_state, missing
+from .. import sample
+from ..signals import Signals, signals
+
+Array = NDArray[np.float64]
+WHAT = {"q": "coordinate", "u": "speed", "p": "parameter", "r": "input"}
+
+
+@dataclass(frozen=True)
+class Column:
+    """Values of one name, or of a whole block.
+
+    Attributes:
+        block: ``q``, ``u``, ``p`` or ``r``.
+        name: As the user said it; the block itself where all of it was given.
+        place: Its entries in the block.
+        values: (runs, n), or (1, n) where all runs share them.
+    """
+
+    block: str
+    name: str
+    place: slice
+    values: Array = field(repr=False)
+
+    def part(self, first: int, last: int) -> Column:
+        """The same of some runs."""
+        return self if len(self.values) == 1 else replace(self, values=self.values[first:last])
+
+
+@dataclass(frozen=True)
+class Varied:
+    """Where every run starts, and with which numbers.
+
+    Attributes:
+        runs: How many there are.
+        base: Block -> what all runs start from, but for the columns.
+        quaternions: First entry of each in q.
+        columns: What is given, per run or for all.
+    """
+
+    runs: int
+    base: Mapping[str, Array] = field(repr=False)
+    quaternions: tuple[int, ...]
+    columns: tuple[Column, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What differs between runs."""
+        return tuple(c.name for c in self.columns if len(c.values) > 1)
+
+    def part(self, first: int, last: int) -> Varied:
+        """The same of some runs alone."""
+        columns = tuple(column.part(first, last) for column in self.columns)
+        return replace(self, runs=last - first, columns=columns)
+
+    def block(self, letter: str) -> Array:
+        """q (runs, nq), u (runs, nu), p (runs, np) or r (runs, nr) of all runs."""
+        block = np.tile(self.base[letter], (self.runs, 1))
+        for column in self.columns:
+            if column.block == letter:
+                block[:, column.place] = column.values
+        for start in self.quaternions if letter == "q" else ():
+            # entry by entry: every run gets the bits it would get alone
+            w, x, y, z = (block[:, start + k] for k in range(4))
+            block[:, start : start + 4] /= np.sqrt(w * w + x * x + y * y + z * z)[:, None]
+        return block
+
+    @property
+    def own_parameters(self) -> bool:
+        """Whether any run has parameters of its own."""
+        return any(column.block == "p" for column in self.columns)
+
+    def named(self, letter: str, k: int) -> Any:
+        """What was given for q or u of run ``k``: by names, a whole block, or None."""
+        given = {c.name: c.values[k % len(c.values)] for c in self.columns if c.block == letter}
+        return given.get(letter, given) or None
+
+
+class Reader:
+    """Collects columns, and checks that they fit each other."""
+
+    def __init__(self, model: CompiledModel, runs: int | None, seed: int) -> None:
+        self.model, self.seed = model, seed
+        self.columns: list[Column] = []
+        self.waiting: list[tuple[str, str, slice, sample.Distribution]] = []
+        # how many runs there are, and who said so
+        self.runs: tuple[int, str] | None = None
+        if runs is not None:
+            if not isinstance(runs, int | np.integer) or runs < 1:
+                raise ModelError(f"runs={runs!r} is no number of runs: 1, 2, ...")
+            self.runs = int(runs), "runs="
+        self.covered: dict[tuple[str, int], str] = {}
+
+    def add(self, block: str, name: str, where: str, place: slice, value: Any) -> None:
+        """One name with its values."""
+        for k in range(place.start, place.stop):
+            other = self.covered.setdefault((block, k), where)
+            if other != where:
+                raise ModelError(f"{WHAT[block]} '{name}' is given twice: by {other} and {where}")
+        if isinstance(value, sample.Distribution):
+            if place.stop - place.start != 1:
+                raise ArgumentError(f"{where}: a distribution goes to one entry, such as 'base.px'")
+            self.waiting.append((block, name, place, value))
+            return
+        array = self._shaped(where, numbers(where, value), place.stop - place.start)
+        self._finite(block, where, place, array)
+        self.columns.append(Column(block, name, place, np.ascontiguousarray(array)))
+
+    def _shaped(self, where: str, array: Array, size: int) -> Array:
+        """(runs, size) or (1, size)."""
+        if size == 1 and (array.ndim == 0 or array.shape[-1:] != (1,)):
+            array = array[..., None]
+        if array.ndim == 2 and array.shape[1] == size and len(array):
+            self._count(where, len(array))
+            return array
+        if array.shape != (size,):
+            runs = self.runs[0] if self.runs else "runs"
+            one = "one number" if size == 1 else f"({size},)"
+            many = f"({runs},)" if size == 1 else f"({runs}, {size})"
+            shape = array.shape[:-1] if size == 1 else array.shape
+            raise ArgumentError(f"{where} has shape {shape}, expected {one} or {many}")
+        return array[None]
+
+    def _count(self, where: str, runs: int) -> None:
+        if runs == 1:
+            return
+        if self.runs is None:
+            self.runs = runs, where
+        elif self.runs[0] != runs:
+            raise ArgumentError(
+                f"{where} has values for {runs} runs, {self.runs[1]} says {self.runs[0]}"
+            )
+
+    def _finite(self, block: str, where: str, place: slice, array: Array) -> None:
+        bad = np.argwhere(~np.isfinite(array))
+        if len(bad):
+            run, k = bad[0].tolist()
+            name = _entry(self.model, block, place.start + k)
+            which = f" of run {run}" if len(array) > 1 else ""
+            raise SolveError(f"{where}: '{name}'{which} is {array[run, k]}; it must be finite")
+
+    def total(self) -> int:
+        """How many runs there are; what was waiting for it is drawn."""
+        if self.runs is None:
+            raise ModelError(
+                "nothing differs between the runs: give arrays with one value per run, a plan such "
+                "as vary=cd.sample.grid(...), or runs= with distributions"
+            )
+        for block, name, place, kind in self.waiting:
+            values = sample.drawn(name, kind, self.runs[0], self.seed)[:, None]
+            self._finite(block, f"'{name}'", place, values)
+            self.columns.append(Column(block, name, place, values))
+        for column in self.columns:
+            if column.block == "p":
+                self.model._parameters.checked(column.name, column.values[:, 0])
+        return self.runs[0]
+
+
+def _entry(model: CompiledModel, block: str, k: int) -> str:
+    names = {"q": model.coordinates, "u": model.speeds, "r": model.inputs}
+    return names[block][k] if block in names else list(model.parameters)[k]
+
+
+def varied(
+    model: CompiledModel,
+    *,
+    x0: Any,
+    q: Any,
+    u: Any,
+    parameters: Mapping[str, Any] | None,
+    inputs: Mapping[str, Any] | None,
+    vary: sample.Plan | Mapping[str, Any] | None,
+    runs: int | None,
+    seed: int,
+    over: tuple[float, float],
+) -> tuple[Varied, Signals]:
+    """What differs between runs, and the inputs that do not.
+
+    Args: as :func:`cardan.analyses.ensembles.ensemble` takes them; ``over`` is the span.
+
+    Raises:
+        ModelError: unknown names, something given twice, nothing that differs.
+        ArgumentError: shapes that do not fit. SolveError: a value that is not finite.
+    """
+    reader = Reader(model, runs, seed)
+    if x0 is not None and (q is not None or u is not None):
+        raise ModelError("the start is given twice: by x0= and by q= or u=. Leave one out")
+    if x0 is not None:
+        x = reader._shaped("x0", numbers("x0", x0), model.nx)
+        q, u = x[:, : model.nq], x[:, model.nq : model.nq + model.nu]
+    for letter, value in (("q", q), ("u", u)):
+        _state(reader, letter, value, "x0" if x0 is not None else letter)
+    for name, value in (parameters or {}).items():
+        _parameter(reader, name, f"parameters={{'{name}': ...}}", value)
+    shared = _inputs(reader, inputs)
+    plan = sample.listed(vary) if isinstance(vary, Mapping) else vary
+    for name, column in plan.values.items() if plan is not None else ():
+        _named(reader, name, column)
+    total = reader.total()
+    given = signals(model.manifest["inputs"], shared, None, over)
+    start, _ = initial_state(model.manifest, {}, {})
+    base = {
+        "q": start[: model.nq],
+        "u": start[model.nq :],
+        "p": model._parameters.vector,
+        "r": given.constants,
+    }
+    made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
+    _no_rotation(model, made)
+    return made, given
+
+
+def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
+    """Coordinates or speeds, by names or as a block."""
+    if value is None:
+        return
+    model = reader.model
+    if not isinstance(value, Mapping):
+        size = model.nq if letter == "q" else model.nu
+        reader.add(letter, letter, where, slice(0, size), value)
+        return
+    places = entries(model.manifest, letter)
+    for name, given in value.items():
+        here = f"{where}={{'{name}': ...}}"
+        if name not in places:
+            why = missing(model.manifest, letter, name)
+            raise ModelError(f"{here}: {why}{near(name, places)}")
+        reader.add(letter, name, here, places[name], given)
+
+
+def _parameter(reader: Reader, name: str, where: str, value: Any) -> None:
+    known = reader.model._parameters
+    # unknown and structural names are explained there
+    k = list(known).index(name) if name in known else known.checked(name, 0.0).size
+    reader.add("p", name, where, slice(k, k + 1), value)
+
+
+def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Inputs that all runs share; those with a value per run become columns."""
+    shared = {}
+    for name, value in (inputs or {}).items():
+        own = isinstance(value, np.ndarray) and value.ndim > 0
+        if name in reader.model.inputs and (own or isinstance(value, sample.Distribution)):
+            k = reader.model.inputs.index(name)
+            reader.add("r", name, f"inputs={{'{name}': ...}}", slice(k, k + 1), value)
+        else:
+            shared[name] = value
+    return shared
+
+
+def _named(reader: Reader, name: str, column: Array) -> None:
+    """A name of a plan: whatever of the model it is."""
+    model = reader.model
+    tables: dict[str, Callable[[], dict[str, slice]]] = {
+        "q": lambda: _single(entries(model.manifest, "q")),
+        "u": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.speeds)},
+        "p": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.parameters)},
+        "r": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.inputs)},
+    }
+    places = {block: table() for block, table in tables.items()}
+    found = [block for block, table in places.items() if name in table]
+    if len(found) > 1:
+        words = " and ".join(WHAT[block] for block in found)
+        raise ModelError(
+            f"vary: '{name}' is a {words} here. Say which by q=, u=, parameters= or inputs="
+        )
+    if not found and name in model.manifest.get("structural", {}):
+        model._parameters.checked(name, 0.0)
+    if not found:
+        known = [name for table in places.values() for name in table]
+        raise ModelError(
+            f"vary: there is no coordinate, speed, parameter or input '{name}'.{near(name, known)}"
+        )
+    reader.add(found[0], name, f"vary '{name}'", places[found[0]][name], column)
+
+
+def _single(places: Mapping[str, slice]) -> dict[str, slice]:
+    return {name: place for name, place in places.items() if place.stop - place.start == 1}
+
+
+def _no_rotation(model: CompiledModel, made: Varied) -> None:
+    """Refuse quaternions of length 0."""
+    for start in made.quaternions:
+        rows = [c for c in made.columns if c.block == "q" and c.place.start <= start < c.place.stop]
+        for column in rows:
+            block = column.values[:, start - column.place.start :][:, :4]
+            bad = np.flatnonzero(np.linalg.norm(block, axis=1) < 1e-6)
+            if len(bad) and block.shape[1] == 4:
+                raise SolveError(
+                    f"the quaternion at '{model.coordinates[start]}' of run {bad[0]} has length 0 "
+                    "and stands for no rotation. No rotation is (1, 0, 0, 0)"
+                )

@@ -1,0 +1,204 @@
+"""What may happen in a run: events of the model, and those that the caller watches for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from inspect import signature
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.compiled import CompiledModel
+from . import record as abi
+
+Array = NDArray[np.float64]
+Value = Callable[[float, Array], float]
+KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK, "end": abi.END, "mark": abi.MARK}
+OWN = {"end": abi.HALT, "mark": abi.MARK}
+# the value falls, it rises, both
+DIRECTIONS = {"down": (1.0,), "up": (-1.0,), "both": (1.0, -1.0)}
+
+
+@dataclass(frozen=True)
+class Watch:
+    """A value that the caller watches.
+
+    Attributes:
+        name: Of its events.
+        value: f(t, x).
+        kind: ``"end"``: the run is over where it passes zero; ``"mark"``: that is noted.
+        direction: Which way it passes: ``"down"``, ``"up"`` or ``"both"``.
+    """
+
+    name: str
+    value: Value
+    kind: str
+    direction: str
+
+
+@dataclass(frozen=True)
+class Happenings:
+    """Everything that may happen in a run.
+
+    Attributes:
+        rows: name, element and kind of every event: those of the model, then those watched.
+        kinds: The same as numbers of the kernels (ne,).
+        model: How many of them are the model's.
+        ticks: Rows event, period, phase of the manifest.
+        watches: What the caller watches.
+    """
+
+    rows: tuple[dict[str, str], ...]
+    kinds: tuple[int, ...]
+    model: int
+    ticks: tuple[Mapping[str, Any], ...]
+    watches: tuple[Watch, ...]
+
+    @property
+    def changing(self) -> tuple[str, ...]:
+        """Names of the events that change something, which no run can go back over."""
+        pairs = zip(self.rows, self.kinds, strict=True)
+        return tuple(row["name"] for row, kind in pairs if kind <= abi.TICK)
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """Functions of the model that are called for them."""
+        return ("events", "transition") if self.model else ()
+
+    @property
+    def watched(self) -> int:
+        """Number of values that the caller watches; one that passes both ways counts twice."""
+        return len(self.rows) - self.model
+
+    def watch(self, t: float, x: Array) -> list[float]:
+        """Values (watched,) of what the caller watches."""
+        values: list[float] = []
+        for watch in self.watches:
+            value = float(watch.value(t, x))
+            values += [sign * value for sign in DIRECTIONS[watch.direction]]
+        return values
+
+    def forward(self, start: float, end: float) -> None:
+        """Refuse to go backward over what changes something.
+
+        Raises:
+            ModelError: the run goes backward and the model has such events.
+        """
+        if end < start and self.changing:
+            raise ModelError(
+                f"t=({start:g}, {end:g}): '{self.changing[0]}' changes the state where it happens, "
+                "which cannot be undone: runs of this model go forward only"
+            )
+
+
+NOTHING = Happenings((), (), 0, (), ())
+
+
+def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happenings:
+    """What may happen in a run of a model.
+
+    Args:
+        model: Its events come first.
+        given: Name -> what to watch: ``f(t, x)`` or ``("elbow", value)``; alone the run is over
+            where it passes zero, or the value; with more as a tuple
+            ``(what, "end" or "mark", "down", "up" or "both")``.
+
+    Raises:
+        ModelError: an unknown name, kind or direction. ArgumentError: nothing to watch.
+        SolveError: a value that is not finite.
+    """
+    rows = [
+        {key: str(row[key]) for key in ("name", "element", "kind")}
+        for row in model.manifest.get("events", ())
+    ]
+    kinds = [KINDS[row["kind"]] for row in rows]
+    count = len(rows)
+    taken = [row["name"] for row in rows]
+    watches = [_watch(model, name, what) for name, what in (given or {}).items()]
+    for watch in watches:
+        if watch.name in taken:
+            raise ModelError(f"events: the model has an event '{watch.name}': name yours otherwise")
+        for _ in DIRECTIONS[watch.direction]:
+            rows.append({"name": watch.name, "element": "", "kind": watch.kind})
+            kinds.append(OWN[watch.kind])
+    ticks = tuple(model.manifest.get("ticks", ()))
+    for tick in ticks:
+        if not (math.isfinite(tick["period"]) and tick["period"] > 0):
+            name = rows[tick["event"]]["name"]
+            raise ModelError(f"'{name}' has a period of {tick['period']:g} s: it must be positive")
+    return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
+
+
+def _watch(model: CompiledModel, name: str, given: Any) -> Watch:
+    """One entry of ``events=``."""
+    what: Any = given
+    words: tuple[Any, ...] = ()
+    if isinstance(given, tuple | list) and given and not _is_crossing(given):
+        what, words = given[0], tuple(given[1:])
+    kind, direction = "end", "both"
+    for word in words:
+        if word in OWN:
+            kind = word
+        elif word in DIRECTIONS:
+            direction = word
+        else:
+            known = [*OWN, *DIRECTIONS]
+            hint = near(str(word), known)
+            raise ModelError(f"events: '{name}': {word!r} is none of {', '.join(known)}.{hint}")
+    return Watch(name, _value(model, name, what), kind, direction)
+
+
+def _is_crossing(given: Sequence[Any]) -> bool:
+    return (
+        len(given) == 2
+        and isinstance(given[0], str)
+        and isinstance(given[1], int | float | np.number)
+    )
+
+
+def _value(model: CompiledModel, name: str, what: Any) -> Value:
+    """f(t, x) of a function, or of a coordinate and the value it passes."""
+    if callable(what):
+        try:
+            signature(what).bind(0.0, None)
+        except TypeError as problem:
+            raise ArgumentError(
+                f"events: the function of '{name}' must take (t, x), time and state: {problem}"
+            ) from None
+        except ValueError:
+            # built-in functions do not tell
+            return _checked(name, what)
+        return _checked(name, what)
+    if isinstance(what, tuple | list) and _is_crossing(what):
+        entry, value = str(what[0]), float(what[1])
+        names = (*model.coordinates, *model.speeds, *model.internals)
+        if entry not in names:
+            raise ModelError(
+                f"events: '{name}': there is no coordinate, speed or internal state '{entry}'."
+                f"{near(entry, names)}"
+            )
+        if not math.isfinite(value):
+            raise SolveError(f"events: '{name}': '{entry}' cannot pass {value}")
+        k = names.index(entry)
+        return lambda t, x: float(x[k]) - value
+    raise ArgumentError(
+        f"events: '{name}' is {what!r}; give f(t, x), or a name and the value it passes such as "
+        "('elbow', 0.5)"
+    )
+
+
+def _checked(name: str, function: Value) -> Value:
+    """The function, whose result must be a number."""
+
+    def value(t: float, x: Array) -> float:
+        try:
+            found = float(function(t, x))
+        except (TypeError, ValueError) as problem:
+            raise ArgumentError(f"events: f(t, x) of '{name}' gave no number: {problem}") from None
+        return found
+
+    return value

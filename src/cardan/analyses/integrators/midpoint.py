@@ -1,0 +1,19 @@
+"""The implicit midpoint rule on which the energy balance is imposed."""
+
+from __future__ import annotations
+
+from ..integrator import Integrator
+
+METHOD = Integrator(
+    name="EnergyMidpoint",
+    kernel="midpoint",
+    order=2,
+    dense_order=2,
+    stages=3,
+    dense_rows=3,
+    adaptive=False,
+    charted=True,
+    needs=("energy",),
+    applies="very many steps whose energy balance must hold at any step size",
+    source="O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467",
+)

@@ -1,0 +1,64 @@
+/* Trial steps of several runs side by side: what ensemble.c asks for and lanes do.
+ *
+ * Part of cardan. abreast.c and lane_<method>.c are built with -DCARDAN_LANES, as the function they
+ * call; ensemble.c, which knows single runs only, is not. Here every number of a run is a vector of
+ * one number per lane, entry k of an array stands at k * lanes. The caller owns all memory, aligned
+ * for vectors. Lanes never meet: what one does has no influence on the others.
+ */
+#ifndef CARDAN_ABREAST_H
+#define CARDAN_ABREAST_H
+
+#include "cardan.h"
+#include <stddef.h>
+
+typedef struct cardan_abreast cardan_abreast;
+typedef void (*cardan_any_function)(void);
+
+struct cardan_abreast {
+    /* the model */
+    cardan_any_function rhs; /* its lane build */
+    double *w;               /* its prepared parameters: shared, or one set per lane */
+    void *owner;
+    void (*inputs)(void *owner); /* r at the times `at`, NULL where no input depends on time */
+    void (*alone)(void *owner, const double *y, double *f); /* lane by lane; says who `failed` */
+    const ptrdiff_t *quaternions;
+    ptrdiff_t quaternion_count, n, nq, nu, nr;
+
+    /* the method: derivatives and error of a trial; its dense output */
+    void (*trial_step)(cardan_abreast *a);
+    void (*dense)(cardan_abreast *a);
+    double rtol, atol;
+
+    /* numbers per lane */
+    double *t, *h, *t_new; /* the step to try, from t to t_new */
+    double *at;            /* times of the present call */
+    double *error;         /* of the trial, in units of the tolerance */
+    double *culprit;       /* entry with the largest error, or that is not finite; -1 */
+    double *taken;         /* 1 where the trial becomes the next state, else 0 */
+    ptrdiff_t *failed;     /* status of the trial; 0: none */
+    ptrdiff_t *evaluations;
+
+    /* vectors per lane */
+    double *y;      /* (n) at t */
+    double *f;      /* (n) derivative there */
+    double *trial;  /* (n) state at t_new */
+    double *next;   /* (n) derivative there */
+    double *k;      /* (stages, n) derivatives of the step */
+    double *spread; /* (dense_rows, n) */
+    double *r, *s, *at_rest, *work;
+};
+
+/* f (n) at the times `at` and states y (n) of all lanes that have not failed. */
+void cardan_abreast_derivative(cardan_abreast *a, const real *y, real *f);
+/* The state at t_new where `taken`, and its derivative. What fails is taken no more. */
+void cardan_abreast_commit(cardan_abreast *a);
+/* Where `taken` the trial becomes the present state. */
+void cardan_abreast_move(cardan_abreast *a);
+/* For bindings: the size they must agree with. */
+size_t cardan_abreast_size(void);
+
+/* the methods */
+void cardan_dop853_abreast(cardan_abreast *a);
+void cardan_dop853_dense_abreast(cardan_abreast *a);
+
+#endif

@@ -1,0 +1,359 @@
+/* Many runs by one thread: one after the other, or each lane its own with its own steps.
+ *
+ * Part of cardan. Caller owns all memory. What decides about a run, from its first step to the
+ * control of every one, is done by the functions of single runs on the record of its lane; lanes
+ * only share the arithmetic of trial steps. So a run does not know whether it was alone.
+ */
+#include "ensemble.h"
+#include <string.h>
+
+enum { SLICE = 1000 /* steps between two looks at `stop` */ };
+
+size_t cardan_ensemble_size(void)
+{
+    return sizeof(cardan_ensemble);
+}
+
+/* Begin the next run of the queue in a lane. */
+static int begin(cardan_ensemble *e, cardan_lane *lane)
+{
+    cardan_run *run = lane->run;
+    const ptrdiff_t i = e->next++, nx = lane->fresh->nx, nr = lane->fresh->nr;
+
+    *run = *lane->fresh;
+    memcpy(lane->memory, lane->fresh_memory, (size_t)e->memory_length * sizeof(double));
+    memcpy(run->y, e->x0 + i * nx, (size_t)nx * sizeof(double));
+    memcpy(run->r, e->r + i * nr, (size_t)nr * sizeof(double));
+    for (ptrdiff_t k = 0; k < e->own_count; k++) {
+        const double *own = e->own[k].base + i * e->own[k].stride;
+        memcpy((char *)run + e->own[k].offset, &own, sizeof own);
+    }
+    if (e->rows)
+        run->rows = e->rows + i * run->capacity * (1 + run->n + nr);
+    run->budget = SLICE;
+    lane->number = i;
+    return cardan_run_start(run);
+}
+
+/* Keep what became of a run. */
+static void finish(cardan_ensemble *e, cardan_lane *lane, int answer)
+{
+    const cardan_run *run = lane->run;
+    const ptrdiff_t i = lane->number;
+
+    memcpy(e->x + i * run->nx, run->y, (size_t)run->nx * sizeof(double));
+    e->ends[i] = *run;
+    e->answers[i] = answer;
+    e->finished++;
+    lane->number = -1;
+}
+
+static void one_by_one(cardan_ensemble *e)
+{
+    cardan_run *run = e->lanes->run;
+
+    while (e->next < e->count && !e->stop) {
+        int answer = begin(e, e->lanes);
+
+        if (answer == 0)
+            answer = CARDAN_MORE;
+        while (answer == CARDAN_MORE)
+            answer = e->stop ? CARDAN_STOPPED : cardan_run_drive(run);
+        finish(e, e->lanes, answer);
+    }
+}
+
+/* Lanes as vectors: column j of an array of `size` entries, there and back. */
+static void put(const cardan_ensemble *e, ptrdiff_t j, const double *from, ptrdiff_t size,
+                double *to)
+{
+    for (ptrdiff_t i = 0; i < size; i++)
+        to[i * e->lane_count + j] = from[i];
+}
+
+static void get(const cardan_ensemble *e, ptrdiff_t j, const double *from, ptrdiff_t size,
+                double *to)
+{
+    for (ptrdiff_t i = 0; i < size; i++)
+        to[i] = from[i * e->lane_count + j];
+}
+
+/* The present state and derivative of a run into its lane. */
+static void enter(cardan_ensemble *e, ptrdiff_t j)
+{
+    const cardan_run *run = e->lanes[j].run;
+
+    put(e, j, run->y, run->n, e->abreast->y);
+    put(e, j, run->f, run->n, e->abreast->f);
+    put(e, j, run->r, run->nr, e->abreast->r);
+    put(e, j, run->s, run->ns, e->abreast->s);
+    e->abreast->t[j] = run->t;
+}
+
+/* The run of a lane is over where the lane is now. */
+static void leave(cardan_ensemble *e, ptrdiff_t j, int answer)
+{
+    cardan_run *run = e->lanes[j].run;
+
+    get(e, j, e->abreast->y, run->n, run->y);
+    finish(e, e->lanes + j, answer);
+}
+
+/* Runs of the queue into a lane until one is under way. */
+static void fill(cardan_ensemble *e, ptrdiff_t j)
+{
+    cardan_lane *lane = e->lanes + j;
+
+    while (lane->number < 0 && e->next < e->count) {
+        int answer = begin(e, lane);
+
+        if (answer == 0)
+            answer = cardan_refresh(lane->run);
+        if (answer != 0) {
+            finish(e, lane, answer);
+            continue;
+        }
+        if (e->w)
+            put(e, j, e->w + lane->number * e->w_size, e->w_size, e->abreast->w);
+        enter(e, j);
+        lane->parked = 0;
+    }
+}
+
+/* An idle lane does what another one does now, with steps of length 0. */
+static void park(cardan_ensemble *e, ptrdiff_t j, ptrdiff_t other)
+{
+    cardan_abreast *a = e->abreast;
+    const cardan_run *run = e->lanes[other].run;
+    double *const columns[] = {a->y, a->f, a->r, a->s, e->w ? a->w : NULL};
+    const ptrdiff_t sizes[] = {run->n, run->n, run->nr, run->ns, e->w ? e->w_size : 0};
+
+    for (int k = 0; k < 5; k++)
+        for (ptrdiff_t i = 0; i < sizes[k]; i++)
+            columns[k][i * e->lane_count + j] = columns[k][i * e->lane_count + other];
+    a->t[j] = a->t[other];
+    e->lanes[j].parked = 1;
+}
+
+/* Inputs of all lanes at the times of the present call. */
+static void inputs(void *owner)
+{
+    cardan_ensemble *e = owner;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        cardan_run *run = e->lanes[j].run;
+        cardan_inputs_at(run, e->abreast->at[j], run->y);
+        put(e, j, run->r, run->nr, e->abreast->r);
+    }
+}
+
+/* Derivatives lane by lane, after one or more of them failed. */
+static void alone(void *owner, const double *y, double *f)
+{
+    cardan_ensemble *e = owner;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        cardan_run *run = e->lanes[j].run;
+        const ptrdiff_t evaluations = run->evaluations;
+
+        if (e->abreast->failed[j] != 0)
+            continue;
+        get(e, j, y, run->n, run->trial);
+        e->abreast->failed[j] = cardan_derivative(run, e->abreast->at[j], run->trial, run->k);
+        run->evaluations = evaluations;
+        put(e, j, run->k, run->n, f);
+    }
+}
+
+/* The next trial of every lane: its size, and the derivatives of all. */
+static void try_all(cardan_ensemble *e)
+{
+    cardan_abreast *a = e->abreast;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        cardan_run *run = e->lanes[j].run;
+        int status = 0;
+
+        a->evaluations[j] = 0;
+        if (e->lanes[j].number >= 0)
+            status = cardan_trial_step(run, a->h + j, a->t_new + j);
+        if (status != 0)
+            leave(e, j, status);
+        a->failed[j] = e->lanes[j].number < 0;
+        if (a->failed[j] != 0) {
+            a->h[j] = 0;
+            a->t_new[j] = a->t[j];
+        }
+    }
+    a->trial_step(a);
+}
+
+/* Take the trials that are good enough, as far as they lead somewhere. */
+static void take(cardan_ensemble *e)
+{
+    cardan_abreast *a = e->abreast;
+    int some = 0;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        const cardan_run *run = e->lanes[j].run;
+        a->taken[j] = a->failed[j] == 0 && a->error[j] <= run->allowed;
+        if (a->failed[j] != 0)
+            a->culprit[j] = -1;
+        else if (!(a->error[j] - a->error[j] == 0))
+            a->failed[j] = CARDAN_NOT_FINITE;
+        some += a->taken[j] != 0;
+    }
+    if (some)
+        e->commit(a);
+}
+
+/* Whether rows are wanted inside the step that a lane takes. */
+static int is_due(const cardan_run *run, double t_new)
+{
+    const double direction = run->stops[run->stop_count - 1] - run->t_start;
+
+    return run->times && run->next_time < run->time_count
+           && (run->times[run->next_time] - t_new) * direction <= 0;
+}
+
+/* Rows of all lanes inside the steps that are taken. */
+static void write(cardan_ensemble *e)
+{
+    cardan_abreast *a = e->abreast;
+    ptrdiff_t inside = 0;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        const cardan_run *run = e->lanes[j].run;
+        const int due = a->taken[j] != 0 && is_due(run, a->t_new[j]);
+        /* for those that have no row there nothing is evaluated */
+        a->failed[j] = !due || run->times[run->next_time] == a->t_new[j];
+        inside += a->failed[j] == 0;
+    }
+    if (inside)
+        a->dense(a);
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        cardan_run *run = e->lanes[j].run;
+        int status = a->failed[j] < 0 ? (int)a->failed[j] : 0;
+
+        if (a->taken[j] == 0 || !is_due(run, a->t_new[j]))
+            continue;
+        run->evaluations += a->evaluations[j];
+        get(e, j, a->y, run->n, run->y_old);
+        get(e, j, a->trial, run->n, run->y);
+        if (a->failed[j] == 0) {
+            get(e, j, a->spread, run->dense_rows * run->n, run->spread);
+            run->is_dense = 1;
+        }
+        if (status == 0)
+            status = cardan_write_rows(run);
+        if (status != 0) {
+            a->taken[j] = 0;
+            finish(e, e->lanes + j, status);
+        }
+    }
+}
+
+/* What follows from the trial of a lane, but for its rows. */
+static void decide(cardan_ensemble *e, ptrdiff_t j)
+{
+    cardan_abreast *a = e->abreast;
+    cardan_run *run = e->lanes[j].run;
+
+    run->culprit = (ptrdiff_t)a->culprit[j];
+    run->evaluations += a->evaluations[j];
+    a->evaluations[j] = 0;
+    if (a->taken[j] != 0) {
+        run->t_old = run->t;
+        run->t = a->t_new[j];
+        run->is_dense = 0;
+        run->steps++;
+        run->in_segment++;
+        cardan_accept_step(run, a->h[j], a->error[j], (int)e->order);
+        return;
+    }
+    const int status
+        = cardan_reject_step(run, a->h[j], a->error[j], (int)e->order, (int)a->failed[j]);
+    if (status != 0)
+        leave(e, j, status);
+}
+
+/* At a stop the next segment begins, or the run is over. */
+static void pass_stop(cardan_ensemble *e, ptrdiff_t j)
+{
+    cardan_run *run = e->lanes[j].run;
+    int status = 0;
+
+    if (run->t != run->stops[run->next_stop])
+        return;
+    if (run->next_stop + 1 == run->stop_count) {
+        leave(e, j, CARDAN_DONE);
+        return;
+    }
+    get(e, j, e->abreast->y, run->n, run->y);
+    run->next_stop++;
+    status = cardan_segment(run);
+    if (status == 0)
+        status = cardan_refresh(run);
+    if (status != 0)
+        leave(e, j, status);
+    else
+        enter(e, j);
+}
+
+/* One trial step of every lane. */
+static void advance(cardan_ensemble *e)
+{
+    cardan_abreast *a = e->abreast;
+
+    try_all(e);
+    take(e);
+    for (ptrdiff_t j = 0; j < e->lane_count; j++)
+        if (e->lanes[j].number >= 0)
+            decide(e, j);
+    write(e);
+    e->move(a);
+    for (ptrdiff_t j = 0; j < e->lane_count; j++)
+        if (e->lanes[j].number >= 0 && a->taken[j] != 0) {
+            a->t[j] = e->lanes[j].run->t;
+            pass_stop(e, j);
+        }
+}
+
+static void side_by_side(cardan_ensemble *e)
+{
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        e->lanes[j].number = -1;
+        e->lanes[j].parked = 0;
+    }
+    for (;;) {
+        ptrdiff_t busy = -1;
+
+        for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+            if (!e->stop)
+                fill(e, j);
+            else if (e->lanes[j].number >= 0)
+                leave(e, j, CARDAN_STOPPED);
+            if (e->lanes[j].number >= 0)
+                busy = j;
+        }
+        if (busy < 0)
+            return;
+        for (ptrdiff_t j = 0; j < e->lane_count; j++)
+            if (e->lanes[j].number < 0 && !e->lanes[j].parked)
+                park(e, j, busy);
+        advance(e);
+    }
+}
+
+void cardan_ensemble_drive(cardan_ensemble *e)
+{
+    e->next = e->finished = 0;
+    if (e->abreast) {
+        e->abreast->owner = e;
+        e->abreast->inputs = e->timed ? inputs : NULL;
+        e->abreast->alone = alone;
+        side_by_side(e);
+    } else {
+        one_by_one(e);
+    }
+}

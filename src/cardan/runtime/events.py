@@ -1,0 +1,92 @@
+"""What happened in a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import final
+
+import numpy as np
+
+from .calling import Array
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Event:
+    """Something that happened.
+
+    Attributes:
+        t: When [s].
+        name: Of the event.
+        element: To which element; "" for what the caller watched.
+        kind: ``"mode"``, ``"impact"``, ``"tick"``, ``"end"`` or ``"mark"``.
+        x, s: State [q, u, z] (nx,) and discrete states (ns,) before it.
+        x_after, s_after: The same behind it, and behind what happened at the same time.
+    """
+
+    t: float
+    name: str
+    element: str
+    kind: str
+    x: Array
+    s: Array
+    x_after: Array
+    s_after: Array
+
+    def __repr__(self) -> str:
+        return f"{self.name} ({self.kind}) at {self.t:.10g} s"
+
+
+@dataclass(frozen=True, eq=False)
+class Happened:
+    """Everything that happened in a run, and the discrete states along it.
+
+    Attributes:
+        s: Discrete states (nt, ns).
+        rows: name, element and kind of every event that could happen.
+        log: When what happened, and [x, s] before and behind it (count, 1 + ne + 2 (nx + ns)).
+    """
+
+    s: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    rows: tuple[Mapping[str, str], ...] = ()
+    log: Array = field(default_factory=lambda: np.zeros((0, 1)))
+
+    @property
+    def times(self) -> Array:
+        """When something happened (count,) [s]."""
+        return self.log[:, 0]
+
+    def states(self, nx: int) -> tuple[Array, Array]:
+        """States x (count, nx) before what happened, and behind it."""
+        start = 1 + len(self.rows)
+        half = (self.log.shape[1] - start) // 2
+        return self.log[:, start : start + nx], self.log[:, start + half : start + half + nx]
+
+    def events(self, nx: int) -> tuple[Event, ...]:
+        """One record per event, in the order of time."""
+        start, found = 1 + len(self.rows), []
+        half = (self.log.shape[1] - start) // 2
+        for line in self.log:
+            before, after = line[start : start + half], line[start + half :]
+            states = (before[:nx], before[nx:], after[:nx], after[nx:])
+            for k in np.flatnonzero(line[1:start]):
+                row = self.rows[k]
+                name, element, kind = row["name"], row["element"], row["kind"]
+                found.append(Event(float(line[0]), name, element, kind, *states))
+        return tuple(found)
+
+    def resampled(self, t: Array, times: Array) -> Happened:
+        """The same with discrete states at other times (m,) than t (nt,): behind what happened."""
+        if not self.s.size:
+            return self
+        sign = 1.0 if t[-1] >= t[0] else -1.0
+        rows = np.searchsorted(sign * t, sign * times, side="right") - 1
+        return replace(self, s=self.s[np.clip(rows, 0, len(t) - 1)])
+
+
+def told(events: Sequence[Event], most: int = 4) -> str:
+    """When one event happened, in words: the first few times and how many more."""
+    times = [f"{event.t:.6g}" for event in events[:most]]
+    more = f" ... {events[-1].t:.6g}" if len(events) > most else ""
+    return f"{', '.join(times)}{more} s"

@@ -1,0 +1,52 @@
+"""Where frames are along a motion whose model is not at hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import ModelError, near
+from .calling import Array
+
+if TYPE_CHECKING:
+    from .trajectory import Trajectory
+
+
+def rigid_pose(motion: Trajectory, frame: str) -> Array:
+    """Poses (nt, 4, 4) of a frame from the stored ones of another frame of its body.
+
+    Raises:
+        ModelError: no such frame, or nothing is stored of its body.
+    """
+    rows = motion.manifest["frames"]
+    body = next((row["body"] for row in rows if row["name"] == frame), None)
+    if body is None:
+        raise ModelError(
+            f"frame '{frame}' does not exist.{near(frame, [row['name'] for row in rows])}"
+        )
+    place = placed(motion, frame)
+    if body == "ground":
+        return np.broadcast_to(place, (len(motion), 4, 4)).copy()
+    for row in rows:
+        history = motion.stored.get(f"pose {row['name']}")
+        if row["body"] == body and history is not None:
+            pose: Array = history @ np.linalg.inv(placed(motion, row["name"])) @ place
+            return pose
+    motion._model(f"the pose of '{frame}'")
+    raise ModelError(f"the file holds no pose of body '{body}'")
+
+
+def placed(motion: Trajectory, frame: str) -> Array:
+    """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it.
+
+    Raises:
+        ModelError: the file does not say.
+    """
+    names = [row["name"] for row in motion.manifest["frames"]]
+    if "frame_rotation" not in motion.scene:
+        raise ModelError("the file does not say where frames sit in their bodies")
+    k, place = names.index(frame), np.eye(4)
+    place[:3, :3] = np.reshape(motion.scene["frame_rotation"], (-1, 3, 3))[k]
+    place[:3, 3] = np.reshape(motion.scene["frame_position"], (-1, 3))[k]
+    return place
