@@ -8,6 +8,7 @@ Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -46,7 +47,7 @@ class Stiffness:
 
     def implicit_steps(self, length: float, rtol: float) -> float:
         """Steps that accuracy asks of an implicit method of order 5 over a time [s]."""
-        return FEW + ROUGH * abs(length) * self.present * max(rtol, 1e-15) ** -0.2
+        return FEW + ROUGH * abs(length) * self.present / math.pow(max(rtol, 1e-15), 0.2)
 
     def implicit_pays(self, length: float, rtol: float) -> bool:
         """Whether an implicit method needs so many fewer steps that it is faster."""
@@ -66,7 +67,7 @@ def stiffness(
     """
 
     def right(y: Array) -> Array:
-        value: Array = model.rhs(t, y, r, **({} if s is None else {"s": s}))
+        value: Array = model.rhs(t, y, r, s=s)
         return value
 
     start = right(x)
