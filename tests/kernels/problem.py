@@ -88,7 +88,7 @@ class Problem:
         inputs: Names of r.
         quaternions: First entries in q.
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
-        position, velocity: Bodies of the functions that close; both "" or both not.
+        position, velocity, held: Bodies of the functions that close, and of G.
         multipliers: Rows of the manifest.
     """
 
@@ -103,6 +103,7 @@ class Problem:
     name: str = "problem"
     position: str = ""
     velocity: str = ""
+    held: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
     _made: dict[str, Any] = field(default_factory=dict)
@@ -152,6 +153,7 @@ class Problem:
                 "power": self.power,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
+                "constraint_jacobian": self.held,
             }[name]
             entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds]
             before = self._before() if body == DIFFERENCES else ""
@@ -208,6 +210,7 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "rhs": PENDULUM,
         "position": PENDULUM_POSITION,
         "velocity": PENDULUM_VELOCITY,
+        "held": "out[0] = q[0]; out[1] = q[1];",
         "multipliers": ROD,
         "nq": 2,
         "nu": 2,

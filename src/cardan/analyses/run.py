@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
-from ..runtime.closing import Closing
+from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
 from . import record as abi
@@ -83,6 +83,12 @@ class Runner:
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+        run.on_grid = not self.settings.method.adaptive
+        names = (*self.closing.functions, *self.settings.method.needs)
+        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
+            setattr(run, name, function.address)
+            setattr(run, f"{name}_w", self._pointer(function.w))
+        run.columns = self._pointer(columns_of(model, run.size))
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
@@ -100,6 +106,8 @@ class Runner:
             "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
             "closing": self.library.cardan_closing_length(self.record),
             "chart": self.library.cardan_chart_length(self.record),
+            "holding": self.library.cardan_hold_length(self.record),
+            "passing": self.library.cardan_passing_length(self.record),
             "own": abi.length(self.library, method.kernel, self.record),
             "ledger": 4 * (self.closing.positions + self.closing.rates),
         }
@@ -125,10 +133,6 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
-        names = (*self.closing.functions, *settings.method.needs)
-        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
-            setattr(run, name, function.address)
-            setattr(run, f"{name}_w", self._pointer(function.w))
         options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
         run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol

@@ -159,7 +159,7 @@ def _run(
         "jacobians": run.jacobians,
         "factorizations": run.factorizations,
         "projections": run.projections,
-        "loosened": run.loosened,
+        "passed": run.passed,
         "milliseconds": milliseconds,
     }
     defaulted = (*begin.defaulted, *given.defaulted)

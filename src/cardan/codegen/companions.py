@@ -12,6 +12,7 @@ from .naming import comment
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
+    *("hold.c", "passing.c", "dependent.h", "solve.h"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),
@@ -19,7 +20,7 @@ INTEGRATORS = {
     "dop853": ("dop853.c", "dop853_tables.h"),
 }
 # what a run of a closed system calls beside rhs
-CLOSING = ("close_position", "close_velocity")
+CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:

@@ -11,6 +11,7 @@
 int cardan_rk4_init(cardan_run *run)
 {
     run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
+    run->on_grid = 1;
     return cardan_refresh(run);
 }
 
