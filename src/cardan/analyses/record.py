@@ -30,7 +30,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "constraint_jacobian constraint_jacobian_w columns"),
     (COUNT, "positions rates"),
     (REAL, "size"),
-    (POINTER, "y y_old trial k f r s spread at_rest work closing holding passing chart own ledger"),
+    (POINTER, "y y_old trial k f r s spread at_rest work closing chart holding passing own ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
