@@ -15,6 +15,18 @@ real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
     return run->atol + run->rtol * fmax(fabs(run->y[i]), fabs(y[i]));
 }
 
+/* The smallest tolerance of a speed, relative to the fastest. */
+real cardan_finest(const cardan_run *run)
+{
+    real smallest = INFINITY, fastest = 0;
+
+    for (ptrdiff_t i = run->nq; i < run->nq + run->nu; i++) {
+        smallest = fmin(smallest, cardan_scale(run, run->y, i));
+        fastest = fmax(fastest, fabs(run->y[i]));
+    }
+    return fastest > 0 ? smallest / fastest : 1;
+}
+
 static real end_of(const cardan_run *run)
 {
     return run->stops[run->stop_count - 1];

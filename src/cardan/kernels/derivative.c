@@ -5,7 +5,7 @@
 #include "run.h"
 #include <math.h>
 
-static const real ROUNDING = 1e-13; /* of speeds on the constraints, times the square of the hold */
+static const real ROUNDING = 1e-14; /* of speeds on the constraints, times the square of the hold */
 
 /* Fill in the part of r that is given by pieces. */
 void cardan_signals_at(cardan_run *run, real t)
@@ -133,9 +133,9 @@ void cardan_keep(cardan_run *run, real t)
 /* How much a projection may change, in tolerances: 1, or what rounding makes of it in speeds. */
 static real bearable(const cardan_run *run)
 {
-    const real tolerance = fmax(run->rtol, run->atol);
+    const real magnified = ROUNDING / (run->hold * run->hold);
 
-    return run->hold > 0 ? fmax(1, ROUNDING / (run->hold * run->hold * tolerance)) : 1;
+    return run->hold > 0 ? fmax(1, magnified / cardan_finest(run)) : 1;
 }
 
 /* The step to t, y succeeded: make it the present state and evaluate its derivative.

@@ -16,7 +16,8 @@
 static const real TAKEN = 1e-3;
 static const real MEETING = 0.1; /* of the best hold: less than that is left where branches meet */
 static const real NEAR = 0.15;   /* of the best hold: looked further ahead */
-static const real BESIDE = 1e-3; /* of the best hold: nothing is projected */
+static const real BESIDE = 0.02; /* of the best hold: states that are kept are projected */
+static const real ROUNDING = 2e-16; /* of speeds, times the square of the hold */
 static const real LOST = 1e-4;   /* of the best hold: branches meet here */
 static const real AHEAD = 1.3;   /* steps that are looked ahead */
 static const real STRIDE = 0.25; /* radians or sizes between two looks */
@@ -158,12 +159,20 @@ static int turned(cardan_run *run, real tau)
     return 0;
 }
 
-/* Whether branches meet so near to t, y that a projection would be no more than rounding. */
-int cardan_beside(cardan_run *run, real t, const real *y)
+/* Whether branches meet so near to t, y that a projection would bring in more than it mends.
+ *
+ * Rounding is magnified in speeds by the inverse square of the hold. `kept`: the run goes on from
+ * the state, which has to be closed as long as that makes sense.
+ */
+int cardan_beside(cardan_run *run, real t, const real *y, int kept)
 {
+    const real rough = sqrt(ROUNDING / cardan_finest(run));
+    real hold;
+
     if (jacobian(run, t, y, place(run, HERE), 0) != 0)
         return 1;
-    return !(orthogonalize(run, HERE, 1, 0) > BESIDE * run->best_hold);
+    hold = orthogonalize(run, HERE, 1, 0);
+    return !(hold > fmin(rough, kept ? BESIDE * run->best_hold : 1));
 }
 
 /* How fast the state moves now or at t + tau: radians or sizes per second. */

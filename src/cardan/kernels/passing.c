@@ -147,7 +147,7 @@ static real allowed(const cardan_run *run, const gauss *at)
 {
     const real distance = at->apart * fabs(at->h) / cardan_span(run);
 
-    return fmax(1, ROUNDING / (distance * distance * distance) / fmax(run->rtol, run->atol));
+    return fmax(1, ROUNDING / (distance * distance * distance) / cardan_finest(run));
 }
 
 /* Solve for derivatives f (s, n) at the points: sweeps until they change no more. */
@@ -239,7 +239,7 @@ static int attempt(cardan_run *run, real tau, real h, real *error)
     add(run, h, at.weights, f, at.s, run->y, run->trial);
     *error = fmax(*error, error_of(run, &at, f)) / LOOSE;
     cardan_normalize(run, run->trial);
-    if (!cardan_beside(run, run->t + h, run->trial)) {
+    if (!cardan_beside(run, run->t + h, run->trial, 1)) {
         status = cardan_close(run, run->t + h, run->trial, 0);
         *error = fmax(*error, run->correction);
     }
@@ -249,7 +249,7 @@ static int attempt(cardan_run *run, real tau, real h, real *error)
         run->pass_start = run->t;
         run->pass_length = h;
         run->pass_part = 0;
-        run->pass_parts = run->on_grid ? (ptrdiff_t)(h / run->h + 0.5) : run->dense_rows >= 6 ? 2 : 8;
+        run->pass_parts = run->on_grid ? (ptrdiff_t)(h / run->h + 0.5) : run->dense_rows >= 6 ? 3 : 9;
         for (ptrdiff_t i = 0; i < run->n; i++)
             y[i] = run->y[i];
     }
@@ -313,7 +313,7 @@ static int part(cardan_run *run)
     on_step(run, to, run->trial, run->y_old);
     cardan_normalize(run, run->trial);
     /* beside the place the polynomial is better than what a projection makes of it */
-    beside = cardan_beside(run, t, run->trial);
+    beside = cardan_beside(run, t, run->trial, last);
     if (!beside && cardan_close(run, t, run->trial, 1) != 0)
         on_step(run, to, run->trial, run->y_old);
     else if (!beside && last)

@@ -48,7 +48,7 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     cardan_normalize(run, y);
     /* where branches meet, or that does not close, the polynomial is as good as anything */
     if (run->pass_length != 0 && fabs(run->t - run->pass_start) <= fabs(run->pass_length)
-        && cardan_beside(run, t, y))
+        && cardan_beside(run, t, y, 0))
         return 0;
     status = cardan_close(run, t, y, 0);
     return status == CARDAN_OPEN ? 0 : status;

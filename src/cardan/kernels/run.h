@@ -211,7 +211,8 @@ ptrdiff_t cardan_weakest(const cardan_run *run);
 real cardan_span(const cardan_run *run);
 ptrdiff_t cardan_passing_length(const cardan_run *run);
 int cardan_step(cardan_run *run);
-int cardan_beside(cardan_run *run, real t, const real *y);
+int cardan_beside(cardan_run *run, real t, const real *y, int kept);
+real cardan_finest(const cardan_run *run);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
 /* implicit.c: the Jacobian of a run, for the methods that need one */
