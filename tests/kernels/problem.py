@@ -17,7 +17,7 @@ from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
-METHODS = {name: m for name, m in INTEGRATORS.items() if "balance" not in m.needs}
+METHODS = {name: m for name, m in INTEGRATORS.items() if not {"balance", "energy"} & {*m.needs}}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,36 +23,12 @@ from .happenings import NOTHING, Happenings
 from .plain_closing import PlainCloser
 from .plain_events import PlainEvents
 from .plain_methods import METHODS, Broken, Step
+from .plain_record import Progress
 from .run import SLICE, Saved
 from .settings import Settings
 from .signals import Signals
 
 Array = NDArray[np.float64]
-
-
-@dataclass
-class Progress:
-    """How far a run is: the fields of ``cardan_run`` that others read."""
-
-    t: float = 0.0
-    t_start: float = 0.0
-    h: float = 0.0
-    steps: int = 0
-    rejections: int = 0
-    evaluations: int = 0
-    count: int = 0
-    nr: int = 0
-    nlam: int = 0
-    culprit: int = -1
-    model_status: int = 0
-    open_row: int = -1
-    correction: float = 0.0
-    projections: int = 0
-    loosened: int = 0
-    jacobians: int = 0
-    factorizations: int = 0
-    occurred: int = 0
-    log_count: int = 0
 
 
 class PlainRunner:

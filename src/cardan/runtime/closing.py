@@ -133,9 +133,7 @@ def unit(q: Array, quaternions: Sequence[int]) -> Array:
     return q
 
 
-def project(
-    model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger
-) -> Array:
+def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
     """States on the constraints next to given ones.
 
     Args:
