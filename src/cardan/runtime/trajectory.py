@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
 from . import followers
+from .balance import Balance, balance, impacts
 from .between import inputs_at, states_at
 from .calling import Array
 from .conduct import EVENT, FINISHED, Conduct
@@ -239,12 +240,21 @@ class Trajectory:
 
     @property
     def work(self) -> dict[str, Array]:
-        """Energy that every force without a potential has given since the start (nt,) [J]."""
+        """Energy that every force without a potential has given since the start (nt,) [J].
+
+        With what impacts have taken, as ``<element>.impact``.
+        """
         if self.sources is None:
             raise ModelError(
                 "work needs the function 'power': compile(..., functions=[..., 'power'])"
             )
-        return {name: self.given[:, k] for k, name in enumerate(self.sources)}
+        given = {name: self.given[:, k] for k, name in enumerate(self.sources)}
+        return given | impacts(self)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """Where the energy of the run came from and went [J]."""
+        return balance(self)
 
     @cached_property
     def drift(self) -> Drift:
