@@ -33,10 +33,14 @@ def circuits_told(equations: Equations) -> list[str]:
 
 def _solved(system: System, closure: Closure) -> str:
     names = ", ".join(system.joints[i].name for i in closure.unknown)
-    sign = "+" if closure.branch > 0 else "-"
-    return (
-        f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow (branch {sign})"
-    )
+    signs = f"branch {_sign(closure.branch)}"
+    if closure.third >= 0:
+        signs += f", {system.joints[closure.third].name} {_sign(closure.side)}"
+    return f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow ({signs})"
+
+
+def _sign(number: int) -> str:
+    return "+" if number > 0 else "-"
 
 
 def _cut(system: System, cut: Cut) -> str:

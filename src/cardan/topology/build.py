@@ -13,9 +13,10 @@ from ..model.origins import located
 from . import announcements, internals, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
-from .circuits import independent
+from .circuits import Numbers, independent
 from .closed_forms import closed_forms
 from .convert import Converter
+from .legs import Axes
 from .pictures import pictures
 from .rotors import with_rotors
 from .system import Atom, Closure, Force, Named, System
@@ -87,7 +88,8 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     closures: tuple[Closure, ...] = ()
     if branches is not None:
         free = [scene.joints[j.name].motion is None for j in assembly.joints]
-        closures, cuts = closed_forms(cuts, assembly.joints, free, branches)
+        axes = Axes(assembly.joints, parents, Numbers(convert))
+        closures, cuts = closed_forms(cuts, axes, free, branches)
     assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:

@@ -221,8 +221,9 @@ class Closure:
         cut: The joint that closes it.
         kind: How it is solved: a member of ``equations.closures``.
         unknown: The tree joints that follow, each after those it is carried by.
-        branch: 1 or -1: which of the two solutions.
-        side: 1 or -1: to which side of its line a leg is drawn out.
+        branch: 1 or -1: which of the two solutions; of a leg that of its two turning joints.
+        side: 1 or -1: which solution of the third joint of a leg.
+        third: Number of that joint, -1 where there is none.
     """
 
     cut: Cut
@@ -230,6 +231,7 @@ class Closure:
     unknown: tuple[int, ...]
     branch: int
     side: int = 1
+    third: int = -1
 
 
 @dataclass(frozen=True)
