@@ -222,3 +222,11 @@ def test_a_platform_on_slides_and_arms() -> None:
     two = whole.simulate(0.2, q=q, rtol=1e-9)
     for name in (*names, "motor0"):
         np.testing.assert_allclose(one[name][-1], two[name][-1], rtol=0, atol=1e-8)
+
+
+def test_what_closed_form_would_leave_is_told() -> None:
+    told = str(cd.derive(carried("RUS")))
+    assert "constraints='closed_form' would leave 7 of 10 coordinates; it does not pass" in told
+    assert "would leave" not in str(cd.derive(carried("RUS"), constraints="closed_form"))
+    with pytest.raises(TopologyError, match="branch of 'x': it closes no circuit"):
+        cd.derive(cd.Model("empty"), branches={"x": "+"})

@@ -24,11 +24,25 @@ def circuits_told(equations: Equations) -> list[str]:
         lines.append(f"  ... and {hidden} more circuits")
     if system.closures and system.cuts:
         lines.append("  no dyad or leg closes the circuits that are cut: constraints do")
+    if system.closable:
+        lines.append(_closable(system))
     if system.closed:
         names, treatment = equations.multipliers, equations.treatment
         shown = _some(names)
         lines.append(f"  {len(names)} constraints by {treatment.name}: {shown}")
     return lines
+
+
+def _closable(system: System) -> str:
+    """What closed form would leave, and what it costs."""
+    joints = [i for closure in system.closable for i in closure.unknown]
+    left = system.nq - sum(len(system.joints[i].element.coordinates) for i in joints)
+    rest = len(system.cuts) - len(system.closable)
+    circuits = f", {rest} circuit{'s' * (rest > 1)} with multipliers" if rest else ""
+    return (
+        f"  constraints='closed_form' would leave {left} of {system.nq} coordinates{circuits}; it "
+        "does not pass dead points"
+    )
 
 
 def _solved(system: System, closure: Closure) -> str:

@@ -86,10 +86,15 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     parents = [rigid.parent for rigid in assembly.bodies]
     cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
     closures: tuple[Closure, ...] = ()
-    if branches is not None:
+    closable: tuple[Closure, ...] = ()
+    if cuts or branches:
         free = [scene.joints[j.name].motion is None for j in assembly.joints]
         axes = Axes(assembly.joints, parents, Numbers(convert))
-        closures, cuts = closed_forms(cuts, axes, free, branches)
+        solved, rest = closed_forms(cuts, axes, free, branches or {})
+        if branches is None:
+            closable = solved
+        else:
+            closures, cuts = solved, rest
     assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:
@@ -123,6 +128,7 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
         nu=assembly.nu,
         cuts=cuts,
         closures=closures,
+        closable=closable,
         constraints=constraints,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),

@@ -20,6 +20,8 @@ from .circuits import DEPENDENT, Numbers
 from .system import Cut, Joint
 
 Array = NDArray[np.float64]
+# of the free joints of a circuit: legs are looked for among those nearest to the cut
+NEAREST = 12
 SINGLE = ("revolute", "prismatic")
 
 
@@ -66,7 +68,12 @@ class Axes:
         if cut.element.kind != "spherical" or len(cut.rows) != 3:
             return
         side = dict(cut.path)
-        found = [leg for count in (2, 3) for some in _sets(free, count) for leg in self._of(some)]
+        found = [
+            leg
+            for count in (2, 3)
+            for some in _sets(free[:NEAREST], count)
+            for leg in self._of(some)
+        ]
         # legs whose joints carry each other before those that meet from two sides
         yield from sorted(found, key=lambda leg: len({side[i] for i in leg.unknown}))
 

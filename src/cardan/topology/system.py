@@ -284,6 +284,7 @@ class System:
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
     ``cuts`` close the circuits of the tree, but for ``closures``, which are solved in closed form;
+    ``closable`` says which of the cuts could be, where that was not asked for;
     ``constraints`` are expressions that are kept at 0.
     ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
     ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
@@ -305,6 +306,7 @@ class System:
     nu: int
     cuts: tuple[Cut, ...] = ()
     closures: tuple[Closure, ...] = ()
+    closable: tuple[Closure, ...] = field(default=(), repr=False)
     constraints: tuple[Named, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
