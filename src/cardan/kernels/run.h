@@ -9,7 +9,8 @@
  * control.
  *
  * Where circuits are closed by constraints, every state that is kept is projected onto them first:
- * positions, then velocities. The projection takes part in the error control.
+ * positions, then velocities. The projection takes part in the error control. Where branches of the
+ * motion meet, one step leads over the place whatever the method: see hold.c and passing.c.
  */
 #ifndef CARDAN_RUN_H
 #define CARDAN_RUN_H
