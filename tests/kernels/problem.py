@@ -26,7 +26,7 @@ int NAME(const cardan_in *in, real *out, real *work)
     const real t = in->t[0], *q = in->q, *u = in->u, *r = in->r;
     const real *z = in->z, *s = in->s, *e = in->e;
     (void)t; (void)q; (void)u; (void)r; (void)work; (void)z; (void)s; (void)e;
-    BODY
+    { BODY }
     return 0;
 }
 """
@@ -97,8 +97,9 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        energy_of: Body of the energies: kinetic, potential, total.
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
-        position, velocity: Bodies of the functions that close; both "" or both not.
+        position, velocity, held: Bodies of the functions that close, and of G.
         multipliers: Rows of the manifest.
         z, s: Names of internal and discrete states.
         events, transition: Bodies of the functions; the second writes u, z, s.
@@ -118,8 +119,10 @@ class Problem:
     name: str = "problem"
     position: str = ""
     velocity: str = ""
+    held: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
+    energy_of: str = ""
     z: tuple[str, ...] = ()
     s: tuple[str, ...] = ()
     events: str = ""
@@ -188,7 +191,10 @@ class Problem:
                 for k, kind in enumerate(self.kinds)
             ],
             "ticks": list(self.ticks),
-            "available": ["rhs_jacobian", *(name for name in WRITTEN if getattr(self, name))],
+            "available": [
+                *("rhs_jacobian", *(["energy"] if self.energy_of else [])),
+                *(name for name in WRITTEN if getattr(self, name)),
+            ],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -205,10 +211,12 @@ class Problem:
                 "rhs": self.rhs,
                 "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
+                "energy": self.energy_of,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
                 "events": self.events,
                 "transition": self.transition,
+                "constraint_jacobian": self.held,
             }[name]
             entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
             before = self._before() if body == DIFFERENCES else ""
@@ -265,6 +273,7 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "rhs": PENDULUM,
         "position": PENDULUM_POSITION,
         "velocity": PENDULUM_VELOCITY,
+        "held": "out[0] = q[0]; out[1] = q[1];",
         "multipliers": ROD,
         "nq": 2,
         "nu": 2,

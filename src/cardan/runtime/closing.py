@@ -60,7 +60,8 @@ class Closing:
         """The functions of the model that project."""
         if not self.rows:
             return ()
-        return ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+        names = ("close_position", "close_velocity", "constraint_jacobian")
+        return names if self.positions else names[1:]
 
     def ledger(self, numbers: Array) -> Ledger | None:
         """The ledger of a run from its numbers (4 (positions + rates),)."""
@@ -80,6 +81,12 @@ def size_of(model: CompiledModel) -> float:
     places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
     lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
     return float(lengths.max(initial=0.0)) or 1.0
+
+
+def columns_of(model: CompiledModel, size: float) -> Array:
+    """What every speed counts in (nu,): sizes of the mechanism, or radians."""
+    units = [row.get("unit", "") for row in model.manifest["speeds"]]
+    return np.array([size if name == "m/s" else 1.0 for name in units])
 
 
 @dataclass(frozen=True)
@@ -133,12 +140,12 @@ def unit(q: Array, quaternions: Sequence[int]) -> Array:
     return q
 
 
-def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) -> Array:
+def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
     """States on the constraints next to given ones.
 
     Args:
         model: A model with circuits.
-        t, x, r: Times (n,), states (n, nx), inputs (n, nr).
+        t, x, r, s: Times (n,), states (n, nx), inputs (n, nr), discrete states (n, ns).
         ledger: Of the run they belong to: what it let pass is close enough.
 
     Returns:
@@ -148,7 +155,7 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) 
     passed = max((worst.after for worst in ledger.position.values()), default=0.0)
     closing = closing.loosened(2 * passed / closing.size)
     quaternions = model.manifest["quaternions"]
-    q, u = model.split(x)
+    q, u, z = model.parts_of(x)
     if closing.positions:
         level = Level(
             lambda q: _closed(model, "close_position", t, q, r),
@@ -160,12 +167,12 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) 
         q = np.where(np.abs(residuals).max(axis=-1)[:, None] <= CLOSED * closing.size, closed, q)
     scale = closing.size * max(1.0, float(np.abs(u).max(initial=0.0)))
     level = Level(
-        lambda u: model._evaluate(("close_velocity", None), (t, q, u, r), None, None),
+        lambda u: _closed(model, "close_velocity", t, q, u, r, z, s),
         model.nu,
         scale,
         np.asarray,
     )
-    return np.concatenate([q, level.close(u)[0]], axis=-1)
+    return np.concatenate([q, level.close(u)[0], z], axis=-1)
 
 
 def _closed(model: CompiledModel, name: str, *values: Array) -> Array:
