@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,6 +29,10 @@ def summary(motion: Trajectory) -> str:
         f"  steps     {count['steps']:.0f}, {count['rejections']:.0f} rejected, "
         f"{count['evaluations']:.0f} evaluations in {count['milliseconds']:.3g} ms",
     ]
+    if conduct.reason:
+        lines[2:2] = wrap(
+            conduct.reason, 100, initial_indent="  note      ", subsequent_indent=" " * 12
+        )
     given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
     if count.get("loosened"):
         lines.append(
