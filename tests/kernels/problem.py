@@ -17,7 +17,7 @@ from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
-METHODS = {name: m for name, m in INTEGRATORS.items() if not {"balance", "energy"} & {*m.needs}}
+METHODS = {name: m for name, m in INTEGRATORS.items() if set(m.needs) <= {"rhs_jacobian"}}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -37,8 +37,9 @@ DIFFERENCES = """
     real x[NX + NR + 1], lower[NX + NR + 1], upper[NX + NR + 1], time[1];
     cardan_in moved = *in;
     int status;
-    for (int i = 0; i < NX + NR; i++) x[i] = i < NQ ? q[i] : i < NX ? u[i - NQ] : r[i - NX];
-    moved.q = x; moved.u = x + NQ; moved.r = x + NX; moved.t = time;
+    for (int i = 0; i < NX + NR; i++)
+        x[i] = i < NQ ? q[i] : i < NQ + NU ? u[i - NQ] : i < NX ? z[i - NQ - NU] : r[i - NX];
+    moved.q = x; moved.u = x + NQ; moved.z = x + NQ + NU; moved.r = x + NX; moved.t = time;
     for (int j = 0; j <= NX + NR; j++) {
         real *at = j < NX + NR ? x + j : time, held, h;
         time[0] = t;
@@ -223,7 +224,7 @@ class Problem:
     def _before(self) -> str:
         """The right-hand side and the sizes that differences of it need."""
         right = HEAD.replace("NAME", "right").replace("BODY", self.rhs)
-        sizes = {"NX": self.nx, "NQ": self.nq, "NR": self.nr}
+        sizes = {"NX": self.nx, "NQ": self.nq, "NU": self.nu, "NR": self.nr}
         sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
         return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,38 +23,12 @@ from .happenings import NOTHING, Happenings
 from .plain_closing import PlainCloser
 from .plain_events import PlainEvents
 from .plain_methods import METHODS, Broken, Step
+from .plain_record import Progress
 from .run import SLICE, Saved
 from .settings import Settings
 from .signals import Signals
 
 Array = NDArray[np.float64]
-
-
-@dataclass
-class Progress:
-    """How far a run is: the fields of ``cardan_run`` that others read."""
-
-    t: float = 0.0
-    t_start: float = 0.0
-    h: float = 0.0
-    steps: int = 0
-    rejections: int = 0
-    evaluations: int = 0
-    count: int = 0
-    nr: int = 0
-    nlam: int = 0
-    culprit: int = -1
-    model_status: int = 0
-    open_row: int = -1
-    correction: float = 0.0
-    projections: int = 0
-    loosened: int = 0
-    looked: int = 0
-    limited: int = 0
-    jacobians: int = 0
-    factorizations: int = 0
-    occurred: int = 0
-    log_count: int = 0
 
 
 class PlainRunner:
@@ -112,20 +86,6 @@ class PlainRunner:
         if self.sources:
             self.call(self.functions[1], t, y, result[self.nx :])
         return result
-
-    def jacobian(self, t: float, y: Array) -> Array:
-        """d(dy/dt)/dy (n, n) at t, y: that of the state; nothing depends on energies.
-
-        Raises:
-            Broken: the function has no result.
-        """
-        self.at(t, y)
-        nx, nr = self.nx, self.record.nr
-        numbers = np.empty(nx * (nx + 1 + nr))
-        self.call(self.model._function("rhs_jacobian"), t, y, numbers)
-        found = np.zeros((self.n, self.n))
-        found[:nx, :nx] = numbers[: nx * nx].reshape(nx, nx)
-        return found
 
     def call(
         self, function: LoadedFunction, t: float, y: Array, out: Array, e: Array | None = None

@@ -52,8 +52,9 @@ class PlainCloser:
         size = self.closing.size
         if self.closing.positions:
             self._level("close_position", t, y, slice(0, nq), size, noted)
-        fastest = max(1.0, float(np.abs(y[nq:nx]).max(initial=0.0)))
-        self._level("close_velocity", t, y, slice(nq, nx), size * fastest, noted)
+        speeds = slice(nq, nq + self.runner.model.nu)
+        fastest = max(1.0, float(np.abs(y[speeds]).max(initial=0.0)))
+        self._level("close_velocity", t, y, speeds, size * fastest, noted)
         how = self.runner.settings
         scale = how.atol + how.rtol * np.maximum(np.abs(given), np.abs(y[:nx]))
         run.correction = float(np.sqrt(np.mean(((y[:nx] - given) / scale) ** 2)))

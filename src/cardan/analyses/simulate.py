@@ -102,16 +102,12 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-
-    def run(case: Case | None) -> Trajectory:
-        runner = runner_of(model, _chosen(how, case), given, may)
-        runner.loosen(begin.slack)
-        return _run(runner, over, begin, given, progress, case)
-
+    case = _case(model, rtol, over, given, may) if method == "auto" else None
     try:
-        motion = run(_case(model, rtol, over, given, may) if method == "auto" else None)
+        motion = _run(runner_of(model, _chosen(how, case), given, may), over, begin, progress, case)
     except Limited as found:
-        motion = run(found.case)
+        how = _chosen(how, found.case)
+        motion = _run(runner_of(model, how, given, may), over, begin, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -181,7 +177,6 @@ def _run(
     runner: Runner | PlainRunner,
     over: Span,
     begin: Start,
-    given: Signals,
     progress: bool | Callable[[float], None] | None,
     case: Case | None = None,
 ) -> Trajectory:
@@ -191,6 +186,8 @@ def _run(
         Limited: another method would be chosen, and less than half of the run is done.
     """
     run, how, rows, spreads = runner.record, runner.settings, list[Array](), list[Array]()
+    given = runner.signals
+    runner.loosen(begin.slack)
     logs: list[Array] = []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()

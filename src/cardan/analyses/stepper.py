@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
+from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
 from .outcome import explain
 from .plain import PlainRunner
@@ -120,7 +121,7 @@ def stepper(
     x0: ArrayLike | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
-    method: str = "auto",
+    method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
     step: float | None = None,

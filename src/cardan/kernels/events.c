@@ -58,11 +58,10 @@ cardan_board cardan_board_of(const cardan_run *run)
 int cardan_event_values(cardan_run *run, real t, const real *y, real *g)
 {
     cardan_in in;
-    int status = 0;
+    int status = cardan_inputs_at(run, t, y);
 
-    cardan_inputs_at(run, t, y);
     in = cardan_at(run, &t, y);
-    if (run->events.function)
+    if (status == 0 && run->events.function)
         status = cardan_call_model(run, &run->events, &in, g);
     if (status == 0 && run->watch && run->watch(t, y, g + run->ne) != 0)
         status = CARDAN_INPUT;
@@ -107,6 +106,9 @@ static void enter(cardan_run *run, const cardan_board *at)
         /* what the new mode has not seen positive yet does not fall */
         if (cardan_is_binding(run, i))
             at->armed[i] = 0;
+        /* how far below zero it was counts only if it still is */
+        if (at->slack[i] < 0)
+            at->slack[i] = at->g[i] < 0 ? -at->slack[i] : 0;
         cardan_arm(at, i, at->g[i]);
         run->e[i] = cardan_is_binding(run, i) && at->g[i] < -cardan_slack(at, i);
         if (run->e[i] != 0)
@@ -215,9 +217,10 @@ static int chatters(const cardan_run *run, const cardan_board *at, ptrdiff_t i)
 static int change(cardan_run *run, const cardan_board *at)
 {
     cardan_in in;
-    int status;
+    int status = cardan_inputs_at(run, run->t, run->y);
 
-    cardan_inputs_at(run, run->t, run->y);
+    if (status != 0)
+        return status;
     in = cardan_at(run, &run->t, run->y);
     in.e = run->e;
     status = cardan_call_model(run, &run->transition, &in, at->out);
@@ -242,7 +245,8 @@ static int change(cardan_run *run, const cardan_board *at)
 int cardan_events_apply(cardan_run *run)
 {
     const cardan_board at = cardan_board_of(run);
-    int changes = 0, ends = 0, status = 0;
+    ptrdiff_t last = -1; /* of those that end the run */
+    int changes = 0, status = 0;
     real *after;
 
     run->happened = 0;
@@ -254,8 +258,7 @@ int cardan_events_apply(cardan_run *run)
         run->occurred++;
         changes |= run->kinds[i] <= CARDAN_TICK;
         if (run->kinds[i] == CARDAN_END || run->kinds[i] == CARDAN_HALT) {
-            ends = 1;
-            run->culprit = run->n + i;
+            last = run->n + i;
         }
         if (run->at_once > MOST_AT_ONCE) {
             run->culprit = run->n + i;
@@ -265,8 +268,9 @@ int cardan_events_apply(cardan_run *run)
             run->culprit = run->n + i;
             return CARDAN_CHATTER;
         }
+        /* marked by its sign where nothing has fallen */
         at.slack[i] = at.armed[i] != 0 ? 2 * fabs(at.g[i])
-                                       : fabs(at.g[i]) + ROUNDING * at.reach[i];
+                                       : -(fabs(at.g[i]) + ROUNDING * at.reach[i]);
         at.armed[i] = 0;
     }
     if (changes)
@@ -277,8 +281,12 @@ int cardan_events_apply(cardan_run *run)
         after[run->nx + i] = run->s[i];
     for (ptrdiff_t i = 0; i < at.m; i++)
         run->e[i] = 0;
-    if (status != 0 || ends)
-        return status != 0 ? status : CARDAN_EVENT;
+    if (status == 0 && last >= 0) {
+        run->culprit = last;
+        return CARDAN_EVENT;
+    }
+    if (status != 0)
+        return status;
     status = cardan_event_values(run, run->t, run->y, at.g);
     if (status == 0)
         enter(run, &at);

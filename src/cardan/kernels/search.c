@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "events.h"
+#include "explicit.h"
 #include <float.h>
 #include <math.h>
 
@@ -139,10 +140,10 @@ static int cut(cardan_run *run, const cardan_board *at, real t)
     if (status != 0)
         return status;
     shorten(run, (t - run->t_old) / (run->t - run->t_old));
-    for (ptrdiff_t i = 0; i < run->n; i++) {
+    for (ptrdiff_t i = 0; i < run->n; i++)
         run->y[i] = at->y[i];
-        run->spread[i] = run->y[i] - run->y_old[i];
-    }
+    /* what projection adds is in the chord */
+    cardan_arrive(run, run->spread, run->trial);
     run->t = t;
     run->fresh = 0;
     return 0;

@@ -133,12 +133,12 @@ def unit(q: Array, quaternions: Sequence[int]) -> Array:
     return q
 
 
-def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) -> Array:
+def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
     """States on the constraints next to given ones.
 
     Args:
         model: A model with circuits.
-        t, x, r: Times (n,), states (n, nx), inputs (n, nr).
+        t, x, r, s: Times (n,), states (n, nx), inputs (n, nr), discrete states (n, ns).
         ledger: Of the run they belong to: what it let pass is close enough.
 
     Returns:
@@ -148,7 +148,7 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) 
     passed = max((worst.after for worst in ledger.position.values()), default=0.0)
     closing = closing.loosened(2 * passed / closing.size)
     quaternions = model.manifest["quaternions"]
-    q, u = model.split(x)
+    q, u, z = model.parts_of(x)
     if closing.positions:
         level = Level(
             lambda q: _closed(model, "close_position", t, q, r),
@@ -160,12 +160,12 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, ledger: Ledger) 
         q = np.where(np.abs(residuals).max(axis=-1)[:, None] <= CLOSED * closing.size, closed, q)
     scale = closing.size * max(1.0, float(np.abs(u).max(initial=0.0)))
     level = Level(
-        lambda u: model._evaluate(("close_velocity", None), (t, q, u, r), None, None),
+        lambda u: _closed(model, "close_velocity", t, q, u, r, z, s),
         model.nu,
         scale,
         np.asarray,
     )
-    return np.concatenate([q, level.close(u)[0]], axis=-1)
+    return np.concatenate([q, level.close(u)[0], z], axis=-1)
 
 
 def _closed(model: CompiledModel, name: str, *values: Array) -> Array:

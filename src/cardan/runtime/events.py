@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import final
 
 import numpy as np
@@ -76,13 +76,14 @@ class Happened:
                 found.append(Event(float(line[0]), name, element, kind, *states))
         return tuple(found)
 
-    def resampled(self, t: Array, times: Array) -> Happened:
-        """The same with discrete states at other times (m,) than t (nt,): behind what happened."""
+    def modes(self, t: Array, times: Array) -> Array:
+        """Discrete states (m, ns) at times (m,) of a run with rows at t (nt,): behind events."""
         if not self.s.size:
-            return self
+            return np.zeros((len(times), 0))
         sign = 1.0 if t[-1] >= t[0] else -1.0
         rows = np.searchsorted(sign * t, sign * times, side="right") - 1
-        return replace(self, s=self.s[np.clip(rows, 0, len(t) - 1)])
+        found: Array = self.s[np.clip(rows, 0, len(t) - 1)]
+        return found
 
 
 def told(events: Sequence[Event], most: int = 4) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
-from . import followers
+from . import binding, followers
 from .calling import Array
 from .closing import project
 from .conduct import EVENT, FINISHED, Conduct
@@ -227,8 +227,9 @@ class Trajectory:
         if self.ledger is not None and self.model is not None:
             # a polynomial leaves the constraints between its ends
             nx = self.x.shape[1]
-            r = self._r_at(times)
-            values[:, :nx] = project(self.model, times, values[:, :nx], r, self.ledger)
+            r, modes = self._r_at(times), self.happened.modes(self.t, times)
+            x = project(self.model, times, values[:, :nx], r, modes, self.ledger)
+            values[:, :nx] = x
         return values
 
     def _r_at(self, times: Array) -> Array:
@@ -247,9 +248,10 @@ class Trajectory:
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
+        known = self.happened
         rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
         return replace(
-            self, t=at, x=y[:, :nx], r=r, happened=self.happened.resampled(self.t, at), **rest
+            self, t=at, x=y[:, :nx], r=r, happened=replace(known, s=known.modes(self.t, at)), **rest
         )
 
     # energy
@@ -285,28 +287,14 @@ class Trajectory:
     @property
     def constraints(self) -> dict[str, Array]:
         """Residual (nt,) of every constraint of positions by multiplier; a tree has none."""
-        rows = [row for row in self.manifest["multipliers"] if row["level"] == "position"]
-        if rows and "constraints" not in self.stored:
-            model = self._model("the constraints")
-            self.stored["constraints"] = model._evaluate(
-                ("constraints", None), (self.t, self.q, self._r), None, None
-            )
-        return {row["name"]: self.stored["constraints"][:, k] for k, row in enumerate(rows)}
-
-    # what a model shows along the motion
+        return binding.residuals(self)
 
     @property
     def multipliers(self) -> dict[str, Array]:
-        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none.
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none."""
+        return binding.multipliers(self)
 
-        Those that the method found along with the motion, else those of the accelerations at its
-        states. Where rows follow from others their forces are not unique: then they are basic.
-        """
-        rows = self.manifest.get("multipliers", ())
-        if rows and "multipliers" not in self.stored:
-            model = self._model("the multipliers")
-            self.stored["multipliers"] = model.multipliers(self.q, self.u, t=self.t, r=self._r)
-        return {row["name"]: self.stored["multipliers"][:, k] for k, row in enumerate(rows)}
+    # what a model shows along the motion
 
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""
