@@ -188,6 +188,7 @@ struct cardan_run {
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
     ptrdiff_t passed;      /* places where branches meet */
+    ptrdiff_t looked, limited; /* steps that explicit methods looked at; those stability limited */
     ptrdiff_t jacobians, factorizations; /* of the implicit methods */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
