@@ -23,7 +23,7 @@ from ..happenings import Happenings, happenings
 from ..progress import showing
 from ..sample import Plan
 from ..settings import settings
-from ..times import span
+from ..times import Span, span
 from .checkpoint import Checkpoint
 from .crew import suits, width_of
 from .gathered import UNFINISHED, Gathered
@@ -111,10 +111,7 @@ def ensemble(
     may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     kept = reductions(reduce, histories_of(model), over.times is not None)
-    if over.times is None and kept:
-        over = replace(over, times=np.linspace(over.start, over.end, POINTS))
-    if not kept:
-        over = replace(over, times=None)
+    over = _observed(over, bool(kept))
     made, given = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, vary=vary, runs=runs,
         seed=seed, over=(over.start, over.end),
@@ -122,9 +119,15 @@ def ensemble(
     job = Job(model, how, given, may, over, made, kept)
     job = replace(job, width=_width(job, lanes), build=build_key(model))
     hands = Client(client) if client is not None else Threads(threads_of(threads))
-    result = _computed(job, hands, checkpoint, progress)
-    _complain(result, check)
-    return result
+    return _judged(_computed(job, hands, checkpoint, progress), check)
+
+
+def _observed(over: Span, kept: bool) -> Span:
+    """A span with output times where something is made of them, and without where not."""
+    if not kept:
+        return replace(over, times=None)
+    usual = np.linspace(over.start, over.end, POINTS) if over.times is None else over.times
+    return replace(over, times=usual)
 
 
 def _width(job: Job, lanes: int | None) -> int:
@@ -199,14 +202,15 @@ def _computed(job: Job, hands: Threads | Client, checkpoint: Any, progress: Any)
     return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands))
 
 
-def _complain(result: Ensemble, check: bool) -> None:
-    """Warn of runs that did not reach their end."""
+def _judged(result: Ensemble, check: bool) -> Ensemble:
+    """The result; with a warning of runs that did not reach their end."""
     failed = len(result) - int(result.finished.sum())
     if not failed:
-        return
+        return result
     first = int(np.argmin(result.finished))
     why = result.messages.get(first, "interrupted before it began")
     text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
     if check:
         raise SolveError(text)
     warnings.warn(text, SolveWarning, stacklevel=4)
+    return result
