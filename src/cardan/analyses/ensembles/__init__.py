@@ -53,6 +53,7 @@ def ensemble(
     z: Any = None,
     parameters: Mapping[str, Any] | None = None,
     inputs: Mapping[str, Any] | None = None,
+    sample: float | None = None,
     events: Mapping[str, Any] | None = None,
     runs: int | None = None,
     seed: int = 0,
@@ -81,7 +82,7 @@ def ensemble(
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.
         parameters: Name -> number, values (runs,) or a distribution.
         inputs: Name -> number, array (runs,), distribution; or, for all runs alike,
-            ``(times, values)`` or ``f(t, x)``.
+            ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
         events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
             done one after the other in every thread, the others in lanes.
         runs: How many, where nothing else says so.
@@ -113,8 +114,8 @@ def ensemble(
     kept = reductions(reduce, histories_of(model), over.times is not None)
     over = _observed(over, bool(kept))
     made, given = varied(
-        model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, vary=vary, runs=runs,
-        seed=seed, over=(over.start, over.end),
+        model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
+        vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
     job = Job(model, how, given, may, over, made, kept)
     job = replace(job, width=_width(job, lanes), build=build_key(model))

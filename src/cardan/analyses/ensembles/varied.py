@@ -188,6 +188,7 @@ def varied(
     z: Any,
     parameters: Mapping[str, Any] | None,
     inputs: Mapping[str, Any] | None,
+    sample_time: float | None,
     vary: sample.Plan | Mapping[str, Any] | None,
     runs: int | None,
     seed: int,
@@ -217,7 +218,7 @@ def varied(
     for name, column in plan.values.items() if plan is not None else ():
         _named(reader, name, column)
     total = reader.total()
-    given = signals(model.manifest["inputs"], shared, None, over)
+    given = signals(model.manifest["inputs"], shared, sample_time, over)
     start, _ = initial_state(model.manifest, {}, {})
     base = dict(zip("quz", np.split(start, ends), strict=True))
     base |= {"p": model._parameters.vector, "r": given.constants}
@@ -257,8 +258,11 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
     shared = {}
     for name, value in (inputs or {}).items():
         own = isinstance(value, np.ndarray) and value.ndim > 0
-        if name in reader.model.inputs and (own or isinstance(value, sample.Distribution)):
-            k = reader.model.inputs.index(name)
+        known = reader.model.inputs
+        if own or isinstance(value, sample.Distribution):
+            if name not in known:
+                raise ModelError(f"inputs: there is no input '{name}'.{near(name, known)}")
+            k = known.index(name)
             reader.add("r", name, f"inputs={{'{name}': ...}}", slice(k, k + 1), value)
         else:
             shared[name] = value
