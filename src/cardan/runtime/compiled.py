@@ -268,11 +268,22 @@ class CompiledModel(Analyzed):
 
         return verify(self, states=states, seed=seed)
 
-    def report(self) -> Report:
-        """Measure every function: operations, time, error against 40 digits; prints a table."""
+    def report(self, t: float | ArrayLike | None = None, **options: Any) -> Report:
+        """Measure every function: operations, time, error against 40 digits; prints a table.
+
+        Args:
+            t: With an end, or ``(start, end)`` [s], speed against error of every integrator too:
+                ``report(10, q={"elbow": 1.0}).methods``.
+            options: Of the motion, as :func:`cardan.analyses.precision_runs.precision` takes them.
+        """
         from .report import report
 
-        return report(self)
+        functions = report(self)
+        if t is None:
+            return functions
+        from ..analyses.precision_runs import compare
+
+        return compare(self, functions, t, **options)
 
     def simulate(
         self,
