@@ -47,6 +47,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("redundancy", "redundancy"),
             ("actuation", "actuation"),
             ("hybrid_dynamics", "actuation"),
+            ("stiffness", "stiffness"),
             ("partition", "reduced"),
             ("residual", "implicit"),
             ("ensemble", "ensembles"),

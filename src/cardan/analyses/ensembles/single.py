@@ -47,7 +47,7 @@ def motion(
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
     runner.loosen(begin.slack)
-    return _run(runner, over, begin, own, False), runner
+    return _run(runner, over, begin, False), runner
 
 
 class Single:
