@@ -81,6 +81,9 @@ _PUBLIC: dict[str, str] = {
     ),
     "derive": "pipeline",
     "compile": "pipeline",
+    "GeneralizedAlpha": "analyses.alpha",
+    "Alpha": "analyses.alpha",
+    "stability": "analyses.stability",
     "Equations": "equations.record",
     "CompiledModel": "runtime.compiled",
     "load_model": "runtime.saved",
@@ -105,7 +108,7 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
-_MODULES = frozenset({"inertia", "shape", "sample"})
+_MODULES = frozenset({"inertia", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]

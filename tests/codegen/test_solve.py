@@ -5,6 +5,7 @@ import pytest
 
 from cardan.codegen import generate
 from cardan.ir.function import Function, Output
+from cardan.ir.interpreter import evaluate
 from codegen.functions import solving
 from codegen.running import call, compilers
 
@@ -102,6 +103,24 @@ def test_redundant_equations_are_solved() -> None:
     assert np.abs(a @ answer.out[:4] - b).max() <= 1e-14
     # two unknowns are free and became 0
     assert np.sum(answer.out[:4] == 0) == 2
+
+
+@pytest.mark.parametrize("kind", ["semidefinite", "basic"])
+@pytest.mark.parametrize("size", [1e-13, 1e-30, 1e-120])
+def test_rows_of_which_rounding_is_left_have_no_direction(kind: str, size: float) -> None:
+    function = solving(kind, 3, 1)
+    rows = np.array([[1.0, 2, 0], [0, 3, 1], [0, 0, size]])
+    right = np.array([1.0, 2, 1e-3])
+    a = rows @ rows.T if kind == "semidefinite" else rows
+    given = {"q": [*a.ravel(), *right]}
+    x = call(generate(function), given).out[:3]
+    if kind == "semidefinite":
+        wanted = [*np.linalg.solve(a[:2, :2], right[:2]), 0.0]
+    else:
+        # 1 is the largest entry of what 3 leaves: the last unknown is free
+        wanted = [*np.linalg.solve(rows[:2, :2], right[:2]), 0.0]
+    np.testing.assert_allclose(x, wanted, rtol=1e-13)
+    np.testing.assert_allclose(np.ravel(evaluate(function, given)["x"]), x, rtol=1e-14)
 
 
 @pytest.mark.parametrize("kind", PIVOTING)

@@ -17,7 +17,7 @@ from cardan.runtime import abi, cache, kernels
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
-METHODS = {name: m for name, m in INTEGRATORS.items() if not {"balance", "energy"} & {*m.needs}}
+METHODS = {name: m for name, m in INTEGRATORS.items() if set(m.needs) <= {"rhs_jacobian"}}
 HEAD = """
 #include "cardan.h"
 int NAME(const cardan_in *in, real *out, real *work);
@@ -37,8 +37,9 @@ DIFFERENCES = """
     real x[NX + NR + 1], lower[NX + NR + 1], upper[NX + NR + 1], time[1];
     cardan_in moved = *in;
     int status;
-    for (int i = 0; i < NX + NR; i++) x[i] = i < NQ ? q[i] : i < NX ? u[i - NQ] : r[i - NX];
-    moved.q = x; moved.u = x + NQ; moved.r = x + NX; moved.t = time;
+    for (int i = 0; i < NX + NR; i++)
+        x[i] = i < NQ ? q[i] : i < NQ + NU ? u[i - NQ] : i < NX ? z[i - NQ - NU] : r[i - NX];
+    moved.q = x; moved.u = x + NQ; moved.z = x + NQ + NU; moved.r = x + NX; moved.t = time;
     for (int j = 0; j <= NX + NR; j++) {
         real *at = j < NX + NR ? x + j : time, held, h;
         time[0] = t;
@@ -96,8 +97,9 @@ class Problem:
         power: Body of the power of one source, "" without.
         inputs: Names of r.
         quaternions: First entries in q.
+        energy_of: Body of the energies: kinetic, potential, total.
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
-        position, velocity: Bodies of the functions that close; both "" or both not.
+        position, velocity, held: Bodies of the functions that close, and of G.
         multipliers: Rows of the manifest.
         z, s: Names of internal and discrete states.
         events, transition: Bodies of the functions; the second writes u, z, s.
@@ -117,8 +119,10 @@ class Problem:
     name: str = "problem"
     position: str = ""
     velocity: str = ""
+    held: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
+    energy_of: str = ""
     z: tuple[str, ...] = ()
     s: tuple[str, ...] = ()
     events: str = ""
@@ -187,7 +191,10 @@ class Problem:
                 for k, kind in enumerate(self.kinds)
             ],
             "ticks": list(self.ticks),
-            "available": ["rhs_jacobian", *(name for name in WRITTEN if getattr(self, name))],
+            "available": [
+                *("rhs_jacobian", *(["energy"] if self.energy_of else [])),
+                *(name for name in WRITTEN if getattr(self, name)),
+            ],
         }
 
     def prepare(self, *_: Any) -> None:
@@ -204,10 +211,12 @@ class Problem:
                 "rhs": self.rhs,
                 "rhs_jacobian": self.jacobian or DIFFERENCES,
                 "power": self.power,
+                "energy": self.energy_of,
                 "close_position": self.position,
                 "close_velocity": self.velocity,
                 "events": self.events,
                 "transition": self.transition,
+                "constraint_jacobian": self.held,
             }[name]
             rows = [row["name"] for row in self.multipliers]
             positions = [row["name"] for row in self.multipliers if row["level"] == "position"]
@@ -223,7 +232,7 @@ class Problem:
     def _before(self) -> str:
         """The right-hand side and the sizes that differences of it need."""
         right = HEAD.replace("NAME", "right").replace("BODY", self.rhs)
-        sizes = {"NX": self.nx, "NQ": self.nq, "NR": self.nr}
+        sizes = {"NX": self.nx, "NQ": self.nq, "NU": self.nu, "NR": self.nr}
         sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
         return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 
@@ -270,6 +279,7 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "rhs": PENDULUM,
         "position": PENDULUM_POSITION,
         "velocity": PENDULUM_VELOCITY,
+        "held": "out[0] = q[0]; out[1] = q[1];",
         "multipliers": ROD,
         "nq": 2,
         "nu": 2,

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS, Integrator
+from cardan.analyses.integrators import Integrator
 from cardan.errors import SolveWarning
-from kernels.problem import TOP_START, TOP_THERE, Problem, top
+from kernels.problem import METHODS, TOP_START, TOP_THERE, Problem, top
 from kernels.test_order import fixed, slope
 
-CHARTED = {name: method for name, method in INTEGRATORS.items() if method.charted}
+CHARTED = {name: method for name, method in METHODS.items() if method.charted}
 EACH = pytest.mark.parametrize("method", CHARTED.values(), ids=CHARTED)
 # steps over 0.1 s, in which the top turns by 15 rad
 STEPS = {4: (50, 64, 80, 100, 128, 160), 5: (50, 64, 80, 100, 128, 160), 8: (20, 25, 32, 40, 50)}

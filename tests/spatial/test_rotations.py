@@ -136,6 +136,18 @@ def test_integrate_and_difference_are_inverse(rotation: Rotation, angle: float) 
     np.testing.assert_allclose(found, wanted, atol=40 * EPS)
 
 
+@pytest.mark.parametrize("name", SEQUENCES)
+@pytest.mark.parametrize("turns", [0.0, 4.0])
+def test_angles_go_on_through_half_a_turn(name: str, turns: float) -> None:
+    graph, sequence = Graph(), ROTATIONS[name]
+    q, du = block(graph, "q", 3), block(graph, "du", 3)
+    middle = 0.7 if sequence.proper else 0.4
+    q0 = np.array([pi * (1 + turns) - 1e-3, middle, -pi * (1 + turns) + 1e-3])
+    for sign in (1, -1):
+        q1 = numbers(sequence.integrate(q, du), q=q0, du=[0.01 * sign, 0.02, -0.01 * sign])
+        assert np.abs(q1 - q0).max() < 0.1
+
+
 HUGE = 1e9
 SINGULAR = {
     "quaternion": [(0.0, 0.0, 0.0, 0.0)],

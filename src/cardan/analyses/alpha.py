@@ -110,7 +110,9 @@ class Alpha:
         a_u, a_a = -1 / self.beta, 1 - 1 / (2 * self.beta)
         half, product = (h_u + a_a) / 2, h_u * a_a - h_a * a_u
         root = half * half - product
-        pair = abs(half) + math.sqrt(root) if root > 0 else math.sqrt(product)
+        # the named methods have a double one
+        root = 0.0 if abs(root) < 1e-12 else root
+        pair = abs(half) + math.sqrt(root) if root >= 0 else math.sqrt(product)
         return max(pair, abs(self.af / (1 - self.af)))
 
 

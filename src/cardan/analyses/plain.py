@@ -87,20 +87,6 @@ class PlainRunner:
             self.call(self.functions[1], t, y, result[self.nx :])
         return result
 
-    def jacobian(self, t: float, y: Array) -> Array:
-        """d(dy/dt)/dy (n, n) at t, y: that of the state; nothing depends on energies.
-
-        Raises:
-            Broken: the function has no result.
-        """
-        self.at(t, y)
-        nx, nr = self.nx, self.record.nr
-        numbers = np.empty(nx * (nx + 1 + nr))
-        self.call(self.model._function("rhs_jacobian"), t, y, numbers)
-        found = np.zeros((self.n, self.n))
-        found[:nx, :nx] = numbers[: nx * nx].reshape(nx, nx)
-        return found
-
     def call(
         self, function: LoadedFunction, t: float, y: Array, out: Array, e: Array | None = None
     ) -> None:

@@ -101,6 +101,8 @@ class PlainEvents:
     def _enter(self) -> None:
         """Events that are negative though nothing has fallen: they happen at once."""
         self.armed[self.binding] = 0.0
+        # how far below zero it was counts only if it still is
+        self._slack = np.where(self._slack < 0, np.where(self.g < 0, -self._slack, 0), self._slack)
         self.arm(self.g)
         self.e = np.where(self.binding & (self.g < -self.slack), 1.0, 0.0)
         self.happened = bool(self.e.any())
@@ -167,7 +169,8 @@ class PlainEvents:
                 self._blame(i, abi.CHATTER)
             rounding = ROUNDING * self.reach[i]
             left = abs(self.g[i])
-            self._slack[i] = 2 * left if self.armed[i] else left + rounding
+            # marked by its sign where nothing has fallen
+            self._slack[i] = 2 * left if self.armed[i] else -(left + rounding)
             self.armed[i] = 0.0
         if (self.kinds[fired] <= abi.TICK).any():
             self._change()

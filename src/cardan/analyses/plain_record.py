@@ -1,4 +1,4 @@
-"""How far a run without a compiler is."""
+"""The record of a run without a compiler, as ``record`` has the one of the kernels."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Progress:
     open_row: int = -1
     correction: float = 0.0
     projections: int = 0
-    loosened: int = 0
+    passed: int = 0
     jacobians: int = 0
     factorizations: int = 0
     occurred: int = 0

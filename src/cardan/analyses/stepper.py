@@ -14,6 +14,7 @@ from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
 from . import record as abi
+from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
 from .happenings import happenings
 from .outcome import explain
@@ -146,7 +147,7 @@ def stepper(
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
     events: Mapping[str, Any] | None = None,
-    method: str = "auto",
+    method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
     step: float | None = None,

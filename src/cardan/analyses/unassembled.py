@@ -175,10 +175,13 @@ def _open(m: Mechanism, found: Sequence[Found]) -> str:
             "the size of the mechanism they are ignored, so give lengths and axes more digits"
         )
     path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
+    between = f"frames '{cut['parent_frame']}' and '{cut['child_frame']}'"
+    if name in cut["circuit"]:
+        between = f"frame '{cut['child_frame']}' and where the joint would have it"
     return (
         f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
-        f"least residual found is {gap}, between frames '{cut['parent_frame']}' and "
-        f"'{cut['child_frame']}', from {many}. Check lengths and places of its joints"
+        f"least residual found is {gap}, between {between}, from {many}. Check lengths and places "
+        "of its joints"
         f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
         f"the position that is meant{near}"
     )

@@ -101,6 +101,8 @@ def _placed(equations: Equations, frames: list[dict[str, Any]]) -> list[dict[str
     return [
         frame | {"position": p.tolist(), "rotation": r.tolist()}
         for frame, p, r in zip(frames, positions, rotations, strict=True)
+        # bodies without parts only stand for joints
+        if frame["part"] is not None or frame["body"] == "ground"
     ]
 
 

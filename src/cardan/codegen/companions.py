@@ -13,18 +13,28 @@ RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "events.c", "search.c", "dips.c"),
+    *("hold.c", "passing.c", "dependent.h", "solve.h"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),
-    "rk45": ("rk45.c",),
-    "midpoint": ("midpoint.c",),
+    "rk45": ("rk45.c", "rk45_tables.h"),
     "dop853": ("dop853.c", "dop853_tables.h"),
+    "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
+    "alpha": (
+        *("alpha.h", "alpha.c", "alpha_matrix.c", "alpha_memory.c", "alpha_newton.c"),
+        "linear.h",
+    ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),
 }
-NEEDS = {"radau": ("rhs_jacobian",), "rosenbrock": ("rhs_jacobian",)}
+NEEDS = {
+    "midpoint": ("energy",),
+    "radau": ("rhs_jacobian",),
+    "rosenbrock": ("rhs_jacobian",),
+    "alpha": ("balance", "balance_tangent", "move", "qdot"),
+}
 # what a run of a closed system calls beside rhs
-CLOSING = ("close_position", "close_velocity")
+CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:
@@ -59,7 +69,8 @@ def prototypes(manifest: dict[str, Any]) -> str:
 
 def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the first function at the start, and one second of motion if it can."""
-    name = min(manifest["functions"], key=(*CLOSING, "rhs_jacobian").__contains__)
+    called = {*CLOSING, *(name for names in NEEDS.values() for name in names)}
+    name = min(manifest["functions"], key=called.__contains__)
     fields = _fields(manifest["functions"][name]["inputs"])
     zero = f"zero[{_zeros(manifest)}], " if "zero" in fields else ""
     lines = [

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..elements.internal import Mode
 from ..elements.joints.joint import Component
 from ..elements.quantity import written_unit
@@ -67,6 +70,17 @@ def discrete(system: System) -> list[tuple[str, Mode]]:
         for force in system.forces
         for mode in force.element.modes()
     ]
+
+
+def defaults(system: System) -> dict[str, NDArray[np.float64]]:
+    """Time, parameters, inputs, internal states and modes as a run starts with them."""
+    return {
+        "t": np.zeros(1),
+        "p": np.array([p.value for p in system.parameters]),
+        "r": np.array([i.default for i in system.inputs]),
+        "z": np.array([default for _, _, default in internals(system)]),
+        "s": np.array([mode.default for _, mode in discrete(system)]),
+    }
 
 
 def event_names(system: System) -> list[str]:

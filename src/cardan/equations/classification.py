@@ -11,7 +11,7 @@ Differential Forms, section 7.3.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,7 +114,7 @@ def _places(equations: Equations, held: int, seed: int) -> list[Array]:
     system = equations.system
     start = np.array([default for _, _, default in blocks.coordinates(system)])
     spread = np.random.default_rng(seed).normal(0.0, 0.3, (STATES, system.nu))
-    given = _given(equations)
+    given = blocks.defaults(equations.system)
     move = equations.function("integrate")
     q = evaluate(move, {**given, "q": start, "du": spread}, "numpy")["q"]
     q = np.broadcast_to(q, (STATES, len(start))).astype(np.float64)
@@ -124,21 +124,11 @@ def _places(equations: Equations, held: int, seed: int) -> list[Array]:
     return list(q)
 
 
-def _given(equations: Equations) -> dict[str, Any]:
-    """Time, parameters and inputs at their defaults."""
-    system = equations.system
-    return {
-        "t": np.zeros(1),
-        "p": np.array([p.value for p in system.parameters]),
-        "r": np.array([i.default for i in system.inputs]),
-    }
-
-
 class _Sample:
     """Rows and their exterior derivatives at one position."""
 
     def __init__(self, equations: Equations, q: Array) -> None:
-        self.given, self.q = _given(equations), q
+        self.given, self.q = blocks.defaults(equations.system), q
         self.jacobian = equations.function("constraint_jacobian")
         self.rates = equations.function("qdot")
         nu, nq = equations.system.nu, len(q)

@@ -80,11 +80,7 @@ def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
     for joint in system.joints:
         if joint.q >= 0 and joint.q0 is not None:
             start[joint.q : joint.q + len(joint.q0)] = joint.q0
-    given: dict[str, Any] = {
-        "t": np.zeros(1),
-        "p": np.array([p.value for p in system.parameters]),
-        "r": np.array([i.default for i in system.inputs]),
-    }
+    given = blocks.defaults(system)
     first = search(functions, given, start[np.newaxis])
     found = _gaps(equations, functions, given, first)
     if found.closes or not system.nu:

@@ -87,7 +87,11 @@ void cardan_abreast_commit(cardan_abreast *a)
     for (int j = 0; j < L; j++)
         if (a->taken[j] == 0 && a->failed[j] == 0)
             a->failed[j] = 1;
-    cardan_abreast_derivative(a, trial, (real *)a->next);
+    /* a derivative of the trial may be that at its end, unless normalizing changed the state */
+    if (a->known >= 0 && a->quaternion_count == 0)
+        memcpy(a->next, (const real *)a->k + a->known * a->n, (size_t)a->n * sizeof(real));
+    else
+        cardan_abreast_derivative(a, trial, (real *)a->next);
     for (int j = 0; j < L; j++) {
         if (a->failed[j] == 1 && a->taken[j] == 0)
             a->failed[j] = 0;

@@ -28,6 +28,7 @@ struct cardan_abreast {
     void (*trial_step)(cardan_abreast *a);
     void (*dense)(cardan_abreast *a);
     double rtol, atol;
+    ptrdiff_t known; /* derivative at the end of the step, -1 if the stages have none */
 
     /* numbers per lane */
     double *t, *h, *t_new; /* the step to try, from t to t_new */
@@ -57,8 +58,29 @@ void cardan_abreast_move(cardan_abreast *a);
 /* For bindings: the size they must agree with. */
 size_t cardan_abreast_size(void);
 
+/* What the texts of methods say in lanes: the present step, a stage, the size against which errors
+ * count (fmax takes the number where the other one is none), the worst entry so far. */
+#define ABREAST_TRIAL(a)                                                                           \
+    const ptrdiff_t n = (a)->n;                                                                    \
+    const real *y = (const real *)(a)->y, *f = (const real *)(a)->f;                               \
+    const real t = *(const real *)(a)->t, h = *(const real *)(a)->h;                               \
+    real *k = (real *)(a)->k, *trial = (real *)(a)->trial, *at = (real *)(a)->at;
+#define ABREAST_STAGE(s, sum)                                                                      \
+    for (ptrdiff_t i = 0; i < n; i++) trial[i] = y[i] + h * (sum);                                 \
+    *at = t + C[s] * h;                                                                            \
+    cardan_abreast_derivative(a, trial, k + (s) * n);
+#define ABREAST_SCALE(a, i)                                                                        \
+    ((a)->atol + (a)->rtol * cardan_max(cardan_abs(((const real *)(a)->y)[i]),                     \
+                                        cardan_abs(((const real *)(a)->trial)[i])))
+#define ABREAST_WORST(square)                                                                      \
+    const cardan_mask worse = ~(cardan_mask)((square) <= worst);                                   \
+    worst = CARDAN_CHOICE(worse, square, worst);                                                   \
+    culprit = CARDAN_CHOICE(worse, CARDAN_REAL((double)i), culprit);
+
 /* the methods */
 void cardan_dop853_abreast(cardan_abreast *a);
 void cardan_dop853_dense_abreast(cardan_abreast *a);
+void cardan_rk45_abreast(cardan_abreast *a);
+void cardan_rk45_dense_abreast(cardan_abreast *a);
 
 #endif

@@ -57,6 +57,7 @@ int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const r
                          const real *udot, const real *lam);
 void cardan_alpha_pick(const cardan_alpha *v);
 ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h);
+ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix);
 int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h);
 void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx);
 

@@ -200,6 +200,21 @@ ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h)
     return n;
 }
 
+/* The matrix (n, n) of a step h from the present state, for whom it may concern. Returns n. */
+ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix)
+{
+    const cardan_alpha v = cardan_alpha_at(run);
+    ptrdiff_t n;
+
+    if (cardan_alpha_tangent(run, &v, run->t, run->y, v.udot, v.lam) != 0)
+        return 0;
+    n = cardan_alpha_assemble(&v, h);
+    for (ptrdiff_t i = 0; i < n * n; i++)
+        matrix[i] = v.matrix[i];
+    v.now[ALPHA_MATRIX] = 0;
+    return n;
+}
+
 /* Factor the matrix of a step h. Returns CARDAN_UNSOLVED where it is singular. */
 int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h)
 {

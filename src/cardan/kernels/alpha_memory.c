@@ -45,17 +45,22 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     return used;
 }
 
-/* The method with its coefficients, over the memory of a run. */
+/* The method with its coefficients, over the memory of a run.
+ *
+ * Without options: those of Chung and Hulbert for rho_inf = 0.8, stabilized index 2, adaptive.
+ */
 cardan_alpha cardan_alpha_at(const cardan_run *run)
 {
+    static const real usual[6] = {1.0 / 3, 4.0 / 9, 100.0 / 324, 11.0 / 18, 2, 1};
+    const real *options = run->options ? run->options : usual;
     cardan_alpha v = {0};
 
-    v.am = run->options[0];
-    v.af = run->options[1];
-    v.beta = run->options[2];
-    v.gamma = run->options[3];
-    v.index = (ptrdiff_t)run->options[4];
-    v.adaptive = (ptrdiff_t)run->options[5];
+    v.am = options[0];
+    v.af = options[1];
+    v.beta = options[2];
+    v.gamma = options[3];
+    v.index = (ptrdiff_t)options[4];
+    v.adaptive = (ptrdiff_t)options[5];
     (void)lay(run, &v);
     return v;
 }

@@ -196,7 +196,7 @@ static void take(cardan_ensemble *e)
 
     for (ptrdiff_t j = 0; j < e->lane_count; j++) {
         const cardan_run *run = e->lanes[j].run;
-        a->taken[j] = a->failed[j] == 0 && a->error[j] <= run->allowed;
+        a->taken[j] = a->failed[j] == 0 && a->error[j] <= 1;
         if (a->failed[j] != 0)
             a->culprit[j] = -1;
         else if (!(a->error[j] - a->error[j] == 0))

@@ -106,6 +106,9 @@ static void enter(cardan_run *run, const cardan_board *at)
         /* what the new mode has not seen positive yet does not fall */
         if (cardan_is_binding(run, i))
             at->armed[i] = 0;
+        /* how far below zero it was counts only if it still is */
+        if (at->slack[i] < 0)
+            at->slack[i] = at->g[i] < 0 ? -at->slack[i] : 0;
         cardan_arm(at, i, at->g[i]);
         run->e[i] = cardan_is_binding(run, i) && at->g[i] < -cardan_slack(at, i);
         if (run->e[i] != 0)
@@ -113,13 +116,9 @@ static void enter(cardan_run *run, const cardan_board *at)
     }
 }
 
-/* Values at the start, the first ticks, and what happens there already. */
-int cardan_events_start(cardan_run *run)
+/* The first ticks of a run that starts at t. */
+void cardan_events_clock(cardan_run *run)
 {
-    const cardan_board at = cardan_board_of(run);
-    int status;
-
-    run->happened = run->at_once = 0;
     for (ptrdiff_t i = 0; i < run->tick_count; i++) {
         cardan_tick *tick = run->ticks + i;
         real k = ceil((run->t - tick->phase) / tick->period - 1e-9);
@@ -129,6 +128,15 @@ int cardan_events_start(cardan_run *run)
         if (fabs(tick->next - run->t) <= 1e-9 * tick->period)
             tick->next = run->t;
     }
+}
+
+/* Values at the start, and what happens there already. */
+int cardan_events_start(cardan_run *run)
+{
+    const cardan_board at = cardan_board_of(run);
+    int status;
+
+    run->happened = run->at_once = 0;
     if (at.m == 0)
         return 0;
     for (ptrdiff_t i = 0; i < at.m; i++) {
@@ -138,7 +146,6 @@ int cardan_events_start(cardan_run *run)
     status = cardan_event_values(run, run->t, run->y, at.g);
     if (status == 0)
         enter(run, &at);
-    cardan_restart(run);
     return status;
 }
 
@@ -234,6 +241,9 @@ static int change(cardan_run *run, const cardan_board *at)
         run->s[i] = at->out[run->nu + run->nz + i];
     status = cardan_close(run, run->t, run->y, 1);
     cardan_restart(run);
+    /* other modes hold other velocities */
+    if (status == 0 && run->constraint_jacobian.function)
+        cardan_first_hold(run);
     run->row_open = 2;
     return status;
 }
@@ -242,7 +252,8 @@ static int change(cardan_run *run, const cardan_board *at)
 int cardan_events_apply(cardan_run *run)
 {
     const cardan_board at = cardan_board_of(run);
-    int changes = 0, ends = 0, status = 0;
+    ptrdiff_t last = -1; /* of those that end the run */
+    int changes = 0, status = 0;
     real *after;
 
     run->happened = 0;
@@ -254,8 +265,7 @@ int cardan_events_apply(cardan_run *run)
         run->occurred++;
         changes |= run->kinds[i] <= CARDAN_TICK;
         if (run->kinds[i] == CARDAN_END || run->kinds[i] == CARDAN_HALT) {
-            ends = 1;
-            run->culprit = run->n + i;
+            last = run->n + i;
         }
         if (run->at_once > MOST_AT_ONCE) {
             run->culprit = run->n + i;
@@ -265,8 +275,9 @@ int cardan_events_apply(cardan_run *run)
             run->culprit = run->n + i;
             return CARDAN_CHATTER;
         }
+        /* marked by its sign where nothing has fallen */
         at.slack[i] = at.armed[i] != 0 ? 2 * fabs(at.g[i])
-                                       : fabs(at.g[i]) + ROUNDING * at.reach[i];
+                                       : -(fabs(at.g[i]) + ROUNDING * at.reach[i]);
         at.armed[i] = 0;
     }
     if (changes)
@@ -277,8 +288,12 @@ int cardan_events_apply(cardan_run *run)
         after[run->nx + i] = run->s[i];
     for (ptrdiff_t i = 0; i < at.m; i++)
         run->e[i] = 0;
-    if (status != 0 || ends)
-        return status != 0 ? status : CARDAN_EVENT;
+    if (status == 0 && last >= 0) {
+        run->culprit = last;
+        return CARDAN_EVENT;
+    }
+    if (status != 0)
+        return status;
     status = cardan_event_values(run, run->t, run->y, at.g);
     if (status == 0)
         enter(run, &at);

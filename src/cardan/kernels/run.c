@@ -48,7 +48,10 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     cardan_interpolate(run->dense_rows, run->n, (t - run->t_old) / h, run->y_old, run->spread, y);
     cardan_leave_inside(run, (t - run->t_old) / h, y);
     cardan_normalize(run, y);
-    /* where that does not close, the polynomial is as good as anything */
+    /* where branches meet, or that does not close, the polynomial is as good as anything */
+    if (run->pass_length != 0 && fabs(run->t - run->pass_start) <= fabs(run->pass_length)
+        && cardan_beside(run, t, y, 0))
+        return 0;
     status = cardan_close(run, t, y, 0);
     return status == CARDAN_OPEN ? 0 : status;
 }
@@ -140,8 +143,8 @@ static int sizes_fit(const cardan_run *run)
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
-           && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->nlam, 4)
-           && fits(run->capacity, width(run))
+           && run->dense_rows <= CARDAN_MOST_ROWS && fits(run->ne, 16) && fits(run->watched, 16)
+           && fits(run->nlam, 4) && fits(run->capacity, width(run))
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
@@ -157,11 +160,11 @@ int cardan_run_start(cardan_run *run)
         return CARDAN_SIZE;
     run->t_start = run->t_old = run->t;
     run->open_row = -1;
-    run->allowed = 1;
     cardan_normalize(run, run->y);
     run->culprit = cardan_not_finite(run->y, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    cardan_events_clock(run);
     status = cardan_segment(run);
     if (status == 0)
         status = cardan_close(run, run->t, run->y, 1);
@@ -171,6 +174,8 @@ int cardan_run_start(cardan_run *run)
         run->culprit = cardan_not_finite(run->f, run->n);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
+    if (status == 0 && run->constraint_jacobian.function)
+        cardan_first_hold(run);
     if (status == 0)
         status = cardan_events_start(run);
     run->row_open = 1;
@@ -204,7 +209,7 @@ static int turn(cardan_run *run)
 /* One step, and what happened in it. */
 static int advance(cardan_run *run)
 {
-    int status = run->step(run);
+    int status = cardan_step(run);
 
     if (status != 0)
         return status;

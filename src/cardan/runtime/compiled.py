@@ -23,6 +23,7 @@ from .parameters import Parameters
 from .states import random_state
 
 if TYPE_CHECKING:
+    from ..analyses.alpha import GeneralizedAlpha
     from .report import Report
     from .trajectory import Trajectory
     from .verify import Verification
@@ -282,7 +283,7 @@ class CompiledModel(Analyzed):
         u: Any = None,
         z: Any = None,
         events: Mapping[str, Any] | None = None,
-        method: str = "auto",
+        method: str | GeneralizedAlpha = "auto",
         rtol: float = 1e-6,
         atol: float = 1e-9,
         step: float | None = None,
@@ -299,7 +300,7 @@ class CompiledModel(Analyzed):
             x0: State (nx,); or q, u, z: arrays or values by name, such as ``{"elbow": 0.3}``.
             events: Name -> ``f(t, x)`` or ``("elbow", value)``: where the run ends, or what is
                 noted.
-            method, rtol, atol, step, max_step: ``"DOP853"`` or ``"RK4"``, tolerances, steps [s].
+            method, rtol, atol, step, max_step: Such as ``"DOP853"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
             check, progress: Raise where the end is not reached; show how far it is.
         """

@@ -32,11 +32,8 @@ def summary(motion: Trajectory) -> str:
         f"{count['milliseconds']:.3g} ms",
     ]
     given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
-    if count.get("loosened"):
-        lines.append(
-            f"            {count['loosened']:.0f} of them past singular positions, where rounding "
-            "hides the tolerance"
-        )
+    if count.get("passed"):
+        lines.append(f"            over {count['passed']:.0f} singular positions")
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
     inputs = {row["name"] for row in motion.manifest["inputs"]}

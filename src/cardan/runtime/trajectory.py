@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
-from . import followers
+from . import binding, followers
 from .balance import Balance, balance, impacts
 from .between import inputs_at, states_at
 from .calling import Array
@@ -270,28 +270,14 @@ class Trajectory:
     @property
     def constraints(self) -> dict[str, Array]:
         """Residual (nt,) of every constraint of positions by multiplier; a tree has none."""
-        rows = [row for row in self.manifest["multipliers"] if row["level"] == "position"]
-        if rows and "constraints" not in self.stored:
-            model = self._model("the constraints")
-            self.stored["constraints"] = model._evaluate(
-                ("constraints", None), (self.t, self.q, self._r), None, None
-            )
-        return {row["name"]: self.stored["constraints"][:, k] for k, row in enumerate(rows)}
-
-    # what a model shows along the motion
+        return binding.residuals(self)
 
     @property
     def multipliers(self) -> dict[str, Array]:
-        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none.
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none."""
+        return binding.multipliers(self)
 
-        Those that the method found along with the motion, else those of the accelerations at its
-        states. Where rows follow from others their forces are not unique: then they are basic.
-        """
-        rows = self.manifest.get("multipliers", ())
-        if rows and "multipliers" not in self.stored:
-            model = self._model("the multipliers")
-            self.stored["multipliers"] = model.multipliers(self.q, self.u, t=self.t, r=self._r)
-        return {row["name"]: self.stored["multipliers"][:, k] for k, row in enumerate(rows)}
+    # what a model shows along the motion
 
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""

@@ -10,6 +10,8 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.ensembles import Ensemble
+from cardan.analyses.ensembles.crew import width_of
+from cardan.runtime.lanes import width
 from runtime import pendulum
 
 TORQUE = (np.array([0.0, 0.4, 0.9, 2.0]), np.array([0.0, 1.0, -1.0, 0.5]))
@@ -29,18 +31,12 @@ def same(one: Ensemble, other: Ensemble) -> None:
 def lanes(model: cd.CompiledModel, t: Any, **options: Any) -> Ensemble:
     """In lanes, however few runs there are."""
     model.prepare("rhs", batch=True)
-    made = model.ensemble(t, **options)
-    # lanes of runs with own parameters are built when they pay
-    if made.job.width == 1:
-        from cardan.analyses.ensembles import crew, hands
-
-        job = made.job
-        width = crew.width_of(model, job.how, job.varied.own_parameters, np.inf)
-        if width == 1:
-            pytest.skip("no vectors here")
-        made = model.ensemble(t, **options)
-        assert hands is not None
-    return made
+    job = model.ensemble(t, **options, lanes=1).job
+    if width() == 1:
+        pytest.skip("no vectors here")
+    # those of runs with parameters of their own would be built where they pay
+    width_of(model, job.how, job.varied.own_parameters, np.inf)
+    return model.ensemble(t, **options)
 
 
 CASES = {
@@ -57,6 +53,12 @@ CASES = {
         "reduce": ["max of elbow", "mean of shoulder.u", "rms of height"],
     },
     "inputs": {"t": np.linspace(0, 1, 5), "inputs": {"torque": np.linspace(-2, 2, 9)}},
+    "order 5": {
+        "t": np.linspace(0, 1, 9),
+        "q": {"elbow": np.linspace(-1, 1, 21)},
+        "method": "RK45",
+    },
+    "fixed": {"t": 1.0, "q": {"elbow": np.linspace(-1, 1, 9)}, "method": "RK4", "step": 0.01},
     "few": {"t": 1.0, "q": {"elbow": np.array([0.1, 0.2])}, "max_step": 0.05},
 }
 
@@ -68,7 +70,7 @@ def test_lanes_threads_and_single_runs(case: str, double: cd.CompiledModel) -> N
     assert alone.success
     assert alone.job.width == 1
     wide = lanes(double, **options, threads=1)
-    assert wide.job.width > 1
+    assert (wide.job.width > 1) == wide.job.how.method.lanes
     same(wide, alone)
     same(double.ensemble(**options, threads=3), alone)
     for i in (0, len(alone) - 1):
@@ -87,9 +89,10 @@ def test_a_run_is_what_simulate_makes(double: cd.CompiledModel) -> None:
         np.testing.assert_array_equal(made.run(i, times).x, motion.x)
 
 
-def test_quaternions(ball: cd.CompiledModel) -> None:
+@pytest.mark.parametrize("method", ["DOP853", "RK45"])
+def test_quaternions(method: str, ball: cd.CompiledModel) -> None:
     x0 = ball.random_state(3, (20,))
-    options: dict[str, Any] = {"t": np.linspace(0, 3, 7), "x0": x0, "u": None}
+    options: dict[str, Any] = {"t": np.linspace(0, 3, 7), "x0": x0, "method": method}
     alone = ball.ensemble(**options, lanes=1)
     same(lanes(ball, **options), alone)
     lengths = np.linalg.norm(alone["states"][:, :, :4], axis=2)

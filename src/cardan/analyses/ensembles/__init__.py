@@ -125,7 +125,7 @@ def _width(job: Job, lanes: int | None) -> int:
     """Lanes side by side; the first run tells whether they pay."""
     if lanes not in (None, 1):
         raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
-    if lanes == 1 or not suits(job.model, job.given):
+    if lanes == 1 or not suits(job.model, job.how, job.given):
         return 1
     crew, first = job.crew(), job.varied.part(0, 1)
     crew.run(first)
@@ -141,7 +141,7 @@ def blocks(job: Job) -> list[Block]:
     runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
     row = 8 * (1 + job.model.nx + job.model.nr)
     most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
-    if not suits(job.model, job.given):
+    if not suits(job.model, job.how, job.given):
         most = ALONE
     size = max(8, int(most) // 8 * 8)
     return [(first, min(first + size, runs)) for first in range(0, runs, size)]

@@ -51,9 +51,12 @@ class Ends:
     numbers: dict[str, Array]
 
 
-def suits(model: CompiledModel, given: Signals) -> bool:
+def suits(model: CompiledModel, how: Settings, given: Signals) -> bool:
     """Whether the loop in C can do the runs: trees with a compiler, no Python on the way."""
     if given.functions or Closing.of(model).rows or model.manifest.get("events"):
+        return False
+    # what a method makes of itself for a model is asked for every run
+    if how.method.suited is not None:
         return False
     try:
         model._kernels()

@@ -52,7 +52,7 @@ class Job:
 
     def crew(self) -> Crew | Single:
         """What a thread computes with."""
-        if suits(self.model, self.given):
+        if suits(self.model, self.how, self.given):
             return Crew(self.model, self.how, self.given, self.over, self.width)
         return Single(self.model, self.how, self.given, self.over)
 

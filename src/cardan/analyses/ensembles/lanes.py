@@ -22,6 +22,7 @@ ABREAST: tuple[tuple[Any, str], ...] = (
     (COUNT, "quaternion_count n nq nu nr"),
     (POINTER, "trial_step dense"),
     (REAL, "rtol atol"),
+    (COUNT, "known"),
     (POINTER, PER_LANE),
     (POINTER, "y f trial next k spread r s at_rest work"),
 )

@@ -14,4 +14,5 @@ METHOD = Integrator(
     adaptive=True,
     applies="rough tolerances; many short segments between events, as what is inside costs nothing",
     source="J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26",
+    lanes=True,
 )

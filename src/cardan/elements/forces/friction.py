@@ -17,6 +17,8 @@ UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
 FIELDS = ("coulomb", "static", "stribeck", "viscous", "against", "smooth", "mu", "radius")
 # of the speed behind an impact against that before it: whether a joint was torn loose
 LOOSE = 1e-12
+# what must be left of the uniqueness of a friction force: it grows with the inverse of that
+CERTAIN = 1e-3
 
 
 @dataclass(frozen=True)
@@ -188,7 +190,7 @@ class Friction(ForceElement):
         return (Hold(self._speed(at), active),)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
-        jams = () if solved.certainty is None else (solved.certainty,)
+        jams = () if solved.certainty is None else (solved.certainty - CERTAIN,)
         if not self._sticks:
             return jams
         mode, v = at.s[0], self._speed(at)

@@ -1,0 +1,127 @@
+"""Stability of methods on linear oscillators, free and constrained.
+
+A linear system falls apart into oscillators x'' + 2 zeta omega x' + omega^2 x = 0; one with
+constraints into some that are free and some that are held at x = 0 by a multiplier. What a method
+does to each in a step of size h depends on Omega = omega h alone.
+
+Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 10; J. Chung, G. M.
+Hulbert, J. Appl. Mech. 60 (1993), 371-375; M. Arnold, O. Brüls, Multibody Syst. Dyn. 18 (2007).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ArgumentError, ModelError
+from .alpha import Alpha, GeneralizedAlpha
+from .settings import integrator
+
+Array = NDArray[np.float64]
+
+
+def amplification(
+    method: str | Alpha | GeneralizedAlpha,
+    omega: ArrayLike,
+    damping: float = 0.0,
+    index: int | None = None,
+) -> Array:
+    """The matrix by which a step multiplies the state of an oscillator.
+
+    Args:
+        method: ``"GeneralizedAlpha"``, ``"HHT"``, ``"Newmark"``, or coefficients.
+        omega: Omega = omega h, angle that passes in a step (...) [rad].
+        damping: zeta, share of the critical damping.
+        index: None: the oscillator is free. 3, 2 or 1: it is held by its position, speed or
+            acceleration.
+
+    Returns:
+        (..., 3, 3) for the state [x, h x', h^2 a] of a free one, a the accelerations of the
+        method; (..., 4, 4) for [x, h x', h^2 a, h^2 lam] of a held one with
+        x'' + 2 zeta omega x' + omega^2 x = lam.
+
+    Raises:
+        ModelError: the method has none. ArgumentError: another index.
+    """
+    alpha = _coefficients(method)
+    angle = np.asarray(omega, dtype=np.float64)
+    if index not in (None, 1, 2, 3):
+        raise ArgumentError(f"index={index!r}: None (free), 3 (position), 2 (speed) or 1")
+    size = 3 if index is None else 4
+    after, before = np.zeros((2, *angle.shape, size, size))
+    # increments: x' and h x' after the step by everything before it and a after it
+    for row, entries, last in (
+        (0, (1.0, 1.0, 0.5 - alpha.beta), alpha.beta),
+        (1, (0.0, 1.0, 1.0 - alpha.gamma), alpha.gamma),
+    ):
+        after[..., row, row], after[..., row, 2] = 1.0, -last
+        before[..., row, :3] = entries
+    # (1 - am) a' + am a = (1 - af) udot' + af udot, udot = lam - Omega^2 x - 2 zeta Omega h x'
+    for matrix, a, f in ((after, 1 - alpha.am, 1 - alpha.af), (before, -alpha.am, -alpha.af)):
+        matrix[..., 2, 0], matrix[..., 2, 1] = f * angle**2, f * 2 * damping * angle
+        matrix[..., 2, 2] = a
+        if index is not None:
+            matrix[..., 2, 3] = -f
+    # what holds it after the step
+    if index in (2, 3):
+        after[..., 3, 3 - index] = 1.0
+    elif index == 1:
+        after[..., 3, 0], after[..., 3, 1] = angle**2, 2 * damping * angle
+        after[..., 3, 3] = -1.0
+    return np.asarray(np.linalg.solve(after, before))
+
+
+def spectral_radius(
+    method: str | Alpha | GeneralizedAlpha,
+    omega: ArrayLike,
+    damping: float = 0.0,
+    index: int | None = None,
+) -> Array:
+    """Largest factor (...) by which a step multiplies a part of the state: above 1 it grows.
+
+    Args:
+        method, omega, damping, index: As :func:`amplification` takes them. Of index 1 it is 1, a
+            double one: positions drift along with a speed that is left.
+
+    Raises:
+        ModelError, ArgumentError: as :func:`amplification`.
+    """
+    values = np.linalg.eigvals(amplification(method, omega, damping, index))
+    return np.asarray(np.abs(values).max(axis=-1))
+
+
+def period_error(
+    method: str | Alpha | GeneralizedAlpha, omega: ArrayLike, damping: float = 0.0
+) -> Array:
+    """By how much the period of an oscillation comes out too long (...), relative to it.
+
+    Args:
+        method, omega, damping: As :func:`amplification` takes them; damping below 1.
+
+    Raises:
+        ModelError: as :func:`amplification`. ArgumentError: nothing oscillates.
+    """
+    if not 0 <= damping < 1:
+        raise ArgumentError(f"damping={damping:g}: oscillations have one below 1")
+    angle = np.asarray(omega, dtype=np.float64) * np.sqrt(1 - damping**2)
+    values = np.linalg.eigvals(amplification(method, omega, damping))
+    # the pair that oscillates is the one next to the exact solution
+    exact = np.exp(-damping * np.asarray(omega, dtype=np.float64) + 1j * angle)
+    nearest = np.abs(values - exact[..., None]).argmin(axis=-1)
+    pair = np.take_along_axis(values, nearest[..., None], axis=-1)[..., 0]
+    return np.asarray(angle / np.abs(np.angle(pair)) - 1)
+
+
+def _coefficients(method: str | Alpha | GeneralizedAlpha) -> Alpha:
+    """Coefficients of a method of the generalized-alpha family."""
+    if isinstance(method, Alpha):
+        return method
+    if isinstance(method, GeneralizedAlpha):
+        return method.alpha
+    chosen = integrator(method)
+    if chosen.kernel != "alpha":
+        raise ModelError(
+            f"stability: '{chosen.name}' is none of GeneralizedAlpha, HHT and Newmark, whose "
+            "matrices are known here"
+        )
+    return Alpha(*chosen.options[:4])

@@ -1,0 +1,59 @@
+/* RK45 for several runs side by side: the text of rk45.c, each lane with its own t and h.
+ *
+ * Part of cardan, built with -DCARDAN_LANES like the function it calls. Caller owns all memory.
+ * Source: as in rk45.c.
+ */
+#include "abreast.h"
+#include "lanes.h"
+
+#if CARDAN_LANES > 1
+#include "rk45_tables.h"
+
+enum { L = CARDAN_LANES };
+
+/* Error of the trials, and their worst entries. */
+static void errors(cardan_abreast *a)
+{
+    const ptrdiff_t n = a->n;
+    const real *k = (const real *)a->k;
+    real sum = {0.0}, worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0);
+
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const real e = RK45_DIFFERENCE / ABREAST_SCALE(a, i);
+        ABREAST_WORST(e * e)
+        sum += e * e;
+    }
+    *(real *)a->culprit = culprit;
+    for (int j = 0; j < L; j++) a->error[j] = rk45_error(a->h[j], (double)n, sum[j]);
+}
+
+void cardan_rk45_abreast(cardan_abreast *a)
+{
+    ABREAST_TRIAL(a)
+
+    a->known = RK45_END;
+    for (ptrdiff_t i = 0; i < n; i++) k[i] = f[i];
+    RK45_STAGES(ABREAST_STAGE)
+    errors(a);
+}
+
+/* Over the step from y to trial, before it is the present one. */
+void cardan_rk45_dense_abreast(cardan_abreast *a)
+{
+    const ptrdiff_t n = a->n;
+    const real *y = (const real *)a->y, *end = (const real *)a->trial;
+    const real *last = (const real *)a->next;
+    const real h = *(const real *)a->t_new - *(const real *)a->t;
+    real *k = (real *)a->k, *spread = (real *)a->spread;
+
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const real rise = end[i] - y[i];
+        spread[i] = rise;
+        spread[n + i] = h * k[i] - rise;
+        spread[2 * n + i] = 2 * rise - h * (last[i] + k[i]);
+        K(6) = last[i];
+        spread[3 * n + i] = h * RK45_LAST_ROW;
+    }
+}
+
+#endif

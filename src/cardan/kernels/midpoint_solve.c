@@ -1,0 +1,246 @@
+/* The equations of a step of the energy-keeping midpoint rule: see midpoint.c.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Broyden's method from an inverse matrix that is kept from step to step, and made anew from
+ * differences where it no longer leads to the solution; from far away damped Newton steps first.
+ * Source: C. T. Kelley, Iterative Methods for Linear and Nonlinear Equations, chapters 5, 7 and 8.
+ */
+#include "midpoint.h"
+#include <math.h>
+
+/* corrections relative to the size of their block: sought, and what still counts as solved */
+static const real SOUGHT = 4e-15, SOLVED = 1e-12;
+static const real NEAR = 1e-3;   /* from here on Broyden leads on */
+static const real LOOSE = 1e-10; /* what counts as solved beside turning points of circuits */
+static const real LEARNT = 1e-10; /* smaller corrections are too noisy to learn from */
+static const real SHIFT = 1.5e-8; /* of differences, relative: the root of a rounding */
+enum {
+    MOST = 25,    /* iterations */
+    PATIENT = 12, /* of them before more roundings of the energy are accepted */
+    FRESH = 2     /* matrices made for one step */
+};
+
+/* Size against which entry i of z counts: the largest of its block. */
+static real size_of(const cardan_run *run, const room *at, const problem *step, ptrdiff_t i)
+{
+    const ptrdiff_t nq = run->nq, nx = run->nx;
+    const ptrdiff_t from = i < nq ? 0 : i < nq + run->nu ? nq : nq + run->nu;
+    const ptrdiff_t to = i < nq ? nq : i < nq + run->nu ? nq + run->nu : nx;
+    real largest = i == nx;
+
+    for (ptrdiff_t j = from; j < to && i < nx; j++)
+        largest = fmax(largest, fmax(fabs(at->z[j]), fabs(step->h * run->k[j])));
+    return largest > 0 ? largest : 1;
+}
+
+/* Matrix of the equations by differences at z, beside a unit matrix. */
+static int differences(cardan_run *run, const room *at, problem *step)
+{
+    const ptrdiff_t size = at->size;
+    int status = cardan_midpoint_residual(run, at, step, at->residual);
+
+    for (ptrdiff_t j = 0; j < size && status == 0; j++) {
+        const real kept = at->z[j], shift = SHIFT * size_of(run, at, step, j);
+        at->z[j] += shift;
+        status = cardan_midpoint_residual(run, at, step, at->image);
+        for (ptrdiff_t i = 0; i < size; i++) {
+            at->matrix[i * 2 * size + j] = (at->image[i] - at->residual[i]) / (at->z[j] - kept);
+            at->matrix[i * 2 * size + size + j] = i == j;
+        }
+        at->z[j] = kept;
+    }
+    return status;
+}
+
+/* The inverse by elimination with pivots. */
+static void invert(const room *at)
+{
+    const ptrdiff_t size = at->size, width = 2 * size;
+    real *a = at->matrix;
+
+    for (ptrdiff_t k = 0; k < size; k++) {
+        ptrdiff_t pivot = k;
+        for (ptrdiff_t i = k + 1; i < size; i++)
+            if (fabs(a[i * width + k]) > fabs(a[pivot * width + k]))
+                pivot = i;
+        if (!(fabs(a[pivot * width + k]) > DBL_EPSILON))
+            a[pivot * width + k] = 1;
+        for (ptrdiff_t j = 0; j < width; j++) {
+            const real kept = a[k * width + j];
+            a[k * width + j] = a[pivot * width + j];
+            a[pivot * width + j] = kept;
+        }
+        for (ptrdiff_t j = width - 1; j >= k; j--)
+            a[k * width + j] /= a[k * width + k];
+        for (ptrdiff_t i = 0; i < size; i++)
+            for (ptrdiff_t j = width - 1; j >= k && i != k; j--)
+                a[i * width + j] -= a[i * width + k] * a[k * width + j];
+    }
+    for (ptrdiff_t i = 0; i < size; i++)
+        for (ptrdiff_t j = 0; j < size; j++)
+            at->inverse[i * size + j] = a[i * width + size + j];
+    at->kept[INVERTED] = 1;
+}
+
+/* d and the size of speeds from the first guess of x1; d keeps its side from step to step. */
+static void aim(const cardan_run *run, const room *at, problem *step)
+{
+    const real *u0 = step->base + run->nq, *u1 = at->z + run->nq;
+    real square = 0, first = 0, last = 0, before = 0;
+
+    for (ptrdiff_t i = 0; i < run->nu; i++) {
+        const real middle = 0.5 * (u0[i] + u1[i]);
+        square += middle * middle;
+        first += u0[i] * u0[i];
+        last += u1[i] * u1[i];
+        before += middle * at->direction[i];
+    }
+    step->speed = sqrt(fmax(first, last));
+    for (ptrdiff_t i = 0; i < run->nu; i++)
+        at->direction[i] =
+            square > 0 ? copysign(1 / sqrt(square), before) * 0.5 * (u0[i] + u1[i]) : 0;
+}
+
+/* The first guess of z by the derivative at the start, and that in the middle of the last step if
+ * no trial has taken its place yet. */
+static void predict(const cardan_run *run, const room *at, problem *step, int untried)
+{
+    const real *first = run->k, *before = run->k + run->n;
+
+    for (ptrdiff_t i = 0; i < run->nx; i++) {
+        const real f = untried && run->in_segment > 0 ? 2 * first[i] - before[i] : first[i];
+        at->z[i] = step->base[i] + step->h * f;
+    }
+    at->z[run->nx] = 0;
+    aim(run, at, step);
+}
+
+/* image = inverse v; returns the largest entry of x1 in it against the size of its block. */
+static real apply(const cardan_run *run, const room *at, const problem *step, const real *v)
+{
+    const ptrdiff_t size = at->size;
+    real largest = 0;
+
+    for (ptrdiff_t i = 0; i < size; i++) {
+        real sum = 0;
+        for (ptrdiff_t j = 0; j < size; j++)
+            sum += at->inverse[i * size + j] * v[j];
+        at->image[i] = sum;
+        if (i < run->nx)
+            largest = fmax(largest, fabs(sum) / size_of(run, at, step, i));
+    }
+    return largest;
+}
+
+/* Broyden's update: what `change` did to the residual, whose image stands in `image`. */
+static void learn(const room *at)
+{
+    const ptrdiff_t size = at->size;
+    real product = 0;
+
+    for (ptrdiff_t i = 0; i < size; i++)
+        product += at->change[i] * (at->change[i] + at->image[i]);
+    if (product == 0)
+        return;
+    for (ptrdiff_t j = 0; j < size; j++) {
+        real along = 0;
+        for (ptrdiff_t i = 0; i < size; i++)
+            along += at->change[i] * at->inverse[i * size + j];
+        for (ptrdiff_t i = 0; i < size; i++)
+            at->inverse[i * size + j] -= at->image[i] * along / product;
+    }
+}
+
+/* Iterate from the first guess. Returns 0, CARDAN_UNSOLVED or why a residual has no value. */
+static int iterate(cardan_run *run, const room *at, problem *step)
+{
+    real last = INFINITY, before = INFINITY;
+    int status = cardan_midpoint_residual(run, at, step, at->residual);
+
+    for (int k = 0; k < MOST && status == 0; k++) {
+        real size = apply(run, at, step, at->residual);
+        const real missing = fabs(step->missing);
+        const real noise = BALANCED * at->kept[SIZE] + at->kept[NOISE];
+        const real most = k < PATIENT ? 30 : 1000;
+        const real solved = SOLVED + 10 * noise * fabs(step->lever);
+
+        /* rounding is all there is; what it leaves of the energy is sought by the next step */
+        if ((size <= SOUGHT || (size <= solved && size > 0.3 * last))
+            && (missing <= noise || (missing <= most * noise && missing > 0.3 * before)))
+            return 0;
+        /* beside a turning point circuits round more than their states show */
+        if (k + 1 == MOST && size <= LOOSE && missing <= LOOSE * at->kept[SIZE])
+            return 0;
+        if (!(size < 1e3) || (k > 4 && size > 2 * last && size > SOLVED))
+            return CARDAN_UNSOLVED;
+        last = size;
+        before = missing;
+        for (ptrdiff_t i = 0; i < at->size; i++) {
+            at->change[i] = -at->image[i];
+            at->z[i] += at->change[i];
+        }
+        status = cardan_midpoint_residual(run, at, step, at->residual);
+        if (status == 0 && size > LEARNT) {
+            (void)apply(run, at, step, at->residual);
+            learn(at);
+        }
+    }
+    return status == 0 ? CARDAN_UNSOLVED : status;
+}
+
+/* Newton steps with a matrix of their own each, shortened until the next correction is smaller.
+ *
+ * They come near a solution from farther away; then `iterate` goes on. Returns 0 or a status.
+ */
+static int approach(cardan_run *run, const room *at, problem *step)
+{
+    int status = 0;
+
+    for (int k = 0; k < MOST; k++) {
+        real size, next = INFINITY, share = 1;
+        status = differences(run, at, step);
+        if (status != 0)
+            return status;
+        invert(at);
+        size = apply(run, at, step, at->residual);
+        if (size < NEAR)
+            return 0;
+        for (ptrdiff_t i = 0; i < at->size; i++)
+            at->change[i] = -at->image[i];
+        for (; share > 1e-3 && !(next < (1 - 0.25 * share) * size); share *= 0.5) {
+            for (ptrdiff_t i = 0; i < at->size; i++)
+                at->z[i] += share * at->change[i];
+            status = cardan_midpoint_residual(run, at, step, at->residual);
+            next = status == 0 ? apply(run, at, step, at->residual) : INFINITY;
+            if (!(next < (1 - 0.25 * share) * size))
+                for (ptrdiff_t i = 0; i < at->size; i++)
+                    at->z[i] -= share * at->change[i];
+        }
+        if (!(next < size))
+            return status == 0 ? CARDAN_UNSOLVED : status;
+    }
+    return CARDAN_UNSOLVED;
+}
+
+/* Solve a step, from better and better beginnings. */
+int cardan_midpoint_solve(cardan_run *run, const room *at, problem *step, int untried)
+{
+    int status = CARDAN_UNSOLVED;
+
+    for (int k = 0; k <= FRESH && status != 0; k++) {
+        predict(run, at, step, untried && k == 0);
+        status = 0;
+        if (k == FRESH)
+            status = approach(run, at, step);
+        else if (at->kept[INVERTED] == 0) {
+            status = differences(run, at, step);
+            if (status == 0)
+                invert(at);
+        }
+        if (status == 0)
+            status = iterate(run, at, step);
+        at->kept[INVERTED] = status == 0;
+    }
+    return status;
+}

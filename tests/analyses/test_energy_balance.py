@@ -1,0 +1,53 @@
+"""The energy balance of compiled models holds at steps at which other methods lose it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from mechanisms import ZOO
+from mechanisms.closed import CLOSED
+
+
+def missing(motion: cd.Trajectory) -> float:
+    """What the balance misses at worst, relative to the kinetic energy."""
+    energy = motion.energy
+    work = sum(motion.work.values(), np.zeros(len(energy.total)))
+    return float(np.abs(energy.total - energy.total[0] - work).max() / energy.kinetic.max())
+
+
+@pytest.fixture(scope="module")
+def double() -> cd.CompiledModel:
+    return cd.compile(ZOO["double_pendulum"].build())
+
+
+@pytest.mark.parametrize("step", [0.05, 0.1])
+def test_double_pendulum(double: cd.CompiledModel, step: float) -> None:
+    options: dict[str, Any] = {"q": {"shoulder": 1.5, "elbow": 0.5}, "step": step}
+    times = np.linspace(0, 2e4 * step, 501)
+    kept = double.simulate(times, method="EnergyMidpoint", **options)
+    lost = double.simulate(times, method="RK4", **options)
+    assert kept.status == "finished"
+    # the solver accepts a thousand roundings of the energies at worst
+    assert missing(kept) <= 1e-11
+    assert missing(lost) >= 1e-3
+
+
+@pytest.mark.parametrize("name", ["four_bar", "slider_crank"])
+@pytest.mark.parametrize("step", [5e-3, 2e-2])
+def test_closed_circuits(name: str, step: float) -> None:
+    model = cd.compile(CLOSED[name].build())
+    start: dict[str, Any] = {"u": {model.speeds[0]: 2.0}, "step": step}
+    motion = model.simulate(2000 * step, method="EnergyMidpoint", **start)
+    assert motion.status == "finished"
+    assert missing(motion) <= 1e-11
+    assert max(row.after for row in motion.drift.position.values()) <= 1e-14
+
+
+def test_the_function_it_needs_is_named() -> None:
+    model = cd.compile(ZOO["double_pendulum"].build(), functions=["rhs"])
+    with pytest.raises(cd.ModelError, match=r"'EnergyMidpoint' needs the function 'energy'"):
+        model.simulate(1.0, method="EnergyMidpoint", step=0.1)

@@ -1,0 +1,349 @@
+"""Elements with modes and states of their own against closed forms and independent solutions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+import cardan as cd
+
+G = 9.81
+FINE = {"rtol": 1e-11, "atol": 1e-12}
+
+
+def slider(name: str, axis: str = "x", gravity: float = 0.0, mass: float = 1.0) -> cd.Model:
+    """A mass on a rail."""
+    scene = cd.Model(name, gravity=(0, 0, -gravity))
+    scene.joint("x", cd.Prismatic(axis), scene.ground, scene.body("block", mass=mass))
+    return scene
+
+
+def test_dry_friction_takes_the_same_amplitude_every_half_cycle() -> None:
+    m, k, friction = 2.0, 50.0, 1.5
+    scene = slider("oscillator", mass=m)
+    scene.force("spring", cd.TorsionSpring("x", stiffness=k))
+    scene.force("rail", cd.Friction("x", coulomb=friction))
+    motion = cd.compile(scene).simulate(12.0, q={"x": 1.0}, **FINE)
+    half = np.pi * np.sqrt(m / k)
+    stops = [event for event in motion.events if event.name == "rail.stop"][1:]
+    # until the spring is too weak to pull it loose
+    count = int(np.ceil((1.0 - friction / k) / (2 * friction / k)))
+    assert np.allclose([e.t for e in stops], half * np.arange(1, count + 1), rtol=0, atol=1e-9)
+    places = [float(motion.at(event.t)[0]) for event in stops]
+    wanted = [(-1) ** n * (1.0 - 2 * n * friction / k) for n in range(1, count + 1)]
+    assert places == pytest.approx(wanted, abs=1e-9)
+    assert motion["x"][-1] == pytest.approx(wanted[-1], abs=1e-9)
+    assert abs(motion["x.u"][-1]) < 1e-12
+    assert motion["rail"][-1] == 2
+    assert np.abs(motion.drift.energy).max() < 1e-8
+
+
+def test_a_ball_bounces_until_it_settles() -> None:
+    restitution, settle = 0.7, 1e-3
+    scene = slider("ball", "z", G, mass=2.0)
+    scene.force("floor", cd.Stop("x", lower=0.0, restitution=restitution, settle=settle))
+    motion = cd.compile(scene).simulate(10.0, q={"x": 1.0}, **FINE)
+    times, speed = [np.sqrt(2 / G)], np.sqrt(2 * G)
+    while speed > settle:
+        speed *= restitution
+        times.append(times[-1] + 2 * speed / G)
+    hits = [event.t for event in motion.events if event.name == "floor.lower"]
+    # the last one is below the speed at which it stays
+    assert np.allclose(hits, times, rtol=0, atol=1e-11)
+    assert motion["floor"][-1] == -1
+    assert np.abs(motion.x[-1]).max() < 1e-12
+
+
+def four_bar(stop: float) -> cd.Model:
+    """A crank-rocker whose rocker meets a stop."""
+    scene = cd.Model("stopped", gravity=(0, 0, -G))
+    bars = {}
+    for name, length in (("crank", 0.3), ("coupler", 0.9), ("rocker", 0.7)):
+        inertia = cd.inertia.rod(length, length, axis="x")
+        bars[name] = scene.body(name, mass=length, com=(length / 2, 0, 0), inertia=inertia)
+    scene.joint("A", cd.Revolute("y"), scene.ground, bars["crank"])
+    scene.joint("B", cd.Revolute("y"), bars["crank"].at(0.3, 0, 0), bars["coupler"])
+    scene.joint("D", cd.Revolute("y"), scene.ground.at(0.9, 0, 0), bars["rocker"])
+    scene.joint("C", cd.Revolute("y"), bars["coupler"].at(0.9, 0, 0), bars["rocker"].at(0.7, 0, 0))
+    scene.force("buffer", cd.Stop("D", upper=stop, restitution=0.4))
+    return scene
+
+
+def test_an_impact_goes_through_a_closed_loop() -> None:
+    model = cd.compile(four_bar(-1.2))
+    start = model.assemble({"A": 0.5}).x
+    q = start[: model.nq]
+    u = model.close_velocity(q, [1.0, 0.0, 0.0])[: model.nu]
+    rocker = model.speeds.index("D.u")
+    u *= np.sign(u[rocker])
+    fired = {name: float(name == "buffer.upper") for name in model.event_names}
+    behind = model.transition(q, u, fired)[: model.nu]
+    # M du = Gt P + J P', G du = 0, J u+ = -e J u
+    n = model.nu
+    G_all = model.constraint_jacobian(q)
+    rows = [i for i, name in enumerate(model.multipliers_of) if not name.startswith("buffer")]
+    full = np.vstack([G_all[rows], np.eye(n)[rocker]])
+    kkt = np.block([[model.mass_matrix(q), -full.T], [full, np.zeros((len(full),) * 2)]])
+    right = np.concatenate([np.zeros(n + len(rows)), [-1.4 * u[rocker]]])
+    wanted = u + np.linalg.solve(kkt, right)[:n]
+    assert behind == pytest.approx(wanted, abs=1e-12)
+    assert behind[rocker] == pytest.approx(-0.4 * u[rocker], abs=1e-12)
+
+
+def test_two_stops_hit_at_once_share_the_impulse() -> None:
+    """A block that falls flat on two feet: both stay, or both bounce."""
+    scene = cd.Model("feet", gravity=(0, 0, -G))
+    block = scene.body("block", mass=2.0, inertia=(0.1, 0.2, 0.3))
+    scene.joint("leg", cd.Prismatic("z"), scene.ground, block)
+    other = scene.body("other", mass=1.0)
+    scene.joint("knee", cd.Prismatic("z"), block, other)
+    scene.force("low", cd.Stop("leg", lower=0.0, restitution=0.0))
+    scene.force("high", cd.Stop("knee", lower=0.0, restitution=0.0))
+    model = cd.compile(scene)
+    motion = model.simulate(2.0, q={"leg": 0.5, "knee": 0.5}, **FINE)
+    assert np.abs(motion.x[-1]).max() < 1e-10
+    assert motion["low"][-1] == motion["high"][-1] == -1
+    # the lower one bears both
+    assert model.multipliers(motion.q[-1], motion.u[-1], s=motion.s[-1]) == pytest.approx(
+        [3.0 * G, 1.0 * G]
+    )
+
+
+def test_a_lock_keeps_the_momentum_it_does_not_bear() -> None:
+    scene = cd.Model("lock", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=2.0, inertia=(1.0, 1.0, 0.5))
+    panel = scene.body("panel", mass=1.0, com=(0.5, 0, 0), inertia=(0.1, 0.1, 0.2))
+    scene.joint("base", cd.Revolute("z"), scene.ground, hub)
+    scene.joint("hinge", cd.Revolute("z"), hub.at(1, 0, 0), panel)
+    scene.force("latch", cd.Lock("hinge", when=0.4 - scene.q("hinge")))
+    model = cd.compile(scene)
+    motion = model.simulate(2.0, u={"base": 0.3, "hinge": 1.0}, **FINE)
+    (event,) = motion.events
+    momentum = model.momentum(motion.q, motion.u)[:, 2]
+    assert np.ptp(momentum) < 1e-9
+    assert motion["hinge"][-1] == pytest.approx(0.4, abs=1e-11)
+    assert motion["hinge.u"][-1] == pytest.approx(0.0, abs=1e-14)
+    # one rigid body from there on
+    q = motion.q[-1]
+    inertia = np.array([1.0, 0.0]) @ model.mass_matrix(q) @ np.array([1.0, 0.0])
+    assert motion["base.u"][-1] == pytest.approx(momentum[0] / inertia, rel=1e-10)
+    assert 0 < event.t < 2
+
+
+def inclined(name: str, friction: bool) -> cd.Model:
+    """A cart on an inclined rail that carries a pendulum."""
+    scene = cd.Model(name, gravity=(0, 0, -G))
+    cart = scene.body("cart", mass=1.0)
+    arm = scene.body("arm", mass=2.5, com=(0.4, 0, 0), inertia=(1e-2, 5e-2, 6e-2))
+    scene.joint("x", cd.Prismatic((1, 0, 0.3)), scene.ground, cart)
+    scene.joint("h", cd.Revolute("y"), cart.at(0.1, 0, 0.05), arm)
+    if friction:
+        scene.force("rail", cd.Friction("x", mu=0.3))
+        scene.force("pin", cd.Friction("h", mu=0.2, radius=0.05, static=0.4))
+    return scene
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_friction_and_reaction_are_solved_for_together(seed: int) -> None:
+    """Against a fixed point of reactions of the same system without friction."""
+    model, free = cd.compile(inclined("rough", True)), cd.compile(inclined("smooth", False))
+    rng = np.random.default_rng(seed)
+    q, u = rng.uniform(-1, 1, 2), rng.uniform(-1, 1, 2)
+    signs, size = np.sign(u), np.zeros(2)
+    axes = {"x": np.array([1, 0, 0.3]) / np.hypot(1, 0.3), "h": np.array([0, 1.0, 0])}
+    for _ in range(200):
+        across = []
+        for joint, axis in axes.items():
+            force = free.reaction(joint, q, u, tau=-signs * size)[3:]
+            across.append(np.linalg.norm(force - axis * (axis @ force)))
+        size = np.array([0.3, 0.2 * 0.05]) * across
+    wanted = free.forward_dynamics(q, u, tau=-signs * size)
+    assert model.forward_dynamics(q, u) == pytest.approx(wanted, abs=1e-12)
+    assert model.rhs(0.0, np.r_[q, u], s=signs)[2:] == pytest.approx(wanted, abs=1e-12)
+    assert model.power(q, u) == pytest.approx(-size * abs(u), abs=1e-12)
+    # and the other way round
+    assert model.inverse_dynamics(q, u, wanted) == pytest.approx(np.zeros(2), abs=1e-12)
+
+
+def test_a_run_ends_where_friction_has_no_unique_solution() -> None:
+    """A heavy rod on a light cart: leaning enough, it wedges the cart."""
+    scene = cd.Model("wedge", gravity=(0, 0, -G))
+    cart = scene.body("cart", mass=0.1)
+    rod = scene.body("rod", mass=10.0, com=(0, 0, 1.0), inertia=(0.1, 0.1, 0.01))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, cart)
+    scene.joint("h", cd.Revolute("y"), cart, rod)
+    scene.force("rail", cd.Friction("x", mu=0.9))
+    motion = cd.compile(scene).simulate(5.0, q={"h": 1.2}, u={"x": 50.0, "h": -4.0}, **FINE)
+    assert motion.events[-1].name == "rail.jam"
+    assert motion.status == "event"
+    assert "'rail.jam'" in motion.message
+    assert 0 < motion.t[-1] < 5
+    # where mu |dR/dD| is 1, but for a thousandth
+    model = cd.compile(scene)
+    value = model.events(motion.q[-1], motion.u[-1], s=motion.s[-1])
+    assert value[-1] == pytest.approx(0.0, abs=1e-8)
+
+
+def test_a_contact_bounces_as_its_equation_says() -> None:
+    m, k, c, radius = 0.5, 1e5, 0.3, 0.1
+    scene = slider("hertz", "z", G, mass=m)
+    ball = scene.bodies["block"]
+    scene.force("floor", cd.Contact(ball, scene.ground, radius=radius, stiffness=k, damping=c))
+    motion = cd.compile(scene).simulate(1.0, q={"x": 0.5}, **FINE)
+
+    def falls(t: float, y: np.ndarray) -> list[float]:
+        depth = max(0.0, radius - y[0])
+        push = max(0.0, k * depth**1.5 * (1 - c * y[1]))
+        return [y[1], push / m - G]
+
+    wanted = solve_ivp(falls, (0, 1), [0.5, 0], rtol=1e-12, atol=1e-13, max_step=1e-3).y[:, -1]
+    assert motion.x[-1] == pytest.approx(wanted, abs=1e-7)
+    names = [event.name for event in motion.events]
+    assert names[:4] == ["floor.touch", "floor.touch", "floor.part", "floor.touch"][: len(names)]
+    assert np.abs(motion.drift.energy).max() < 1e-8
+
+
+def test_a_sampled_controller_holds_its_force() -> None:
+    """Mass under a digital PD controller: exact steps of a double integrator."""
+    m, period = 2.0, 0.05
+    scene = slider("digital", mass=m)
+    x, v = scene.q("x"), scene.u("x")
+    scene.force("pd", cd.Controller.pid("x", x, v, target=1.0, kp=8.0, kd=5.0, sample=period))
+    motion = cd.compile(scene).simulate(np.arange(0, 3.001, period), **FINE)
+    place = speed = 0.0
+    wanted = []
+    for _ in motion.t:
+        wanted.append((place, speed))
+        a = (8.0 * (1.0 - place) - 5.0 * speed) / m
+        place, speed = place + speed * period + a * period**2 / 2, speed + a * period
+    assert motion.x == pytest.approx(np.array(wanted), abs=1e-10)
+
+
+def test_a_continuous_controller_has_states() -> None:
+    m, kp, ki, kd, target = 2.0, 8.0, 3.0, 5.0, 1.0
+    scene = slider("analog", mass=m)
+    x, v = scene.q("x"), scene.u("x")
+    scene.force("pid", cd.Controller.pid("x", x, v, target=target, kp=kp, ki=ki, kd=kd))
+    scene.output("sum", scene.state("pid.integral"))
+    motion = cd.compile(scene).simulate(4.0, **FINE)
+    A = np.array([[0, 1, 0], [-kp / m, -kd / m, ki / m], [-1, 0, 0]])
+    b = np.array([0, kp * target / m, target])
+    # x' = A x + b from rest
+    w, T = np.linalg.eig(A)
+    start = np.linalg.solve(T, np.linalg.solve(A, b))
+    wanted = (T @ (np.exp(w * motion.t[-1]) * start)).real - np.linalg.solve(A, b)
+    assert motion.x[-1] == pytest.approx(wanted, abs=1e-9)
+    assert motion["sum"][-1] == pytest.approx(wanted[2], abs=1e-9)
+    assert motion["pid.integral"][-1] == pytest.approx(wanted[2], abs=1e-9)
+
+
+def test_state_space_controllers_are_their_matrices() -> None:
+    scene = slider("observer", mass=1.0)
+    measured = [scene.q("x")]
+    made = cd.Controller.state_space("x", [[-3.0]], [[2.0]], [1.5], [-4.0], measured, start=(0.2,))
+    scene.force("lag", made)
+    motion = cd.compile(scene).simulate(2.0, q={"x": 1.0}, **FINE)
+    A = np.array([[0, 1, 0], [-4.0, 0, 1.5], [2.0, 0, -3.0]])
+    w, T = np.linalg.eig(A)
+    wanted = (T @ (np.exp(w * 2.0) * np.linalg.solve(T, [1.0, 0, 0.2]))).real
+    assert motion.x[-1] == pytest.approx(wanted, abs=1e-9)
+
+
+def test_an_actuator_lags() -> None:
+    scene = slider("motor", mass=1.0)
+    scene.force("motor", cd.Actuator("x", command=3.0, lag=0.2, limit=2.0))
+    motion = cd.compile(scene).simulate(1.0, **FINE)
+    assert motion["motor.force"] == pytest.approx(3.0 * (1 - np.exp(-motion.t / 0.2)), abs=1e-10)
+    # the joint feels it up to its limit
+    reached = -0.2 * np.log(1 - 2.0 / 3.0)
+    before = 3.0 * (reached - 0.2 * (1 - np.exp(-reached / 0.2)))
+    assert motion["x.u"][-1] == pytest.approx(before + 2.0 * (1.0 - reached), abs=1e-6)
+
+
+@pytest.mark.parametrize("direction", ["down", "up", "both"])
+def test_events_of_the_user_are_located(direction: str) -> None:
+    """Zeros of a harmonic motion, ten times better than the tolerance asks."""
+    errors = []
+    for rtol in (1e-5, 1e-7, 1e-9):
+        scene = slider("clock", mass=1.0)
+        scene.force("spring", cd.TorsionSpring("x", stiffness=4.0))
+        scene.force("zero", cd.Watch(scene.q("x"), direction=direction))
+        motion = cd.compile(scene).simulate(6.0, q={"x": 1.0}, rtol=rtol, atol=rtol)
+        wanted = np.pi / 4 + np.pi / 2 * np.arange(4)
+        wanted = {"down": wanted[::2], "up": wanted[1::2], "both": wanted}[direction]
+        found = np.array([event.t for event in motion.events])
+        assert len(found) == len(wanted[wanted < 6])
+        errors.append(np.abs(found - wanted[: len(found)]).max())
+        assert errors[-1] <= 10 * rtol
+    assert errors[-1] < errors[0]
+
+
+def test_a_watch_ends_the_run() -> None:
+    scene = slider("fall", "z", G)
+    scene.force("floor", cd.Watch(scene.q("x") + 0.5, then="end"))
+    motion = cd.compile(scene).simulate(10.0, **FINE)
+    assert motion.t[-1] == pytest.approx(np.sqrt(1.0 / G), abs=1e-12)
+    assert motion.status == "event"
+
+
+def test_stribeck_friction_falls_with_speed() -> None:
+    friction = cd.Friction("x", coulomb=1.0, static=2.0, stribeck=0.3, viscous=0.5)
+    scene = slider("stribeck")
+    scene.force("rail", friction)
+    model = cd.compile(scene)
+    for v in (0.05, -0.4, 2.0):
+        wanted = -np.sign(v) * (1 + np.exp(-((v / 0.3) ** 2))) - 0.5 * v
+        assert model.applied([0.0], [v]) == pytest.approx([wanted], rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: cd.Friction("x"), "give either coulomb"),
+        (lambda: cd.Friction("x", 1.0, mu=0.3), "give either coulomb"),
+        (lambda: cd.Friction("x", 1.0, stribeck=0.1), "give static"),
+        (lambda: cd.Friction("x", -1.0), "coulomb is -1"),
+        (lambda: cd.Friction("x", 1.0, smooth=0.0), "smooth is 0"),
+        (lambda: cd.Friction("x", mu=0.0), "mu is 0"),
+        (lambda: cd.Friction("x", 1.0, radius=0.1), "radius goes with mu"),
+        (lambda: cd.Stop("x"), "give lower or upper"),
+        (lambda: cd.Stop("x", lower=1.0, upper=0.0), "must be below upper"),
+        (lambda: cd.Stop("x", lower=1.0, restitution=1.5), r"give 0 \.\.\. 1"),
+        (lambda: cd.Lock("x", when=1.0, strength=-2.0), "strength is -2"),
+        (lambda: cd.Actuator("x", 1.0, lag=0.0), "lag is 0"),
+        (lambda: cd.Actuator("x", 1.0, lag=1.0, limit=-1.0), "limit is -1"),
+        (lambda: cd.Controller("x", states=("a",), force=1.0), "1 states, 0 changes"),
+        (lambda: cd.Controller("x"), "go together"),
+        (lambda: cd.Controller(force=1.0), "go together"),
+        (lambda: cd.Controller(), "give a force with its joint"),
+        (lambda: cd.Controller("x", force=1.0, sample=-1.0), "sample is -1"),
+        (lambda: cd.Watch(1.0, then="stop"), "then='stop' is unknown"),
+        (lambda: cd.Contact("a", "b", radius=-1.0, stiffness=1.0), "radius is -1"),
+    ],
+)
+def test_what_cannot_be_is_refused(make: object, message: str) -> None:
+    with pytest.raises(cd.ModelError, match=message):
+        make()  # type: ignore[operator]
+
+
+def test_states_nobody_keeps_are_refused() -> None:
+    scene = slider("lost")
+    scene.output("y", scene.state("motor.force"))
+    with pytest.raises(cd.ModelError, match=r"state\('motor.force'\)"):
+        cd.derive(scene)
+
+
+def test_saved_scenes_keep_their_elements(tmp_path: object) -> None:
+    scene = slider("kept")
+    x, v = scene.q("x"), scene.u("x")
+    scene.force("rail", cd.Friction("x", coulomb=1 / (1 + 3 * sp.Abs(v)), static=1.0))
+    scene.force("pid", cd.Controller.pid("x", x, v, kp=2.0, ki=1.0, limit=3.0, sample=0.01))
+    scene.force("end", cd.Stop("x", lower=-1.0, upper=1.0, restitution=0.5))
+    scene.output("sum", scene.state("pid.integral"))
+    scene.save(f"{tmp_path}/kept.yaml")
+    again = cd.load(f"{tmp_path}/kept.yaml")
+    models = [cd.compile(s) for s in (scene, again)]
+    one, two = (m.rhs(0.0, [0.3, -0.2], s=[1, 0.1, 0.2, 0]) for m in models)
+    assert np.array_equal(one, two)
