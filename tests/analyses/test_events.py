@@ -155,6 +155,21 @@ def test_steppers_restore_events_to_the_bit(ball: cd.CompiledModel) -> None:
     assert [event.t for event in stepper.events] == events
 
 
+def test_files_of_steppers_know_samples_and_modes(
+    servo: cd.CompiledModel, ball: cd.CompiledModel, tmp_path: Path
+) -> None:
+    path = tmp_path / "run.npz"
+    for model, options in ((servo, {}), (ball, {"q": START})):
+        stepper = model.stepper(**options)
+        stepper.step(0.97)
+        stepper.save(path)
+        there = stepper.step(1.1).tobytes()
+        again = model.resume(path)
+        assert again.step(1.1).tobytes() == there
+        assert [repr(e) for e in again.events] == [repr(e) for e in stepper.events]
+        assert again.modes == stepper.modes
+
+
 MISTAKES: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"a": 1}, ValueError, r"'a' is 1; give f\(t, x\), or a name and the value"),
     ({"a": ("y", 1.0)}, cd.ModelError, "no coordinate, speed or internal state 'y'"),
