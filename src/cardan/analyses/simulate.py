@@ -68,11 +68,13 @@ def simulate(
             ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
             internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
             a further word says which way, along the run.
-        method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853.
+        method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853; the
+            others are told in ``docs/integrators.md``. :class:`cardan.GeneralizedAlpha` has
+            choices of its own.
         rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
             state, root mean square over them.
-        step: Step of RK4, first step of DOP853 [s].
-        max_step: Largest step of DOP853 [s].
+        step: Step of RK4 and GeneralizedAlpha, first step of other adaptive methods [s].
+        max_step: Largest step of an adaptive method [s].
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
         sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
