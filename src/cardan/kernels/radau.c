@@ -14,8 +14,8 @@
 
 /* the error of a step behaves like h^4 */
 enum { ORDER = 4, ITERATIONS = 7, TO_ROUNDING = 30 };
-/* iterations that converge faster keep the Jacobian; steps that would grow by less stay */
-static const real FAST = 1e-3, DEAD_BAND = 1.2;
+/* iterations that converge faster keep the Jacobian; steps that would change by less stay */
+static const real FAST = 1e-3, SHRINK = 0.9, GROW = 1.2;
 
 /* What outlives a step, at the start of `own`. */
 typedef struct memory {
@@ -326,8 +326,8 @@ static void remember(cardan_run *run, const parts *own, real h, real error, real
     own->now->h = h;
     own->now->error = fmax(error, 0.01);
     own->now->current = 0;
-    /* growth by little is not worth new factors */
-    if (own->now->kept && fabs(run->h) >= fabs(h) && fabs(run->h) < DEAD_BAND * fabs(h))
+    /* a change by little is not worth new factors */
+    if (own->now->kept && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
         run->h = h;
 }
 
