@@ -218,7 +218,13 @@ class Problem:
                 "transition": self.transition,
                 "constraint_jacobian": self.held,
             }[name]
-            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
+            rows = [row["name"] for row in self.multipliers]
+            positions = [row["name"] for row in self.multipliers if row["level"] == "position"]
+            entries = {
+                "power": ["source"],
+                "close_position": [*self.coordinates, *positions],
+                "close_velocity": [*self.speeds, *rows],
+            }.get(name, [*self.coordinates, *self.speeds, *self.z])
             before = self._before() if body == DIFFERENCES else ""
             self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]

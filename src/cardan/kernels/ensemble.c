@@ -195,7 +195,6 @@ static void take(cardan_ensemble *e)
     int some = 0;
 
     for (ptrdiff_t j = 0; j < e->lane_count; j++) {
-        const cardan_run *run = e->lanes[j].run;
         a->taken[j] = a->failed[j] == 0 && a->error[j] <= 1;
         if (a->failed[j] != 0)
             a->culprit[j] = -1;

@@ -204,14 +204,14 @@ static real bisect(cardan_run *run, real from, real to)
 /* The hold before the first step: rows that hold a little later count too. */
 void cardan_first_hold(cardan_run *run)
 {
-    real h = fmin(0.1 * STRIDE / fmax(pace(run, 0), 1e-300), fabs(run->stops[run->next_stop] - run->t));
+    real h = fmin(0.1 * STRIDE / fmax(pace(run, 0), 1e-300), fabs(run->until - run->t));
     real *y = place(run, STATE);
 
     for (ptrdiff_t k = 0; k < run->rates; k++)
         place(run, ORDER)[k] = (real)k;
     run->held = 0;
     run->hold = hold_at(run, 0);
-    h = copysign(h, run->stops[run->next_stop] - run->t);
+    h = copysign(h, run->until - run->t);
     (void)ahead(run, h);
     if (cardan_close(run, run->t + h, y, 0) == 0 && jacobian(run, run->t + h, y, place(run, HERE), 1) == 0)
         run->best_hold = orthogonalize(run, HERE, 1, 1);
@@ -226,7 +226,7 @@ void cardan_first_hold(cardan_run *run)
  */
 int cardan_branches_meet(cardan_run *run, real *tau)
 {
-    const real left = run->stops[run->next_stop] - run->t;
+    const real left = run->until - run->t;
     const real reach = AHEAD * fmin(fabs(run->h), fabs(left)), v = pace(run, copysign(reach, left));
     real from = 0, falling = 0, before, hold, last;
 

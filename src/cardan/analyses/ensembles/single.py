@@ -48,7 +48,7 @@ def motion(
 ) -> tuple[Trajectory, Runner | PlainRunner]:
     """The only run of a part."""
     runner, begin, own = prepared(model, how, given, over, part)
-    return _run(runner, over, begin, own, False), runner
+    return _run(runner, over, begin, False), runner
 
 
 class Single:
