@@ -223,6 +223,7 @@ int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
 int cardan_write_rows(cardan_run *run);
+ptrdiff_t cardan_row_width(const cardan_run *run);
 int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
