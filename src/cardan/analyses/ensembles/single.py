@@ -47,7 +47,7 @@ def motion(
     model: CompiledModel, how: Settings, given: Signals, over: Span, part: Varied
 ) -> tuple[Trajectory, Runner | PlainRunner]:
     """The only run of a part."""
-    runner, begin, own = prepared(model, how, given, over, part)
+    runner, begin, _ = prepared(model, how, given, over, part)
     return _run(runner, over, begin, False), runner
 
 
