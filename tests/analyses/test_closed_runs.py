@@ -88,7 +88,8 @@ def test_rounded_numbers_are_taken(bars: cd.CompiledModel) -> None:
         np.testing.assert_allclose(motion.q[0], [known[n] for n in bars.coordinates], atol=2e-6)
         assert max(residuals(bars, motion.x[:1])) < 1e-13
     again = bars.simulate(0.1, x0=motion.x[-1])
-    np.testing.assert_allclose(again.x[0], motion.x[-1], rtol=0, atol=1e-14)
+    # one more projection: some roundings of speeds
+    np.testing.assert_allclose(again.x[0], motion.x[-1], rtol=1e-14, atol=1e-14)
 
 
 def test_a_start_that_contradicts_itself(bars: cd.CompiledModel) -> None:

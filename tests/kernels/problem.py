@@ -99,7 +99,7 @@ class Problem:
         quaternions: First entries in q.
         energy_of: Body of the energies: kinetic, potential, total.
         jacobian: Body of ``rhs_jacobian``; by default differences of ``rhs``.
-        position, velocity: Bodies of the functions that close; both "" or both not.
+        position, velocity, held: Bodies of the functions that close, and of G.
         multipliers: Rows of the manifest.
         z, s: Names of internal and discrete states.
         events, transition: Bodies of the functions; the second writes u, z, s.
@@ -119,6 +119,7 @@ class Problem:
     name: str = "problem"
     position: str = ""
     velocity: str = ""
+    held: str = ""
     multipliers: tuple[dict[str, str], ...] = ()
     saved: tuple[str, ...] = ()
     energy_of: str = ""
@@ -215,8 +216,15 @@ class Problem:
                 "close_velocity": self.velocity,
                 "events": self.events,
                 "transition": self.transition,
+                "constraint_jacobian": self.held,
             }[name]
-            entries = ["source"] if name == "power" else [*self.coordinates, *self.speeds, *self.z]
+            rows = [row["name"] for row in self.multipliers]
+            positions = [row["name"] for row in self.multipliers if row["level"] == "position"]
+            entries = {
+                "power": ["source"],
+                "close_position": [*self.coordinates, *positions],
+                "close_velocity": [*self.speeds, *rows],
+            }.get(name, [*self.coordinates, *self.speeds, *self.z])
             before = self._before() if body == DIFFERENCES else ""
             self._made[name] = function(self.folder, name, body, entries, before)
         return self._made[name]
@@ -271,6 +279,7 @@ def pendulum(folder: Path, **changed: Any) -> Problem:
         "rhs": PENDULUM,
         "position": PENDULUM_POSITION,
         "velocity": PENDULUM_VELOCITY,
+        "held": "out[0] = q[0]; out[1] = q[1];",
         "multipliers": ROD,
         "nq": 2,
         "nu": 2,

@@ -162,6 +162,7 @@ def test_constraints_of_speeds_alone(tmp_path: Path) -> None:
             real a = u[1] * cos(t) - u[0] * sin(t);
             out[0] = u[0] + a * sin(t); out[1] = u[1] - a * cos(t); out[2] = a;
         """,
+        held="out[0] = -sin(t); out[1] = cos(t);",
         multipliers=({"name": "blade.side", "unit": "N", "joint": "blade", "level": "velocity"},),
     )
     motion = problem.run(20.0, [0, 0, 1, 0], rtol=1e-6)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..runtime.closing import Closing, size_of, unit
+from ..runtime.closing import Closing, columns_of, size_of, unit
 from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
@@ -48,8 +48,7 @@ class Mechanism:
             r = model._vector("r", r)
         self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
         self.size = size_of(model)
-        units = [row.get("unit", "") for row in model.manifest["speeds"]]
-        self.columns = np.array([self.size if name == "m/s" else 1.0 for name in units])
+        self.columns = columns_of(model, self.size)
 
     # constraints
 

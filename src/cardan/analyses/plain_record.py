@@ -23,7 +23,7 @@ class Progress:
     open_row: int = -1
     correction: float = 0.0
     projections: int = 0
-    loosened: int = 0
+    passed: int = 0
     looked: int = 0
     limited: int = 0
     jacobians: int = 0

@@ -29,19 +29,22 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "inputs signals quaternions"),
     (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
+    (POINTER, "constraint_jacobian constraint_jacobian_w columns"),
     (COUNT, "positions rates"),
     (REAL, "size"),
     (POINTER, "events events_w transition transition_w watch kinds ticks"),
     (COUNT, "ne watched tick_count"),
-    (POINTER, "y y_old trial k f r s spread at_rest work closing chart own e board ledger"),
+    (POINTER, "y y_old trial k f r s spread at_rest work closing chart holding passing own"),
+    (POINTER, "e board ledger"),
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment until"),
     (COUNT, "in_segment"),
-    (REAL, "rtol atol max_step h correction left_open carried magnified magnified_here"),
-    (REAL, "first_h best_h best_error allowed"),
-    (COUNT, "fresh is_dense rejected near_singular rounded"),
+    (REAL, "rtol atol max_step h correction"),
+    (COUNT, "fresh is_dense rejected on_grid"),
+    (REAL, "hold best_hold pass_start pass_length"),
+    (COUNT, "held ranks pass_points pass_part pass_parts"),
     (POINTER, "rows lam"),
     (COUNT, "nlam"),
     (POINTER, "spreads times"),
@@ -49,7 +52,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "log"),
     (COUNT, "log_capacity log_count happened at_once occurred"),
     (COUNT, "steps rejections evaluations budget culprit model_status"),
-    (COUNT, "open_row projections loosened"),
+    (COUNT, "open_row projections passed"),
     (COUNT, "looked limited jacobians factorizations"),
     (COUNT, "stop"),
 )
@@ -102,9 +105,9 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
-    for name in ("cardan_closing_length", "cardan_chart_length", "cardan_board_length"):
-        getattr(library, name).argtypes = [record]
-        getattr(library, name).restype = COUNT
+    for name in ("closing", "hold", "passing", "chart", "board"):
+        function = getattr(library, f"cardan_{name}_length")
+        function.argtypes, function.restype = [record], COUNT
     return library
 
 

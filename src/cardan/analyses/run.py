@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
-from ..runtime.closing import Closing
+from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
 from . import record as abi
@@ -95,6 +95,12 @@ class Runner:
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+        run.on_grid = not self.settings.method.adaptive
+        names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
+        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
+            setattr(run, name, function.address)
+            setattr(run, f"{name}_w", self._pointer(function.w))
+        run.columns = self._pointer(columns_of(model, run.size))
 
     def loosen(self, slack: float) -> None:
         """Let residuals up to a slack, without units, count as none."""
@@ -118,6 +124,8 @@ class Runner:
             "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
             "closing": self.library.cardan_closing_length(self.record),
             "chart": self.library.cardan_chart_length(self.record),
+            "holding": self.library.cardan_hold_length(self.record),
+            "passing": self.library.cardan_passing_length(self.record),
             "own": abi.length(self.library, method.kernel, self.record),
             "e": len(self.may.rows),
             "board": self.library.cardan_board_length(self.record),
@@ -145,10 +153,6 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
-        names = (*self.closing.functions, *settings.method.needs, *self.may.functions)
-        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
-            setattr(run, name, function.address)
-            setattr(run, f"{name}_w", self._pointer(function.w))
         options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
         run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol

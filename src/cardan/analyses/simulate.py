@@ -220,7 +220,7 @@ def _run(
         "jacobians": run.jacobians,
         "factorizations": run.factorizations,
         "projections": run.projections,
-        "loosened": run.loosened,
+        "passed": run.passed,
         "events": run.occurred,
         "milliseconds": milliseconds,
     }

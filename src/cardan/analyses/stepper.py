@@ -12,8 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
+from ..runtime.events import Event, Happened
+from . import record as abi
 from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
+from .happenings import happenings
 from .outcome import explain
 from .plain import PlainRunner
 from .run import Runner, Saved
@@ -39,6 +42,8 @@ class Stepper:
         self._runner, self._model = runner, runner.model
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         answer = runner.start(t, begin, [t + 1.0])
+        self._log = runner.drained()
+        self._over = ""
         if answer < 0:
             raise SolveError(explain(runner, answer, Span(t, t + 1.0))[1])
 
@@ -49,8 +54,18 @@ class Stepper:
 
     @property
     def state(self) -> Array:
-        """State [q, u] (nx,), a copy."""
+        """State [q, u, z] (nx,), a copy."""
         return self._runner.views["y"][: self._model.nx].copy()
+
+    @property
+    def modes(self) -> dict[str, float]:
+        """Discrete states of elements, by name."""
+        return dict(zip(self._model.modes, self._runner.views["s"].tolist(), strict=True))
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """What happened in the last step."""
+        return Happened(rows=self._runner.may.rows, log=self._log).events(self._model.nx)
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -73,23 +88,31 @@ class Stepper:
 
         Args:
             dt: Time to pass [s]; an adaptive method takes as many steps as it needs. Every step
-                goes in the same direction, backward for negative numbers.
+                goes in the same direction, backward for negative numbers. Events change what
+                they change on the way; one that ends the run ends the step, see :attr:`t`.
             inputs: New values of inputs; they hold until they are changed again.
 
         Returns:
-            State [q, u] (nx,), a copy.
+            State [q, u, z] (nx,), a copy.
 
         Raises:
-            ModelError: an unknown input, or no time.
-            SolveError: the motion broke down; the stepper is where it still was good.
+            ModelError: an unknown input, no time, or backward over events that change something.
+            SolveError: the motion broke down; the stepper is where it still was good. Or an event
+                has ended it.
         """
         if not (math.isfinite(dt) and dt != 0):
             raise ModelError(f"dt={dt:g}: a step takes some time [s]")
+        if self._over:
+            raise SolveError(f"{self._over}; restore an earlier state, or start anew")
         self._set(inputs or {})
-        end = self.t + dt
+        start, end = self.t, self.t + dt
+        self._runner.may.forward(start, end)
         answer = self._runner.advance(end)
+        self._log = self._runner.happened
         run = self._runner.record
-        if run.t != end:
+        if answer == abi.EVENT:
+            self._over = explain(self._runner, answer, Span(start, end))[1]
+        elif answer != abi.DONE or run.t != end:
             raise SolveError(explain(self._runner, answer, Span(run.t_start, end))[1])
         return self.state
 
@@ -112,6 +135,7 @@ class Stepper:
             ModelError: it belongs to another one.
         """
         self._runner.restore(saved)
+        self._log, self._over = self._log[:0], ""
 
 
 def stepper(
@@ -121,6 +145,8 @@ def stepper(
     x0: ArrayLike | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
+    z: Values | ArrayLike | None = None,
+    events: Mapping[str, Any] | None = None,
     method: str | GeneralizedAlpha = "auto",
     rtol: float = 1e-6,
     atol: float = 1e-9,
@@ -133,7 +159,7 @@ def stepper(
     Args:
         model: The compiled model.
         t: Time at the start [s].
-        x0, q, u, method, rtol, atol, max_step: As for ``simulate``.
+        x0, q, u, z, events, method, rtol, atol, max_step: As for ``simulate``.
         step: Step of RK4; first step of DOP853 [s].
         inputs: Constants by name; later values go to :meth:`Stepper.step`.
 
@@ -149,9 +175,9 @@ def stepper(
                 f"inputs: '{name}': a stepper takes numbers; new ones go to step(dt, inputs=...)"
             )
     given = signals(model.manifest["inputs"], inputs, None, (t, t))
-    begin = start(model, x0, q, u)
+    begin = start(model, x0, q, u, z)
     begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
-    runner = runner_of(model, how, given)
+    runner = runner_of(model, how, given, happenings(model, events))
     runner.loosen(begin.slack)
     runner.want(None, dense=False)
     return Stepper(runner, begin.x, t)
@@ -162,7 +188,7 @@ def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array
 
     Args:
         model: The compiled model.
-        x: States [q, u] (..., nx).
+        x: States [q, u, z] (..., nx).
         dt: Time to pass [s], negative to go back; one compiled run per state.
         options: As :func:`stepper` takes them, such as ``t``, ``rtol``, ``method`` and ``inputs``.
 

@@ -119,6 +119,7 @@ def _compiler() -> Finding:
 def _batches() -> Finding:
     """What many states at once get."""
     try:
+        cache.compiler()
         text = f"{lanes.width()} states side by side (CARDAN_LANES), "
         text += f"{batch.threads()} threads (CARDAN_THREADS)"
     except CompilerMissing:

@@ -13,6 +13,7 @@ RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "events.c", "search.c", "dips.c"),
+    *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),
@@ -33,7 +34,7 @@ NEEDS = {
     "alpha": ("balance", "balance_tangent", "move", "qdot"),
 }
 # what a run of a closed system calls beside rhs
-CLOSING = ("close_position", "close_velocity")
+CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:

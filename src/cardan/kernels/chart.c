@@ -172,16 +172,25 @@ const real *cardan_against(cardan_run *run, const real *y)
     return full(run);
 }
 
+/* rise (n): coordinates of a state y (n) less those of the start of the last step. */
+void cardan_rise(const cardan_run *run, const real *y, real *rise)
+{
+    for (ptrdiff_t i = 0; i < run->n; i++)
+        rise[i] = y[i] - run->y_old[i];
+    for (ptrdiff_t i = 0; i < (run->charted ? run->quaternion_count : 0); i++) {
+        const ptrdiff_t at = run->quaternions[i];
+        increment_of(run->y_old + at, y + at, rise + at);
+    }
+}
+
 /* Coordinates of the present state less those of the start, and the derivative there. */
 void cardan_arrive(cardan_run *run, real *rise, real *last)
 {
-    for (ptrdiff_t i = 0; i < run->n; i++) {
-        rise[i] = run->y[i] - run->y_old[i];
+    cardan_rise(run, run->y, rise);
+    for (ptrdiff_t i = 0; i < run->n; i++)
         last[i] = run->f[i];
-    }
     for (ptrdiff_t i = 0; i < (run->charted ? run->quaternion_count : 0); i++) {
         const ptrdiff_t at = run->quaternions[i];
-        increment_of(run->y_old + at, run->y + at, rise + at);
         pull(run->y + at, rise + at, last + at);
     }
 }

@@ -13,7 +13,6 @@
 
 /* residuals relative to the size of the mechanism: what is sought, and what still counts as closed */
 static const real SOUGHT = 1e-15, CLOSED = 1e-11;
-static const real ROUNDING = 2e-15; /* of residuals that are sought */
 enum { MOST_STEPS = 8 };
 
 /* q or u with the function that closes it */
@@ -71,37 +70,11 @@ static void copy(real *to, const real *from, ptrdiff_t size)
         to[i] = from[i];
 }
 
-/* The largest entry by which a closed block differs. */
-static real largest_change(const level *at, const real *closed)
-{
-    real largest = 0;
-
-    for (ptrdiff_t i = 0; i < at->size; i++)
-        largest = fmax(largest, fabs(closed[i] - at->block[i]));
-    return largest;
-}
-
-/* What rounding of residuals becomes beside a singular position, in units of the tolerance.
- *
- * In the speeds of a state y (n) for h = 0, else in their change over a time h.
- */
-real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h)
-{
-    real speed = 0;
-
-    for (ptrdiff_t i = run->nq; i < run->nq + run->nu; i++)
-        speed = fmax(speed, fabs(y[i]));
-    return ROUNDING * magnified * magnified * speed * (h == 0 ? 1 : magnified * speed * fabs(h))
-           / (run->atol + run->rtol * speed);
-}
-
 /* Newton steps of one level until its residuals vanish or no longer fall.
  *
- * `first` becomes the largest residual before, relative to the scale. Returns 0, CARDAN_OPEN where
- * they are not small by then, or CARDAN_MODEL.
+ * Returns 0, CARDAN_OPEN where they are not small by then, or CARDAN_MODEL.
  */
-static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int noted,
-                  real *first)
+static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int noted)
 {
     real *closed = run->closing, *residuals = closed + at->size;
     real last = INFINITY;
@@ -115,13 +88,8 @@ static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int 
             return CARDAN_MODEL;
         row = worst_of(residuals, at->rows);
         worst = fabs(residuals[row]) / at->scale;
-        if (k == 0) {
-            *first = worst;
-            if (at->first == 0 && run->positions > 0)
-                run->magnified = worst > 0 ? largest_change(at, closed) / worst : 0;
-            if (noted)
-                note(run, at, *in->t, residuals, 0);
-        }
+        if (k == 0 && noted)
+            note(run, at, *in->t, residuals, 0);
         if (run->open_row < 0)
             run->open_row = at->first + row;
         /* solved, rounding only, or not converging */
@@ -144,35 +112,18 @@ static int newton(cardan_run *run, cardan_in *in, const level *at, real *y, int 
     return CARDAN_OPEN;
 }
 
-/* Project one level of y, unless that would disturb what is closed already.
- *
- * Beside a singular position a residual of rounding size stands for a large step in a direction
- * that constraints hardly hold: a step into another branch. Where such a step would exceed the
- * tolerance and residuals are small without it, the block stays what it was.
- * Adds the square of what changed, in units of the tolerance, to `sum`.
- */
+/* Project one level of y; adds the square of what changes, in units of the tolerance, to `sum`. */
 static int close_level(cardan_run *run, cardan_in *in, const level *at, real *y, int noted,
                        real *sum)
 {
     const ptrdiff_t start = at->block - y;
     const real *given = run->closing + cardan_closing_length(run) - run->n - run->nx + start;
-    real first = INFINITY, change = 0;
-    int status = newton(run, in, at, y, noted, &first);
+    int status = newton(run, in, at, y, noted);
 
     for (ptrdiff_t i = 0; i < at->size; i++) {
         real step = (at->block[i] - given[i]) / cardan_scale(run, y, start + i);
-        change += step * step;
+        *sum += step * step;
     }
-    if ((status == CARDAN_OPEN || change > (real)run->nx) && first <= CLOSED) {
-        copy(at->block, given, at->size);
-        run->projections++;
-        status = cardan_call_model(run, at->call, in, run->closing);
-        if (status == 0 && noted)
-            note(run, at, *in->t, run->closing + at->size, 2);
-        run->left_open = fmax(run->left_open, sqrt(change / (real)run->nx));
-        return status;
-    }
-    *sum += change;
     return status;
 }
 
@@ -189,7 +140,7 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     cardan_in in;
     int status = 0;
 
-    run->correction = run->left_open = 0;
+    run->correction = 0;
     run->open_row = -1;
     if (run->positions + run->rates == 0)
         return 0;

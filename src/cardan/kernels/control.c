@@ -9,29 +9,22 @@
 #include <math.h>
 
 static const real SAFETY = 0.9, SHRINK = 1.0 / 3, GROW = 6;
-/* of systems with constraints: how many rejected trials in a row shrink by little */
-static const ptrdiff_t PATIENCE = 10;
-/* trials after which a step is given up */
-static const ptrdiff_t MOST_TRIALS = 2000;
-static const real LITTLE = 0.8;
-/* of residuals: beside a singular position */
-static const real SINGULAR = 5;
-/* errors of such steps that are accepted, relative to the state: at once, and if none is better */
-static const real NOISE = 1e-9, LOOSEST = 1e-5;
-
-/* Beside a singular position the error of a step is an accident of where its stages fall: rounding
- * is magnified by the inverse cube of the distance. Steps that shrink towards it only come nearer,
- * a step over it is regular; so trials differ by little, steps grow at once, and where rounding may
- * be all there is the best of several trials is taken. */
-static int is_closed(const cardan_run *run)
-{
-    return run->positions + run->rates > 0;
-}
-
 /* Size against which an error of entry i counts. */
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
 {
     return run->atol + run->rtol * fmax(fabs(run->y[i]), fabs(y[i]));
+}
+
+/* The smallest tolerance of a speed, relative to the fastest. */
+real cardan_finest(const cardan_run *run)
+{
+    real smallest = INFINITY, fastest = 0;
+
+    for (ptrdiff_t i = run->nq; i < run->nq + run->nu; i++) {
+        smallest = fmin(smallest, cardan_scale(run, run->y, i));
+        fastest = fmax(fastest, fabs(run->y[i]));
+    }
+    return fastest > 0 ? smallest / fastest : 1;
 }
 
 static real end_of(const cardan_run *run)
@@ -116,44 +109,15 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
 /* Next step after one of size h was good enough; a step cut at a stop does not shrink it. */
 void cardan_accept_step(cardan_run *run, real h, real error, int order)
 {
-    real factor = error > 0 ? SAFETY * pow(error, -1.0 / order) : GROW;
+    real factor = error > 0 ? SAFETY * pow(fmin(error, 1), -1.0 / order) : GROW;
     real next;
 
-    factor = fmin(run->rejected && !is_closed(run) ? 1 : GROW, fmax(SHRINK, factor));
+    factor = fmin(run->rejected ? 1 : GROW, fmax(SHRINK, factor));
     next = fabs(h) * factor;
     if (fabs(h) < 0.99 * fabs(run->h) && factor >= 1)
         next = fmax(next, fabs(run->h));
-    if (error > 1) {
-        run->loosened++;
-        next = fabs(run->first_h);
-    }
     run->h = copysign(fmin(next, run->max_step), h);
-    run->rejected = run->near_singular = run->rounded = 0;
-    run->allowed = 1;
-}
-
-/* Whether this trial of a step is the best yet, and whether rounding may be what disturbs it. */
-static void remember(cardan_run *run, real h, real error, int status)
-{
-    if (run->rejected == 0) {
-        run->best_error = INFINITY;
-        run->first_h = run->best_h = h;
-    }
-    if (status == CARDAN_OPEN)
-        error = fmax(error, run->correction);
-    /* error per time: many small steps are no better than a long one */
-    if ((status == 0 || status == CARDAN_OPEN)
-        && error * fabs(run->best_h) < run->best_error * fabs(h)) {
-        run->best_error = error;
-        run->best_h = h;
-    }
-    /* a trial that was not projected: only for the magnification */
-    if (status == 0 && cardan_close(run, run->t + h, run->trial, 0) == CARDAN_MODEL)
-        return;
-    if (fmax(run->magnified, run->magnified_here) > SINGULAR)
-        run->near_singular = 1;
-    if (cardan_rounding(run, run->trial, fmax(run->magnified, run->magnified_here), h) > 0.01)
-        run->rounded = 1;
+    run->rejected = 0;
 }
 
 /* Next trial after a step of size h was not good enough or failed with a status.
@@ -163,28 +127,13 @@ static void remember(cardan_run *run, real h, real error, int status)
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status)
 {
     real factor = status == 0 ? SAFETY * pow(error, -1.0 / order) : 0.25;
-    const real tolerance = fmax(run->rtol, run->atol);
-    real least_factor = is_closed(run) && run->rejected < PATIENCE ? LITTLE : 0.2;
 
     if (status == CARDAN_INPUT)
         return status;
     run->rejections++;
-    if (is_closed(run))
-        remember(run, h, error, status);
-    /* the best one again, if it is good enough to be taken */
-    if ((run->rejected + 1) % PATIENCE == 0 && run->rounded
-        && run->best_error <= LOOSEST / tolerance) {
-        run->rejected++;
-        run->allowed = LOOSEST / tolerance;
-        run->h = run->best_h;
-        return 0;
-    }
-    run->allowed = run->rounded ? fmax(1, NOISE / tolerance) : 1;
     run->rejected++;
-    run->h = h * fmin(0.9, fmax(least_factor, factor));
-    /* every now and then the best trial is taken up again: that must come to an end */
-    if (fabs(run->h) >= least(run) && run->rejected < MOST_TRIALS)
+    run->h = h * fmin(0.9, fmax(0.2, factor));
+    if (fabs(run->h) >= least(run))
         return 0;
-    run->allowed = 1;
     return status == 0 ? CARDAN_TOO_SMALL : status;
 }

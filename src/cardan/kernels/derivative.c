@@ -5,8 +5,10 @@
 #include "run.h"
 #include <math.h>
 
-/* Fill r at t: signals by pieces, then functions of the user. Constants stay as they are. */
-static int inputs_at(cardan_run *run, real t, const real *x, int asked)
+static const real ROUNDING = 1e-14; /* of speeds on the constraints, times the square of the hold */
+
+/* Fill in the part of r that is given by pieces. */
+void cardan_signals_at(cardan_run *run, real t)
 {
     for (ptrdiff_t i = 0; i < run->signal_count; i++) {
         const cardan_signal *s = run->signals + i;
@@ -14,6 +16,12 @@ static int inputs_at(cardan_run *run, real t, const real *x, int asked)
         real d = t - s->breaks[s->where];
         run->r[s->input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0];
     }
+}
+
+/* Fill r at t: signals by pieces, then functions of the user. Constants stay as they are. */
+static int inputs_at(cardan_run *run, real t, const real *x, int asked)
+{
+    cardan_signals_at(run, t);
     if (run->inputs && asked && run->inputs(t, x, run->r) != 0)
         return CARDAN_INPUT;
     return 0;
@@ -25,21 +33,8 @@ int cardan_inputs_at(cardan_run *run, real t, const real *x)
     return inputs_at(run, t, x, !run->sampled);
 }
 
-/* y (n) projected onto the constraints, or as it is where that does not work. */
-static const real *on_constraints(cardan_run *run, real t, const real *y)
-{
-    real *copy = run->closing + cardan_closing_length(run) - run->n;
-
-    for (ptrdiff_t i = 0; i < run->n; i++)
-        copy[i] = y[i];
-    cardan_normalize(run, copy);
-    return cardan_close(run, t, copy, 0) == 0 ? copy : y;
-}
-
 /* dx/dt (nx) and the powers of the sources at t, y; either may be NULL.
  *
- * Beside a singular position it is taken at the nearest state on the constraints: off them
- * accelerations grow with the inverse of the distance, on them nothing happens.
  * Returns 0, CARDAN_MODEL or CARDAN_INPUT.
  */
 int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *power)
@@ -49,8 +44,6 @@ int cardan_evaluate(cardan_run *run, real t, const real *y, real *xdot, real *po
 
     if (status != 0)
         return status;
-    if (run->near_singular)
-        y = on_constraints(run, t, y);
     in = cardan_at(run, &t, y);
     if (xdot) {
         run->evaluations++;
@@ -84,7 +77,7 @@ void cardan_restart(cardan_run *run)
 {
     run->segment = run->t;
     run->in_segment = 0;
-    run->fresh = 0;
+    run->fresh = run->pass_parts = 0;
     run->until = run->stops[run->next_stop];
     for (ptrdiff_t i = 0; i < run->tick_count; i++)
         if (run->ticks[i].next < run->until)
@@ -131,8 +124,29 @@ ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n)
     return -1;
 }
 
-/* weight of one derivative in the next step */
-static const real SHARE = 0.05;
+/* Make `trial` with the derivative in `y_old` the present state. */
+void cardan_keep(cardan_run *run, real t)
+{
+    for (ptrdiff_t i = 0; i < run->n; i++) {
+        run->f[i] = run->y_old[i];
+        run->y_old[i] = run->y[i];
+        run->y[i] = run->trial[i];
+    }
+    run->t_old = run->t;
+    run->t = t;
+    run->fresh = 1;
+    run->is_dense = 0;
+    run->steps++;
+    run->in_segment++;
+}
+
+/* How much a projection may change, in tolerances: 1, or what rounding makes of it in speeds. */
+static real bearable(const cardan_run *run)
+{
+    const real magnified = ROUNDING / (run->hold * run->hold);
+
+    return run->hold > 0 ? fmax(1, magnified / cardan_finest(run)) : 1;
+}
 
 /* The step to t, y succeeded: make it the present state and evaluate its derivative.
  *
@@ -169,14 +183,7 @@ int cardan_commit_known(cardan_run *run, real t, const real *y, int known)
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
     status = cardan_close(run, t, next, 1);
-    /* what was left open at the last state is made good now, and no jump */
-    if (run->correction <= 10 * run->carried)
-        run->correction = 0;
-    /* a state that rounding disturbs, or its derivative, is no place to go on from */
-    run->correction = fmax(run->correction, cardan_rounding(run, next, run->magnified, 0));
-    run->correction = fmax(run->correction,
-                           SHARE * cardan_rounding(run, next, run->magnified, t - run->t));
-    if (status == 0 && run->correction > run->allowed)
+    if (status == 0 && run->correction > bearable(run))
         status = CARDAN_OPEN;
     if (status != 0)
         return status;
@@ -188,18 +195,6 @@ int cardan_commit_known(cardan_run *run, real t, const real *y, int known)
     }
     if (status != 0)
         return status;
-    for (ptrdiff_t i = 0; i < run->n; i++) {
-        run->f[i] = run->y_old[i];
-        run->y_old[i] = run->y[i];
-        run->y[i] = next[i];
-    }
-    run->magnified_here = run->magnified;
-    run->carried = run->left_open;
-    run->t_old = run->t;
-    run->t = t;
-    run->fresh = 1;
-    run->is_dense = 0;
-    run->steps++;
-    run->in_segment++;
+    cardan_keep(run, t);
     return 0;
 }

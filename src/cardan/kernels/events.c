@@ -237,6 +237,9 @@ static int change(cardan_run *run, const cardan_board *at)
         run->s[i] = at->out[run->nu + run->nz + i];
     status = cardan_close(run, run->t, run->y, 1);
     cardan_restart(run);
+    /* other modes hold other velocities */
+    if (status == 0 && run->constraint_jacobian.function)
+        cardan_first_hold(run);
     run->row_open = 2;
     return status;
 }

@@ -60,13 +60,13 @@ int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
         failed = method->stages(run, h);
         if (failed == 0) {
             error = method->error(run, h, cardan_against(run, run->trial));
-            if (error <= run->allowed) {
+            if (error <= 1) {
                 cardan_leave(run, run->trial);
                 failed = cardan_commit_known(run, t_new, run->trial, method->ends);
             }
             failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
         }
-        if (failed == 0 && error <= run->allowed) {
+        if (failed == 0 && error <= 1) {
             if (run->steps % LOOKS == 0 && !run->charted)
                 look(run, method, h);
             cardan_accept_step(run, h, fmax(error, run->correction), method->order);

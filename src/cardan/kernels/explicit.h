@@ -42,6 +42,7 @@ void cardan_hermite(cardan_run *run, const real *first, real *last);
 const real *cardan_enter(cardan_run *run, const real *y, const real *f, real *first);
 int cardan_slope(cardan_run *run, real t, const real *y, real *f);
 void cardan_leave(cardan_run *run, real *y);
+void cardan_rise(const cardan_run *run, const real *y, real *rise);
 const real *cardan_against(cardan_run *run, const real *y);
 void cardan_arrive(cardan_run *run, real *rise, real *last);
 

@@ -21,7 +21,8 @@
  *
  *     run.close_position.function = close_position, run.close_position.w = w_of_it;
  *     run.close_velocity.function = close_velocity, run.close_velocity.w = w_of_it;
- *     run.positions = ..., run.rates = ...;
+ *     run.constraint_jacobian.function = constraint_jacobian;
+ *     run.constraint_jacobian.w = w_of_it, run.positions = ..., run.rates = ...;
  *     run.size = 1.0;
  *
  * With events `kinds` says what each is, and where one changes something
@@ -38,7 +39,9 @@ size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
 {
     size_t n = (size_t)run->n, rows = (size_t)(run->stages + run->dense_rows);
 
-    size_t closing = (size_t)cardan_closing_length(run), own = (size_t)run->length(run);
+    size_t closing = (size_t)(cardan_closing_length(run) + cardan_hold_length(run)
+                              + cardan_passing_length(run));
+    size_t own = (size_t)run->length(run);
     size_t ledger = 4 * (size_t)(run->positions + run->rates);
     size_t chart = (size_t)cardan_chart_length(run);
     size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
@@ -76,6 +79,8 @@ void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
     run->work = take(&next, (ptrdiff_t)work);
     run->closing = take(&next, cardan_closing_length(run));
     run->chart = take(&next, cardan_chart_length(run));
+    run->holding = take(&next, cardan_hold_length(run));
+    run->passing = take(&next, cardan_passing_length(run));
     run->own = take(&next, run->length(run));
     run->e = take(&next, run->ne + run->watched);
     run->board = take(&next, cardan_board_length(run));

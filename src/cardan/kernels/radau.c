@@ -294,7 +294,7 @@ static int attempt(cardan_run *run, const parts *own, real h, real *error, int *
     for (ptrdiff_t i = 0; i < run->nx; i++)
         run->trial[i] = run->y[i] + run->k[2 * run->n + i];
     status = error_of(run, own, h, error);
-    if (status == 0 && *error <= run->allowed)
+    if (status == 0 && *error <= 1)
         status = energies(run, own, h);
     return status == 0 && !(*error - *error == 0) ? CARDAN_NOT_FINITE : status;
 }
@@ -357,9 +357,9 @@ int cardan_radau_step(cardan_run *run)
             continue;
         }
         wish = asking(own.now, h, error, count);
-        if (failed == 0 && error <= run->allowed)
+        if (failed == 0 && error <= 1)
             failed = cardan_commit(run, t_new, run->trial);
-        if (failed == 0 && error <= run->allowed) {
+        if (failed == 0 && error <= 1) {
             cardan_accept_step(run, h, fmax(error, fmin(fmax(wish, run->correction), 1)), ORDER);
             remember(run, &own, h, error, wish);
             return 0;

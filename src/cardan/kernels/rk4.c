@@ -8,6 +8,7 @@
 
 int cardan_rk4_init(cardan_run *run)
 {
+    run->on_grid = 1;
     return cardan_fixed_init(run);
 }
 

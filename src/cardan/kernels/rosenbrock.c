@@ -173,13 +173,13 @@ int cardan_rosenbrock_step(cardan_run *run)
         failed = stages(run, h);
         if (failed == 0) {
             error = error_of(run);
-            failed = error <= run->allowed ? energies(run, h) : 0;
+            failed = error <= 1 ? energies(run, h) : 0;
         }
         if (failed == 0) {
-            failed = error <= run->allowed ? cardan_commit(run, t_new, run->trial) : 0;
+            failed = error <= 1 ? cardan_commit(run, t_new, run->trial) : 0;
             failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
         }
-        if (failed == 0 && error <= run->allowed) {
+        if (failed == 0 && error <= 1) {
             cardan_accept_step(run, h, fmax(error, run->correction), ORDER);
             return 0;
         }

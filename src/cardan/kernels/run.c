@@ -48,12 +48,16 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     cardan_interpolate(run->dense_rows, run->n, (t - run->t_old) / h, run->y_old, run->spread, y);
     cardan_leave_inside(run, (t - run->t_old) / h, y);
     cardan_normalize(run, y);
-    /* where that does not close, the polynomial is as good as anything */
+    /* where branches meet, or that does not close, the polynomial is as good as anything */
+    if (run->pass_length != 0 && fabs(run->t - run->pass_start) <= fabs(run->pass_length)
+        && cardan_beside(run, t, y, 0))
+        return 0;
     status = cardan_close(run, t, y, 0);
     return status == CARDAN_OPEN ? 0 : status;
 }
 
-static ptrdiff_t width(const cardan_run *run)
+/* Numbers of a row: t, y, r, s, multipliers. */
+ptrdiff_t cardan_row_width(const cardan_run *run)
 {
     return 1 + run->n + run->nr + run->ns + run->nlam;
 }
@@ -61,7 +65,7 @@ static ptrdiff_t width(const cardan_run *run)
 /* Write a row for time t. */
 static int put(cardan_run *run, real t)
 {
-    real *row = run->rows + run->count * width(run);
+    real *row = run->rows + run->count * cardan_row_width(run);
     real theta = run->t == run->t_old ? 1 : (t - run->t_old) / (run->t - run->t_old);
     int status = cardan_run_at(run, t, row + 1);
 
@@ -140,8 +144,8 @@ static int sizes_fit(const cardan_run *run)
         return 0;
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
-           && fits(run->ne, 16) && fits(run->watched, 16) && fits(run->nlam, 4)
-           && fits(run->capacity, width(run))
+           && run->dense_rows <= CARDAN_MOST_ROWS && fits(run->ne, 16) && fits(run->watched, 16)
+           && fits(run->nlam, 4) && fits(run->capacity, cardan_row_width(run))
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
@@ -157,7 +161,6 @@ int cardan_run_start(cardan_run *run)
         return CARDAN_SIZE;
     run->t_start = run->t_old = run->t;
     run->open_row = -1;
-    run->allowed = 1;
     cardan_normalize(run, run->y);
     run->culprit = cardan_not_finite(run->y, run->n);
     if (run->culprit >= 0)
@@ -171,6 +174,8 @@ int cardan_run_start(cardan_run *run)
         run->culprit = cardan_not_finite(run->f, run->n);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
+    if (status == 0 && run->constraint_jacobian.function)
+        cardan_first_hold(run);
     if (status == 0)
         status = cardan_events_start(run);
     run->row_open = 1;
@@ -204,7 +209,7 @@ static int turn(cardan_run *run)
 /* One step, and what happened in it. */
 static int advance(cardan_run *run)
 {
-    int status = run->step(run);
+    int status = cardan_step(run);
 
     if (status != 0)
         return status;

@@ -9,7 +9,8 @@
  * control.
  *
  * Where circuits are closed by constraints, every state that is kept is projected onto them first:
- * positions, then velocities. The projection takes part in the error control.
+ * positions, then velocities. The projection takes part in the error control. Where branches of the
+ * motion meet, one step leads over the place whatever the method: see hold.c and passing.c.
  */
 #ifndef CARDAN_RUN_H
 #define CARDAN_RUN_H
@@ -63,6 +64,8 @@ typedef struct cardan_tick {
     ptrdiff_t count; /* k of the next one */
     real next;       /* when that is */
 } cardan_tick;
+/* dense output: no more rows than that */
+enum { CARDAN_MOST_ROWS = 16 };
 
 /* An input given by pieces: ((c3 d + c2) d + c1) d + c0 with d = t - breaks[where]. */
 typedef struct cardan_signal {
@@ -103,6 +106,8 @@ struct cardan_run {
     /* constraints: each function writes the closed block, then the residuals of the given one */
     cardan_call close_position; /* q (nq), residuals (positions) */
     cardan_call close_velocity; /* u (nu), residuals (rates) */
+    cardan_call constraint_jacobian; /* G (rates, nu) */
+    const real *columns;        /* (nu) what speeds count in, NULL if all count in 1 */
     ptrdiff_t positions, rates;
     real size; /* of the mechanism [m], against which residuals count */
 
@@ -128,6 +133,8 @@ struct cardan_run {
     real *work;     /* work of the functions of the model */
     real *closing;  /* cardan_closing_length(run) numbers, NULL without constraints */
     real *chart;    /* cardan_chart_length(run) numbers, NULL unless charted */
+    real *holding;  /* cardan_hold_length(run) numbers */
+    real *passing;  /* cardan_passing_length(run) numbers */
     real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
     real *e;        /* (ne + watched) 1: happens at t */
     real *board;    /* cardan_board_length(run) numbers: what is known of the events */
@@ -147,15 +154,14 @@ struct cardan_run {
     real rtol, atol, max_step;
     real h; /* next step, signed */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
-    real left_open;  /* what it would have changed where it was left out */
-    real carried;    /* the same of the present state */
-    real magnified;  /* how much larger a change of q is than the residual it makes, at most */
-    real magnified_here; /* the same of the present state */
-    real first_h, best_h, best_error; /* of the trials of the present step */
-    real allowed; /* error that the next trial may have, in units of the tolerance: 1 or more */
     ptrdiff_t fresh, is_dense, rejected;
-    ptrdiff_t near_singular; /* whether derivatives of the present step are taken on constraints */
-    ptrdiff_t rounded;       /* whether rounding may explain its errors */
+    ptrdiff_t on_grid; /* 1: every step is h long */
+
+    /* places where branches meet */
+    real hold, best_hold;     /* how well constraints hold at the present state, and at best */
+    real pass_start, pass_length; /* of the step that leads over one of them */
+    ptrdiff_t held, ranks;    /* constraints that hold; how often their number has changed */
+    ptrdiff_t pass_points, pass_part, pass_parts;
 
     /* rows that come out: t, y, r, s, lam */
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
@@ -181,7 +187,7 @@ struct cardan_run {
     ptrdiff_t model_status;
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
-    ptrdiff_t loosened;    /* steps past singular positions that rounding kept from the tolerance */
+    ptrdiff_t passed;      /* places where branches meet */
     ptrdiff_t looked, limited; /* steps that explicit methods looked at; those stability limited */
     ptrdiff_t jacobians, factorizations; /* of the implicit methods */
     volatile ptrdiff_t stop; /* set by anybody at any time */
@@ -217,6 +223,7 @@ int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
 int cardan_write_rows(cardan_run *run);
+ptrdiff_t cardan_row_width(const cardan_run *run);
 int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);
@@ -231,19 +238,29 @@ int cardan_derivative(cardan_run *run, real t, const real *y, real *f);
 int cardan_refresh(cardan_run *run);
 int cardan_segment(cardan_run *run);
 void cardan_restart(cardan_run *run);
+void cardan_signals_at(cardan_run *run, real t);
+void cardan_keep(cardan_run *run, real t);
 int cardan_commit(cardan_run *run, real t, const real *y);
 int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
-real cardan_rounding(const cardan_run *run, const real *y, real magnified, real h);
 ptrdiff_t cardan_chart_length(const cardan_run *run);
 void cardan_leave_inside(const cardan_run *run, real theta, real *y);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
+ptrdiff_t cardan_hold_length(const cardan_run *run);
+void cardan_first_hold(cardan_run *run);
+int cardan_branches_meet(cardan_run *run, real *tau);
+ptrdiff_t cardan_weakest(const cardan_run *run);
+real cardan_span(const cardan_run *run);
+ptrdiff_t cardan_passing_length(const cardan_run *run);
+int cardan_step(cardan_run *run);
+int cardan_beside(cardan_run *run, real t, const real *y, int kept);
+real cardan_finest(const cardan_run *run);
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 
 /* implicit.c: the Jacobian of a run, for the methods that need one */

@@ -17,7 +17,7 @@ from .ledger import Ledger
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-SOUGHT, CLOSED = 1e-14, 1e-11  # residuals relative to the size: what is sought, what is enough
+SOUGHT, CLOSED = 1e-15, 1e-11  # residuals relative to the size: what is sought, what is enough
 MOST_STEPS = 8
 
 
@@ -60,7 +60,8 @@ class Closing:
         """The functions of the model that project."""
         if not self.rows:
             return ()
-        return ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+        names = ("close_position", "close_velocity", "constraint_jacobian")
+        return names if self.positions else names[1:]
 
     def ledger(self, numbers: Array) -> Ledger | None:
         """The ledger of a run from its numbers (4 (positions + rates),)."""
@@ -80,6 +81,12 @@ def size_of(model: CompiledModel) -> float:
     places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
     lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
     return float(lengths.max(initial=0.0)) or 1.0
+
+
+def columns_of(model: CompiledModel, size: float) -> Array:
+    """What every speed counts in (nu,): sizes of the mechanism, or radians."""
+    units = [row.get("unit", "") for row in model.manifest["speeds"]]
+    return np.array([size if name == "m/s" else 1.0 for name in units])
 
 
 @dataclass(frozen=True)

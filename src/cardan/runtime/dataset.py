@@ -23,7 +23,7 @@ def to_xarray(motion: Trajectory) -> Any:
             "to_xarray needs xarray, which is not installed: pip install 'cardan[data]'"
         ) from error
     manifest = motion.manifest
-    names = {key: [row["name"] for row in manifest[key]] for key in KEYS}
+    names = {key: [row["name"] for row in manifest[key]] for key in (*KEYS, "z", "s")}
     data = xarray.Dataset(
         {
             "q": (("time", "coordinate"), motion.q),
@@ -40,6 +40,10 @@ def to_xarray(motion: Trajectory) -> Any:
         },
         attrs={"model": manifest["name"], "method": motion.conduct.method, "status": motion.status},
     )
+    for key, dimension, values in (("z", "internal_state", motion.z), ("s", "mode", motion.s)):
+        if names[key]:
+            data[key] = (("time", dimension), values)
+            data = data.assign_coords({dimension: names[key]})
     for key, dimension in KEYS.items():
         units = [row.get("unit", "") for row in manifest[key]]
         data = data.assign_coords({f"{dimension}_unit": (dimension, units)})

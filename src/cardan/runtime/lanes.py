@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import BuildError
+from ..errors import BuildError, CompilerMissing
 from . import cache, toolchain
 from .kernels import DIRECTORY
 from .slots import ORDER
@@ -33,12 +33,17 @@ Sizes = ctypes.c_size_t * len(ORDER)
 def width() -> int:
     """States side by side in a batch: ``$CARDAN_LANES``, else what the compiler has vectors for.
 
+    One where there is no compiler: what was compiled before goes on one by one.
+
     Raises:
-        CompilerMissing: there is no compiler. BuildError: CARDAN_LANES is no width.
+        BuildError: CARDAN_LANES is no width, or CC names a compiler that does not work.
     """
     text = os.environ.get("CARDAN_LANES", "").strip()
     if not text:
-        return _width(cache.compiler())
+        try:
+            return _width(cache.compiler())
+        except CompilerMissing:
+            return 1
     if text not in map(str, WIDTHS):
         raise BuildError(f"CARDAN_LANES={text!r} is no number of lanes: 1, 2, 4 or 8")
     return int(text)

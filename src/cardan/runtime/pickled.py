@@ -37,7 +37,9 @@ def digest(values: Mapping[str, Any]) -> str:
     """Hash of the numbers and names of a motion."""
     found = hashlib.sha256(json.dumps(values["manifest"], sort_keys=True).encode())
     found.update(repr((values["sources"], values["conduct"], values["ledger"])).encode())
-    arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"])]
+    known = values["happened"]
+    found.update(repr([sorted(row.items()) for row in known.rows]).encode())
+    arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"]), known.s, known.log]
     if values["dense"] is not None:
         arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
         found.update(repr(values["dense"].charted).encode())
@@ -72,11 +74,17 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
 def _check(values: Mapping[str, Any]) -> None:
     """Shapes that fit each other and the manifest."""
     manifest, count = values["manifest"], len(values["t"])
-    width = len(manifest["coordinates"]) + len(manifest["speeds"])
+    width = sum(len(manifest[key]) for key in ("coordinates", "speeds", "z"))
     given = len(values["sources"] or ())
     for name, size in (("x", width), ("r", len(manifest["inputs"])), ("given", given)):
         if np.shape(values[name]) != (count, size):
             raise _damaged(f"{name} has shape {np.shape(values[name])}, not ({count}, {size})")
+    known, modes = values["happened"], len(manifest["s"])
+    columns = 1 + len(known.rows) + 2 * (width + modes)
+    if (modes and np.shape(known.s) != (count, modes)) or (
+        len(known.log) and np.shape(known.log)[1] != columns
+    ):
+        raise _damaged("its events do not fit its states")
     dense = values["dense"]
     said = isinstance(values["conduct"], Conduct) and isinstance(values["ledger"], Ledger | None)
     if not said or not isinstance(dense, Dense | None):

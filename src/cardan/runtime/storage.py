@@ -1,9 +1,9 @@
 """Runs as netCDF files, through SciPy alone.
 
-Dimensions ``time``, ``coordinate``, ``speed``, ``input``, ``source``, ``step``, ``body``,
-``constraint``; names of
-the entries stand in the attribute ``names`` of every variable, units in ``units``. The manifest
-(names, units, joints, shapes; no functions) is the attribute ``manifest``, as JSON.
+Dimensions ``time``, ``coordinate``, ``speed``, ``internal_state``, ``mode``, ``input``, ``source``,
+``step``, ``event``, ``body``, ``constraint``; names of the entries stand in the attribute ``names``
+of every variable, units in ``units``. The manifest (names, units, joints, shapes; no functions) is
+the attribute ``manifest``, as JSON.
 """
 
 from __future__ import annotations
@@ -21,9 +21,11 @@ import numpy as np
 
 from .. import __version__
 from ..errors import CardanError, ModelError
+from . import balance
 from .calling import Array
 from .conduct import Conduct
 from .dense import Dense
+from .events import Happened
 from .ledger import Ledger
 from .trajectory import Trajectory
 
@@ -34,7 +36,7 @@ FORMAT = 1
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 ENDINGS = ("", ".nc", ".nc3", ".cdf")
-KEPT = ("kinetic", "potential", "constraints", "multipliers")
+KEPT = ("kinetic", "potential", "constraints", "multipliers", "losses")
 LEFT_OUT = ("functions", "sha256", "available")
 COLUMNS = "largest before projection, when, largest after it, when"
 
@@ -108,6 +110,16 @@ def _variables(motion: Trajectory) -> Variables:
         "u": (("time", "speed"), motion.u, listed("speeds")),
         "r": (("time", "input"), motion.r, listed("inputs")),
     }
+    if manifest["z"]:
+        found["z"] = (("time", "internal_state"), motion.z, listed("z"))
+    if manifest["s"]:
+        found["s"] = (("time", "mode"), motion.s, listed("s"))
+    if len(motion.happened.log):
+        about = {"columns": "when, 1 for every event that happened, x and s before, x and s behind"}
+        found["events"] = (("event", "event_column"), motion.happened.log, about)
+        losses = balance.losses(motion)
+        if len(losses):
+            found["losses"] = (("event",), losses, {"units": "J"})
     if motion.sources:
         names = {"names": _list(motion.sources), "units": "J"}
         found["work"] = (("time", "source"), motion.given, names)
@@ -155,6 +167,7 @@ def _attributes(file: Any, motion: Trajectory) -> None:
     file.conduct = json.dumps(asdict(motion.conduct)).encode("ascii")
     scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
     file.scene = json.dumps(scene).encode("ascii")
+    file.happenings = json.dumps(motion.happened.rows).encode("ascii")
     file.sources = json.dumps(motion.sources).encode("ascii")
 
 
@@ -180,7 +193,8 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
     """
     values, notes, poses = _read(path)
     manifest = json.loads(notes["manifest"])
-    manifest.setdefault("available", [])
+    for key in ("available", "z", "s"):
+        manifest.setdefault(key, [])
     if model is not None:
         _compare(path, manifest, model)
         manifest = model.manifest
@@ -191,21 +205,25 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
 
     q = block("q", len(manifest["coordinates"]))
     u = block("u", len(manifest["speeds"]))
+    z, s = block("z", len(manifest["z"])), block("s", len(manifest["s"]))
+    states = np.concatenate([q, u, z], axis=1)
     given = block("work", 0)
     sources = json.loads(notes["sources"])
     dense = None
     for charted, name in enumerate(DENSE):
         if name in values:
-            rows = np.concatenate([q, u, given], axis=1)
+            rows = np.concatenate([states, given], axis=1)
             quaternions = tuple(manifest["quaternions"])
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     conduct = json.loads(notes["conduct"])
     conduct["defaulted"] = tuple(conduct["defaulted"])
     stored = {k: values[k] for k in KEPT if k in values}
     ledger = Ledger.of(manifest["multipliers"], values["ledger"]) if "ledger" in values else None
+    happenings = tuple(json.loads(notes["happenings"]))
+    nothing = np.zeros((0, 1 + len(happenings) + 2 * (states.shape[1] + s.shape[1])))
     return Trajectory(
         t=t,
-        x=np.concatenate([q, u], axis=1),
+        x=states,
         r=block("r", len(manifest["inputs"])),
         given=given,
         sources=None if sources is None else tuple(sources),
@@ -216,6 +234,7 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
         stored=stored | poses,
         numbers={k: np.array(v) for k, v in json.loads(notes["scene"]).items()},
         ledger=ledger,
+        happened=Happened(s, happenings, values.get("events", nothing)),
     )
 
 
@@ -228,6 +247,7 @@ def _read(path: Path) -> tuple[dict[str, Array], dict[str, bytes], dict[str, Arr
             if getattr(file, "cardan_run", None) != FORMAT:
                 raise ModelError(f"{path} is no run of cardan, or of a newer one than this")
             notes = {k: getattr(file, k) for k in ("manifest", "conduct", "scene", "sources")}
+            notes["happenings"] = getattr(file, "happenings", b"[]")
             values, poses = {}, {}
             for name, variable in file.variables.items():
                 numbers = np.array(variable[:], dtype=np.float64)
@@ -247,7 +267,7 @@ def _read(path: Path) -> tuple[dict[str, Array], dict[str, bytes], dict[str, Arr
 
 
 def _compare(path: Path, manifest: dict[str, Any], model: CompiledModel) -> None:
-    for key in ("coordinates", "speeds", "inputs"):
+    for key in ("coordinates", "speeds", "inputs", "z", "s"):
         here = [row["name"] for row in manifest[key]]
         there = [row["name"] for row in model.manifest[key]]
         if here != there:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import CardanError
+from .events import Event, told
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory
@@ -25,20 +27,18 @@ def summary(motion: Trajectory) -> str:
         f"motion of '{motion.manifest['name']}', {span}: {motion.message}",
         f"  method    {conduct.method}, {conduct.settings}",
         f"  rows      {len(motion)} times, {motion.q.shape[1]} coordinates, "
-        f"{motion.u.shape[1]} speeds",
+        f"{motion.u.shape[1]} speeds{_own(motion)}",
         f"  steps     {count['steps']:.0f}, {count['rejections']:.0f} rejected, "
-        f"{count['evaluations']:.0f} evaluations in {count['milliseconds']:.3g} ms",
+        f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
+        f"{count['milliseconds']:.3g} ms",
     ]
     if conduct.reason:
         lines[2:2] = wrap(
             conduct.reason, 100, initial_indent="  note      ", subsequent_indent=" " * 12
         )
     given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
-    if count.get("loosened"):
-        lines.append(
-            f"            {count['loosened']:.0f} of them past singular positions, where rounding "
-            "hides the tolerance"
-        )
+    if count.get("passed"):
+        lines.append(f"            over {count['passed']:.0f} singular positions")
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
     inputs = {row["name"] for row in motion.manifest["inputs"]}
@@ -47,6 +47,7 @@ def summary(motion: Trajectory) -> str:
         lines += _values("start", "assembled", {n: v for n, v in rest.items() if n not in inputs})
         rest = {n: v for n, v in rest.items() if n in inputs}
     lines += _values("start", "by default", rest)
+    lines += _events(motion)
     lines += _energy(motion)
     lines += _constraints(motion)
     return "\n".join(lines)
@@ -72,6 +73,34 @@ def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
     return [*lines, line.rstrip()]
 
 
+def _factors(count: Mapping[str, float]) -> str:
+    """What implicit methods do besides evaluations."""
+    made = count.get("factorizations", 0)
+    return f", {made:.0f} factorizations" if made else ""
+
+
+def _own(motion: Trajectory) -> str:
+    """How many states elements keep, where they do."""
+    counts = ((motion.z.shape[1], "internal states"), (motion.s.shape[1], "modes"))
+    return "".join(f", {count} {what}" for count, what in counts if count)
+
+
+def _events(motion: Trajectory) -> list[str]:
+    """What happened how often and when first, a few lines at most."""
+    if not motion.happened.rows:
+        return []
+    groups: dict[str, list[Event]] = {}
+    for event in motion.events:
+        groups.setdefault(f"{event.name} ({event.kind})", []).append(event)
+    lines = [
+        f"{name}{f', {len(some)} times' if len(some) > 1 else ''}: {told(some)}"
+        for name, some in groups.items()
+    ]
+    rest = len(lines) - LISTED
+    shown = [*lines[:LISTED], *([f"and {rest} more"] if rest > 0 else [])] or ["none"]
+    return [f"  {'events' if not k else '':<9} {line}" for k, line in enumerate(shown)]
+
+
 def _energy(motion: Trajectory) -> list[str]:
     if not len(motion):
         return []
@@ -85,9 +114,10 @@ def _energy(motion: Trajectory) -> list[str]:
     moving = scale > AT_REST * whole
     relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if moving else " (at rest)"
     lines = [f"  drift     {worst:.1e} J of energy unaccounted for{relative}"]
-    if motion.sources:
+    if motion.work:
         work = {name: float(given[-1]) for name, given in motion.work.items()}
         lines += _values("work", "in J", work)
+        lines.append(f"  balance   {motion.balance}")
     return lines
 
 

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 
 from ..errors import ModelError, near
 from . import binding, followers
+from .balance import Balance, balance, impacts
+from .between import inputs_at, states_at
 from .calling import Array
-from .closing import project
 from .conduct import EVENT, FINISHED, Conduct
 from .dense import Dense
 from .events import Event, Happened
@@ -210,35 +211,8 @@ class Trajectory:
             ModelError: a time outside the run, or the run kept only its output times.
         """
         times = np.asarray(t, dtype=np.float64)
-        values = self._dense_at(np.atleast_1d(times))[:, : self.x.shape[1]]
+        values = states_at(self, np.atleast_1d(times))[:, : self.x.shape[1]]
         return values[0] if times.ndim == 0 else values
-
-    def _dense_at(self, times: Array) -> Array:
-        if self.dense is None:
-            raise ModelError(
-                "the run was asked for output times only and kept nothing between them. "
-                "Simulate with t as an end or (start, end)"
-            )
-        low, high = sorted((float(self.t[0]), float(self.t[-1])))
-        outside = times[~((times >= low) & (times <= high))]
-        if len(outside):
-            raise ModelError(f"t={outside[0]:g} s: the run covers {low:g} ... {high:g} s")
-        values = self.dense.at(times)
-        if self.ledger is not None and self.model is not None:
-            # a polynomial leaves the constraints between its ends
-            nx = self.x.shape[1]
-            r, modes = self._r_at(times), self.happened.modes(self.t, times)
-            x = project(self.model, times, values[:, :nx], r, modes, self.ledger)
-            values[:, :nx] = x
-        return values
-
-    def _r_at(self, times: Array) -> Array:
-        """Inputs (m, nr) at times (m,)."""
-        if self.inputs_at is not None:
-            return self.inputs_at(times)
-        order = np.argsort(self.t)
-        columns = [np.interp(times, self.t[order], column[order]) for column in self.r.T]
-        return np.stack(columns, axis=1) if columns else np.zeros((len(times), 0))
 
     def resample(self, times: ArrayLike) -> Trajectory:
         """The same motion at other times, from the dense output.
@@ -247,7 +221,7 @@ class Trajectory:
             ModelError: as :meth:`at`.
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        y, nx, r = self._dense_at(at), self.x.shape[1], self._r_at(at)
+        y, nx, r = states_at(self, at), self.x.shape[1], inputs_at(self, at)
         known = self.happened
         rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
         return replace(
@@ -266,12 +240,21 @@ class Trajectory:
 
     @property
     def work(self) -> dict[str, Array]:
-        """Energy that every force without a potential has given since the start (nt,) [J]."""
+        """Energy that every force without a potential has given since the start (nt,) [J].
+
+        With what impacts have taken, as ``<element>.impact``.
+        """
         if self.sources is None:
             raise ModelError(
                 "work needs the function 'power': compile(..., functions=[..., 'power'])"
             )
-        return {name: self.given[:, k] for k, name in enumerate(self.sources)}
+        given = {name: self.given[:, k] for k, name in enumerate(self.sources)}
+        return given | impacts(self)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """Where the energy of the run came from and went [J]."""
+        return balance(self)
 
     @cached_property
     def drift(self) -> Drift:
@@ -357,11 +340,11 @@ class Trajectory:
                 the energies by default.
 
         Raises:
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+            ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
         """
         from ..view.plot import plot
 
-        return plot(self, None if path is None else Path(path), names)
+        return plot(self, path, names)
 
     def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
         """Write one self-contained page that plays the motion in any browser. Returns its path.

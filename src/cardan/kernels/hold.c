@@ -1,0 +1,278 @@
+/* How well constraints hold a motion, and where branches of it meet.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Rows of G count in units of their largest length so far, columns in sizes of the mechanism and
+ * radians. Rows are orthogonalized one after the other, the longest that is left first; what is left
+ * of the last row that holds at all is the hold: about the sine of its angle to the others. Where
+ * branches meet it vanishes linearly, and what is left of its row turns round.
+ * How many rows hold is remembered: a row is taken in where TAKEN of it is left, and stays in
+ * however little that becomes, so that the rank does not flicker.
+ * Source: G. H. Golub, C. F. Van Loan, Matrix Computations, section 5.4 (pivoted orthogonalization).
+ */
+#include "run.h"
+#include <math.h>
+
+static const real TAKEN = 1e-3;
+static const real MEETING = 0.1; /* of the best hold: less than that is left where branches meet */
+static const real NEAR = 0.15;   /* of the best hold: looked further ahead */
+static const real BESIDE = 0.02; /* of the best hold: states that are kept are projected */
+static const real ROUNDING = 2e-16; /* of speeds, times the square of the hold */
+static const real LOST = 1e-4;   /* of the best hold: branches meet here */
+static const real AHEAD = 1.3;   /* steps that are looked ahead */
+static const real STRIDE = 0.25; /* radians or sizes between two looks */
+enum { HALVINGS = 10, MOST_LOOKS = 12 };
+
+/* Numbers that are kept: rows at two states, lengths, order, a state ahead. */
+ptrdiff_t cardan_hold_length(const cardan_run *run)
+{
+    return run->constraint_jacobian.function ? 2 * run->rates * (run->nu + 1) + run->n : 0;
+}
+
+static real *place(const cardan_run *run, int what)
+{
+    const ptrdiff_t rows = run->rates * run->nu;
+    const ptrdiff_t starts[] = {0, rows, 2 * rows, 2 * rows + run->rates, 2 * rows + 2 * run->rates};
+
+    return run->holding + starts[what];
+}
+enum { HERE, THERE, LENGTHS, ORDER, STATE };
+
+static real dot(const real *a, const real *b, ptrdiff_t n)
+{
+    real sum = 0;
+
+    for (ptrdiff_t i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* Row k in the order. */
+static real *row_of(const cardan_run *run, int what, ptrdiff_t k)
+{
+    return place(run, what) + (ptrdiff_t)place(run, ORDER)[k] * run->nu;
+}
+
+/* The state at t + tau: on with the present slope, bent as the last step was. */
+static const real *ahead(cardan_run *run, real tau)
+{
+    real *y = place(run, STATE), h = run->t - run->t_old;
+
+    for (ptrdiff_t i = 0; i < run->n; i++) {
+        real bend = h != 0 ? (run->f[i] - (run->y[i] - run->y_old[i]) / h) / h : 0;
+        y[i] = run->y[i] + tau * (run->f[i] + tau * bend);
+    }
+    cardan_normalize(run, y);
+    return y;
+}
+
+/* Rows of G at t, y, without units; their lengths count from states that are `taken`. */
+static int jacobian(cardan_run *run, real t, const real *y, real *rows, int taken)
+{
+    real *lengths = place(run, LENGTHS);
+    cardan_in in = cardan_at(run, &t, y);
+    int status;
+
+    cardan_signals_at(run, t);
+    status = cardan_call_model(run, &run->constraint_jacobian, &in, rows);
+    for (ptrdiff_t i = 0; i < run->rates && status == 0; i++) {
+        real *row = rows + i * run->nu;
+        for (ptrdiff_t j = 0; j < run->nu; j++)
+            row[j] *= run->columns ? run->columns[j] : 1;
+        if (taken)
+            lengths[i] = fmax(lengths[i], sqrt(dot(row, row, run->nu)));
+        for (ptrdiff_t j = 0; j < run->nu && lengths[i] > 0; j++)
+            row[j] /= lengths[i];
+    }
+    return status;
+}
+
+/* Put the longest of the rows from k on at place k of the order. */
+static void choose(const cardan_run *run, int what, ptrdiff_t k)
+{
+    real *order = place(run, ORDER), longest = -1, swapped = order[k];
+    ptrdiff_t best = k;
+
+    for (ptrdiff_t i = k; i < run->rates; i++) {
+        const real *row = row_of(run, what, i);
+        real length = dot(row, row, run->nu);
+        if (length > longest) {
+            longest = length;
+            best = i;
+        }
+    }
+    order[k] = order[best];
+    order[best] = swapped;
+}
+
+/* Take from every row what those before it in the order have; `anew`: the order is chosen too.
+ *
+ * Returns the hold. `taken`: rows that hold are taken in; off the constraints all of them may.
+ */
+static real orthogonalize(cardan_run *run, int what, int anew, int taken)
+{
+    real hold = 0;
+
+    for (ptrdiff_t k = 0; k < run->rates; k++) {
+        const real *row;
+        real length;
+
+        if (anew)
+            choose(run, what, k);
+        row = row_of(run, what, k);
+        length = dot(row, row, run->nu);
+        if (taken && k >= run->held && length > TAKEN * TAKEN) {
+            run->held = k + 1;
+            run->ranks++;
+        }
+        if (k >= run->held)
+            break;
+        hold = sqrt(length);
+        for (ptrdiff_t i = k + 1; i < run->rates && length > 0; i++) {
+            real *other = row_of(run, what, i), share = dot(row, other, run->nu) / length;
+            for (ptrdiff_t j = 0; j < run->nu; j++)
+                other[j] -= share * row[j];
+        }
+    }
+    return hold;
+}
+
+/* The hold at t + tau, with rows in the best order there: the reference for `turned`. */
+static real hold_at(cardan_run *run, real tau)
+{
+    const real *y = tau == 0 ? run->y : ahead(run, tau);
+
+    if (jacobian(run, run->t + tau, y, place(run, HERE), tau == 0) != 0)
+        return NAN;
+    return orthogonalize(run, HERE, 1, tau == 0);
+}
+
+/* Whether what is left of a row has turned round between the reference and t + tau. */
+static int turned(cardan_run *run, real tau)
+{
+    if (jacobian(run, run->t + tau, ahead(run, tau), place(run, THERE), 0) != 0)
+        return 0;
+    orthogonalize(run, THERE, 0, 0);
+    for (ptrdiff_t k = 0; k < run->held; k++)
+        if (dot(row_of(run, HERE, k), row_of(run, THERE, k), run->nu) < 0)
+            return 1;
+    return 0;
+}
+
+/* Whether branches meet so near to t, y that a projection would bring in more than it mends.
+ *
+ * Rounding is magnified in speeds by the inverse square of the hold. `kept`: the run goes on from
+ * the state, which has to be closed as long as that makes sense.
+ */
+int cardan_beside(cardan_run *run, real t, const real *y, int kept)
+{
+    const real rough = sqrt(ROUNDING / cardan_finest(run));
+    real hold;
+
+    if (jacobian(run, t, y, place(run, HERE), 0) != 0)
+        return 1;
+    hold = orthogonalize(run, HERE, 1, 0);
+    return !(hold > fmin(rough, kept ? BESIDE * run->best_hold : 1));
+}
+
+/* How fast the state moves now or at t + tau: radians or sizes per second. */
+static real pace(const cardan_run *run, real tau)
+{
+    real fastest = 0;
+
+    for (ptrdiff_t j = 0; j < run->nu; j++) {
+        real now = run->y[run->nq + j], then = now + tau * run->f[run->nq + j];
+        real unit = run->columns ? run->columns[j] : 1;
+        fastest = fmax(fastest, fmax(fabs(now), fabs(then)) / unit);
+    }
+    return fastest;
+}
+
+/* Where between t + from and t + to a row turns round; the reference is that of `from`. */
+static real bisect(cardan_run *run, real from, real to)
+{
+    for (int k = 0; k < HALVINGS; k++) {
+        real middle = 0.5 * (from + to);
+        if (turned(run, middle))
+            to = middle;
+        else
+            from = middle;
+    }
+    return 0.5 * (from + to);
+}
+
+/* The hold before the first step: rows that hold a little later count too. */
+void cardan_first_hold(cardan_run *run)
+{
+    real h = fmin(0.1 * STRIDE / fmax(pace(run, 0), 1e-300), fabs(run->until - run->t));
+    real *y = place(run, STATE);
+
+    for (ptrdiff_t k = 0; k < run->rates; k++)
+        place(run, ORDER)[k] = (real)k;
+    run->held = 0;
+    run->hold = hold_at(run, 0);
+    h = copysign(h, run->until - run->t);
+    (void)ahead(run, h);
+    if (cardan_close(run, run->t + h, y, 0) == 0 && jacobian(run, run->t + h, y, place(run, HERE), 1) == 0)
+        run->best_hold = orthogonalize(run, HERE, 1, 1);
+    run->hold = hold_at(run, 0);
+    run->best_hold = fmax(run->best_hold, run->hold);
+    run->ranks = 0;
+}
+
+/* Look for a place where branches meet, about as far ahead as a step or two lead.
+ *
+ * Returns 1 with `tau`, the time until then, or 0.
+ */
+int cardan_branches_meet(cardan_run *run, real *tau)
+{
+    const real left = run->until - run->t;
+    const real reach = AHEAD * fmin(fabs(run->h), fabs(left)), v = pace(run, copysign(reach, left));
+    real from = 0, falling = 0, before, hold, last;
+
+    if (v == 0)
+        return 0;
+    /* as long as it cannot be lost it is not looked for */
+    before = run->hold;
+    run->hold = last = hold_at(run, 0);
+    run->best_hold = fmax(run->best_hold, last);
+    *tau = 0;
+    if (last < LOST * run->best_hold)
+        return 1;
+    if (run->t != run->t_old)
+        falling = (last - before) / fabs(run->t - run->t_old);
+    if (last + falling * reach - 0.5 * run->best_hold * v * v * reach * reach > NEAR * run->best_hold)
+        return 0;
+    for (int k = 0; k < MOST_LOOKS; k++) {
+        real to = from + copysign(STRIDE / v, left);
+        if (fabs(to) > reach && run->hold > NEAR * run->best_hold) {
+            if (fabs(from) >= reach)
+                return 0;
+            to = copysign(reach, left);
+        }
+        if (turned(run, to)) {
+            *tau = bisect(run, from, to);
+            if (hold_at(run, *tau) < MEETING * run->best_hold)
+                return 1;
+        }
+        hold = hold_at(run, to);
+        /* from near by on the way out */
+        if (fabs(to) >= reach && !(hold < last))
+            return 0;
+        from = to;
+        last = hold;
+    }
+    return 0;
+}
+
+/* The time [s] in which the state moves by a radian or size. */
+real cardan_span(const cardan_run *run)
+{
+    return 1 / pace(run, 0);
+}
+
+/* The constraint that is lost where branches meet. */
+ptrdiff_t cardan_weakest(const cardan_run *run)
+{
+    return run->held > 0 ? (ptrdiff_t)place(run, ORDER)[run->held - 1] : 0;
+}
