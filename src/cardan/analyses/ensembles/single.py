@@ -49,7 +49,6 @@ def motion(
         named = part.named("q", 0), part.named("u", 0)
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
-    runner.loosen(begin.slack)
     return driven(runner, over, begin, False, case), runner
 
 
