@@ -50,6 +50,19 @@ class SolveWarning(UserWarning):
     """Numbers failed, but what was computed is kept."""
 
 
+def listed(word: str, given: object, example: str) -> list[str]:
+    """Names out of what the user gave; one alone stands for itself.
+
+    Raises:
+        ModelError: they are no names.
+    """
+    names = [given] if isinstance(given, str) else given
+    found = [*names] if isinstance(names, Iterable) else [None]
+    if not all(isinstance(name, str) for name in found):
+        raise ModelError(f"{word}={given!r}: give a list of names, such as ['{example}']")
+    return [str(name) for name in found]
+
+
 def near(name: str, known: Iterable[str]) -> str:
     """The end of an error message: the known names, and the likely one.
 

@@ -64,7 +64,9 @@ def test_its_force_moves_the_rod_and_its_drive_does_the_work(run: cd.Trajectory)
     change = np.array([model.rhs(t, x) for t, x in zip(run.t, run.x, strict=True)])
     lift = run["guide"]
     upward = change[:, model.nq + model.speeds.index("guide.u")]
-    wrench = run.reaction("roller")
+    # across the plane both the roller and the bearings hold
+    with pytest.warns(cd.SolveWarning, match="translation along z of joint 'roller'"):
+        wrench = run.reaction("roller")
     # the axes of the child are those of the ground
     wanted = 0.2 * (upward + 9.81) + 300.0 * (lift - 0.02)
     np.testing.assert_allclose(wrench[:, 4], wanted, rtol=1e-8)
@@ -125,8 +127,10 @@ def test_its_coordinates_are_assembled_and_drive() -> None:
     scene = CARRIED["cam"].build()
     cut(scene, "edge", child=scene.bodies["arm"].at(0, 0, -9.0))
     said = r"circuit that joint 'edge' closes \('shaft', 'post'\) .* frame 'edge.child' and where"
+    with pytest.warns(cd.SolveWarning, match="the circuit that 'edge' closes stays open"):
+        model = cd.compile(scene)
     with pytest.raises(cd.ModelError, match=said):
-        cd.compile(scene).assemble({})
+        model.assemble({})
 
 
 DRIVES = {"rigid": {}, "gyroscopic": {"gyroscopic": True}, "elastic": {"stiffness": 50.0}}

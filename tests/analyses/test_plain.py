@@ -77,10 +77,12 @@ def test_same_motion_as_compiled(case: str, bare: Any, request: pytest.FixtureRe
     name, t, options = CASES[case]
     model = request.getfixturevalue(name)
     compiled = model.simulate(t, **options)
+    # what it reads is compiled too, while there is a compiler
+    summary = repr(compiled)
     plain = bare(model).simulate(t, **options)
     assert plain.success
     assert "pip install 'cardan[compiler]'" in repr(plain)
-    assert "pip install" not in repr(compiled)
+    assert "pip install" not in summary
     assert plain.t[-1] == compiled.t[-1]
     np.testing.assert_allclose(plain.x[-1], compiled.x[-1], **AGREE)
     np.testing.assert_allclose(plain.given[-1], compiled.given[-1], **AGREE)

@@ -10,7 +10,6 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.integrators import INTEGRATORS
-from cardan.analyses.stiffness import stiffness
 from cardan.errors import ModelError
 from laws import circuits
 
@@ -66,25 +65,26 @@ def test_ten_times_stiffer_costs_nothing(spring: cd.CompiledModel, method: str) 
 def test_stiffness_is_measured(spring: cd.CompiledModel) -> None:
     start = slow(1e9)
     x = spring.initial(q=start)
-    found = stiffness(spring, x)
+    found = spring.stiffness(x)
     exact = np.abs(np.linalg.eigvals(spring.rhs_jacobian(0.0, x)[0])).max()
     assert found.fastest == pytest.approx(exact, rel=1e-3)
     # a pendulum of 1 m: some radians per second
     assert 1 < found.present < 10
     assert found.implicit_pays(10.0, 1e-5)
+    assert "stability asks 10541 steps" in str(found)
     # where the spring vibrates its steps must be followed in any case
-    wild = stiffness(spring, spring.initial(q={**start, "stretch": 1e-3}))
+    wild = spring.stiffness(spring.initial(q={**start, "stretch": 1e-3}))
     assert wild.present == pytest.approx(exact, rel=1e-2)
     assert not wild.implicit_pays(10.0, 1e-5)
     # and soft springs are none of their business
-    assert not stiffness(spring.with_parameters(k=100.0), x).implicit_pays(10.0, 1e-5)
+    assert not spring.with_parameters(k=100.0).stiffness(x).implicit_pays(10.0, 1e-5)
 
 
 def test_nothing_moves() -> None:
     scene = cd.Model("idle", gravity=(0, 0, 0))
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     model = cd.compile(scene)
-    found = stiffness(model, np.zeros(2))
+    found = model.stiffness(np.zeros(2))
     assert found.fastest == found.present == 0
     assert not found.implicit_pays(1e9, 1e-6)
     for method in IMPLICIT:

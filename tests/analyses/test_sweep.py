@@ -160,6 +160,16 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
         free.sweep("root", [0.0, 1.0])
     held = free.sweep("root", [0.0, 1.0], hold={"hinge": 0.3})
     np.testing.assert_array_equal(held["hinge"], 0.3)
+    for given, said in (
+        ("hing", r"values they keep, such as \{'root': 0.2\}.* Did you mean 'hinge'"),
+        ("hinge", r"values they keep, such as \{'hinge': 0.2\}"),
+        (["hinge"], "values they keep"),
+        (3, "hold=3: give coordinates or frames"),
+    ):
+        with pytest.raises(cd.ModelError, match=said):
+            free.sweep("root", [0.0, 1.0], hold=given)
+        with pytest.raises(cd.ModelError, match=said):
+            free.singular_positions("root", (0.0, 1.0), hold=given)
 
 
 def two_hinges() -> cd.Model:

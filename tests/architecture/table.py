@@ -47,6 +47,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("redundancy", "redundancy"),
             ("actuation", "actuation"),
             ("hybrid_dynamics", "actuation"),
+            ("stiffness", "stiffness"),
             ("partition", "reduced"),
             ("residual", "implicit"),
             ("ensemble", "ensembles"),
@@ -91,7 +92,19 @@ FAMILIES: dict[str, frozenset[str]] = {
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
-    "cli": frozenset({"terminal", "tour", "screen", "health", "reading", "sheet", "sheet_page"}),
+    "cli": frozenset(
+        {
+            "terminal",
+            "tour",
+            "screen",
+            "health",
+            "reading",
+            "running",
+            "varying",
+            "sheet",
+            "sheet_page",
+        }
+    ),
 }
 
 FILE_LINES = 400

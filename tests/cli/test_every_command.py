@@ -21,6 +21,7 @@ WORKING = {
     "check": (ARM,),
     "inspect": (ARM,),
     "simulate": (ARM, "--time", "0.1"),
+    "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
     "doctor": (),

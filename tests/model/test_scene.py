@@ -131,11 +131,24 @@ VALUES: dict[str, Any] = {
 }  # fmt: skip
 
 
+# where not any value goes with any other
+FITTING: dict[str, dict[str, Any]] = {
+    "controller": {"states": ["a"], "changes": [1.5], "force": 2.0, "start": [0.5], "sample": 0.1},
+    "friction": {"mu": None, "radius": None},
+    "stop": {"lower": -1.0, "restitution": 0.5},
+    "lock": {"locked": True},
+    "contact": {"sphere": "a", "other": "ground", "normal": "x"},
+    "watch": {"then": "end", "direction": "up"},
+}  # fmt: skip
+
+
 @pytest.mark.parametrize("kind", FORCES)
 def test_every_force_takes_its_own_keys(kind: str) -> None:
     names = [entry.name for entry in fields(FORCES[kind])]
     given = {name: VALUES.get(name, 0.5 + i) for i, name in enumerate(names)}
-    single = kind in ("joint_force", "drive")
+    given |= FITTING.get(kind, {})
+    given = {name: value for name, value in given.items() if value is not None}
+    single = kind in ("joint_force", "drive", "controller")
     given |= {name: 2.0 for name in ("force", "torque") if single and name in given}
     text = json.dumps({"type": kind, **given})
     found = scene(
@@ -147,7 +160,7 @@ def test_every_force_takes_its_own_keys(kind: str) -> None:
     places = {"ground": made.ground, "a": made.body("a", mass=1, inertia=(1, 1, 1))}
     made.joint("j", cd.Revolute(), made.ground, places["a"])
     arguments = {
-        name: places[value] if isinstance(value, str) and name != "joint" else value
+        name: places[value] if isinstance(value, str) and value in places else value
         for name, value in given.items()
     }
     made.force("f", FORCES[kind](**arguments))

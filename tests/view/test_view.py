@@ -88,6 +88,20 @@ def test_plot_writes_a_picture(motion: cd.Trajectory, tmp_path: Path) -> None:
     np.testing.assert_allclose(drawn, [motion.at(t)[1] for t in times], rtol=0, atol=1e-12)
 
 
+def test_what_cannot_be_plotted_says_why(motion: cd.Trajectory, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    assert len(motion.plot(names="elbow").axes) == 1
+    for given, said in (
+        ({"path": ["elbow"]}, "the first argument is the picture file; give names="),
+        ({"path": tmp_path / "run.pgn"}, "no ending of a picture.* Did you mean 'png'"),
+        ({"names": ["elbo"]}, "no such history.* Did you mean 'elbow'"),
+        ({"names": [3]}, "give a list of names"),
+        ({"names": []}, "names is empty"),
+    ):
+        with pytest.raises(cd.ModelError, match=said):
+            motion.plot(**given)
+
+
 def test_titles_are_text_only(motion: cd.Trajectory, tmp_path: Path) -> None:
     page = motion.animate(tmp_path / "page.html", title="__DATA__ & <i>").read_text("utf-8")
     assert "<h1>__DATA__ &amp; &lt;i&gt;</h1>" in page

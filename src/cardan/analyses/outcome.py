@@ -84,16 +84,17 @@ def _open(runner: Runner | PlainRunner) -> str:
         return f"{who} cannot be closed from this start. model.assemble(...) finds one that can"
     if not runner.settings.method.adaptive:
         return f"{who} does not close after a step of {abs(run.h):g} s. Take step= shorter"
-    if run.correction > 1:
-        return (
-            f"{who} would jump to another branch however short the step is. The position is "
-            "singular: model.singular_positions(...) finds such positions"
-        )
     driven = _driven(runner)
     if driven:
         return (
             f"{who} cannot stay closed. What is prescribed ({driven}) asks for more than the "
-            "mechanism can follow from here: it is at a dead point or at the end of its range"
+            "mechanism can follow from here: it is at a dead point, where branches meet or at "
+            "the end of its range"
+        )
+    if run.correction > 1:
+        return (
+            f"{who} would jump to another branch however short the step is. The position is "
+            "singular: model.singular_positions(...) finds such positions"
         )
     return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
 

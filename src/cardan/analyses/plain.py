@@ -23,6 +23,7 @@ from .happenings import NOTHING, Happenings
 from .plain_closing import PlainCloser
 from .plain_events import PlainEvents
 from .plain_methods import METHODS, Broken, Step
+from .plain_passing import PlainPasser
 from .plain_record import Progress
 from .run import SLICE, Saved
 from .settings import Settings
@@ -67,6 +68,7 @@ class PlainRunner:
         self.closer = PlainCloser(self)
         self.events = PlainEvents(self)
         self.happened = np.empty((0, 1 + len(may.rows) + 2 * (model.nx + model.ns)))
+        self.passer = PlainPasser(self)
         self._kept: list[tuple[Array, Array]] = []
         self._times: Array | None = None
         self._where: dict[int, int] = {}
@@ -145,6 +147,8 @@ class PlainRunner:
                 return abi.NOT_FINITE
             self.events.start()
             self.jumped()
+            if self.closing.rows:
+                self.passer.hold.begin(self._until - t)
         except Broken as broken:
             return broken.answer
         self._next_time = 0
@@ -267,6 +271,7 @@ class PlainRunner:
     def jumped(self) -> None:
         """Start over at t, where something has changed."""
         self._method = None
+        self.passer.cancel()
         self._until = self.events.until(self._stops[self._next])
 
     def _happen(self) -> None:
@@ -292,15 +297,20 @@ class PlainRunner:
 
     def _step(self) -> None:
         run, y = self.record, self.views["y"]
-        if self._method is None:
-            self._method = METHODS[self.settings.method.name](self, self._until)
         before, old = run.t, y.copy()
-        step = next(self._method)
+        step = self.passer.next(self._until)
+        if step is not None:
+            self._method = None
+        else:
+            if self._method is None:
+                self._method = METHODS[self.settings.method.name](self, self._until)
+            step = next(self._method)
         if self._blamed(step.y):
             raise Broken(abi.NOT_FINITE)
         whole, step = step, self.events.seek(before, old, step)
         if step is not whole:
             self._method = None
+            self.passer.cancel()
         run.t, y[:] = step.t, step.y
         run.steps += 1
         if self._times is not None:
@@ -361,7 +371,7 @@ class PlainRunner:
     def _memory(self) -> list[Array]:
         """Everything that a checkpoint holds besides the record."""
         own = [self.views["y"], self.views["r"], self.views["s"], self.closer.numbers]
-        return [*own, *self.events.memory]
+        return [*own, *self.passer.hold.memory, *self.events.memory]
 
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this run.

@@ -66,7 +66,7 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
         fourth = f(end, y + d * third)
         new = y + d / 6 * (first + 2 * (second + third) + fourth)
         runner.closer.close(end, new, noted=True)
-        if run.correction > 1:
+        if run.correction > runner.passer.hold.bearable():
             raise Broken(abi.OPEN)
         last = f(end, new)
 
@@ -176,6 +176,7 @@ def adaptive(
     closed = runner.quaternions or runner.closing.rows
     while solver.status == "running":
         spent, factored, before = solver.nfev, solver.nlu, (solver.t, solver.y, solver.f)
+        solver.max_step = min(how.max_step, runner.passer.limit)
         solver.step()
         if solver.status == "failed":
             raise Broken(abi.TOO_SMALL)
@@ -208,7 +209,7 @@ def _closed(runner: PlainRunner, solver: Any) -> bool:
         if broken.answer != abi.OPEN:
             raise
         return False
-    return runner.record.correction <= 1
+    return runner.record.correction <= runner.passer.hold.bearable()
 
 
 METHODS: dict[str, Callable[[PlainRunner, float], Iterator[Step]]] = {

@@ -24,6 +24,8 @@ class Progress:
     correction: float = 0.0
     projections: int = 0
     passed: int = 0
+    looked: int = 0
+    limited: int = 0
     jacobians: int = 0
     factorizations: int = 0
     occurred: int = 0

@@ -53,7 +53,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "log_capacity log_count happened at_once occurred"),
     (COUNT, "steps rejections evaluations budget culprit model_status"),
     (COUNT, "open_row projections passed"),
-    (COUNT, "jacobians factorizations"),
+    (COUNT, "looked limited jacobians factorizations"),
     (COUNT, "stop"),
 )
 

@@ -34,6 +34,7 @@ class Settings:
         step: Step of a fixed one, first step of an adaptive one (0: it chooses) [s].
         max_step: Largest step of an adaptive one [s].
         words: The same to print.
+        reason: Why this method, where nobody asked for it.
     """
 
     method: Integrator
@@ -42,6 +43,7 @@ class Settings:
     step: float
     max_step: float
     words: str
+    reason: str = ""
 
 
 def settings(

@@ -21,8 +21,10 @@ from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
+from .choice import JACOBIAN, Case, Limited, choose, limited, remark
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, happenings
+from .integrators import INTEGRATORS
 from .outcome import explain
 from .plain import PlainRunner
 from .progress import showing
@@ -68,11 +70,13 @@ def simulate(
             ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
             internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
             a further word says which way, along the run.
-        method: ``"DOP853"`` (adaptive, order 8), ``"RK4"`` (fixed step), or ``"auto"``: DOP853.
+        method: Name of an integrator, such as ``"DOP853"``, ``"RK45"``, ``"RKMK853"``,
+            ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"`` (fixed step);
+            ``"auto"`` takes what the scene and the first steps ask for, and says why.
         rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
             state, root mean square over them.
-        step: Step of RK4, first step of DOP853 [s].
-        max_step: Largest step of DOP853 [s].
+        step: Step of a fixed method, first step of an adaptive one [s].
+        max_step: Largest step of an adaptive method [s].
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
         sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
@@ -98,14 +102,39 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    runner = runner_of(model, how, given, may)
-    runner.loosen(begin.slack)
-    motion = _run(runner, over, begin, given, progress)
+    case = _case(model, rtol, over, given, may) if method == "auto" else None
+    try:
+        motion = _run(runner_of(model, _chosen(how, case), given, may), over, begin, progress, case)
+    except Limited as found:
+        how = _chosen(how, found.case)
+        motion = _run(runner_of(model, how, given, may), over, begin, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
         warnings.warn(motion.message, SolveWarning, stacklevel=3)
     return motion
+
+
+def _case(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
+    """What ``method="auto"`` chooses from."""
+    periods = [float(tick["period"]) for tick in may.ticks]
+    if given.functions and given.sample is not None:
+        periods.append(given.sample)
+    return Case(
+        rtol=rtol,
+        period=min(periods, default=None),
+        length=over.length,
+        derived=JACOBIAN in model.manifest["available"],
+        asked=bool(given.functions),
+    )
+
+
+def _chosen(how: Settings, case: Case | None) -> Settings:
+    """Settings with the method of a choice, if there is one."""
+    if case is None:
+        return how
+    rule = choose(case)
+    return replace(how, method=INTEGRATORS[rule.method], reason=rule.why)
 
 
 def runner_of(
@@ -148,11 +177,17 @@ def _run(
     runner: Runner | PlainRunner,
     over: Span,
     begin: Start,
-    given: Signals,
     progress: bool | Callable[[float], None] | None,
+    case: Case | None = None,
 ) -> Trajectory:
-    """Drive the run to its end and collect what came out."""
+    """Drive the run to its end and collect what came out.
+
+    Raises:
+        Limited: another method would be chosen, and less than half of the run is done.
+    """
     run, how, rows, spreads = runner.record, runner.settings, list[Array](), list[Array]()
+    given = runner.signals
+    runner.loosen(begin.slack)
     logs: list[Array] = []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
@@ -166,7 +201,10 @@ def _run(
                 spreads.append(runner.spreads[: run.count].copy())
                 logs.append(runner.drained())
                 run.count = 0
-            show(min(1.0, abs(run.t - over.start) / over.length))
+            done = abs(run.t - over.start) / over.length
+            if case is not None and case.derived and not case.stiff and limited(run) and done < 0.5:
+                raise Limited(case)
+            show(min(1.0, done))
     milliseconds = 1e3 * (time.perf_counter() - clock)
     width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
     table = np.concatenate(rows) if rows else np.empty((0, width))
@@ -177,6 +215,8 @@ def _run(
         "steps": run.steps,
         "rejections": run.rejections,
         "evaluations": run.evaluations,
+        "looked": run.looked,
+        "limited": run.limited,
         "jacobians": run.jacobians,
         "factorizations": run.factorizations,
         "projections": run.projections,
@@ -188,7 +228,14 @@ def _run(
     initial = begin.named(runner.model)
     initial |= {n: float(table[0, 1 + runner.n + k]) for k, n in enumerate(runner.model.inputs)}
     conduct = Conduct(
-        how.method.name, how.words, initial, defaulted, status, message, dict(statistics)
+        how.method.name,
+        how.words,
+        initial,
+        defaulted,
+        status,
+        message,
+        dict(statistics),
+        remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"]) or how.reason,
     )
     log = np.concatenate([*logs, runner.drained()])
     return _trajectory(runner, table, spreads if over.times is None else None, log, conduct)

@@ -23,7 +23,7 @@ from .assemble import assemble
 from .mechanism import Mechanism
 from .meeting import Conditions, meet
 from .redundancy import rank_of
-from .targets import read
+from .targets import kept, read
 
 Array = NDArray[np.float64]
 STEP = 0.05  # of the path, without units
@@ -126,7 +126,8 @@ def singular_positions(
             )
     if not step > 0:
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
-    m, held = Mechanism(model, t, r), dict(hold or {})
+    m = Mechanism(model, t, r)
+    held = kept(m, hold)
     begin = assemble(model, {coordinate: low} | held, start=start, branch=branch, t=t, r=r)
     path = Path(m, held, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
     return path.follow(begin.q, low, high, step)

@@ -11,11 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State
 
 Array = NDArray[np.float64]
 PRODUCTS = 16  # of the Jacobian with a vector
@@ -41,6 +44,13 @@ class Stiffness:
     fastest: float
     present: float
 
+    def __str__(self) -> str:
+        return (
+            f"fastest rate {self.fastest:.3g} 1/s, the motion changes at {self.present:.3g} 1/s: "
+            f"over a second, stability asks {self.explicit_steps(1.0):.0f} steps of explicit "
+            f"methods, accuracy {self.implicit_steps(1.0, 1e-6):.0f} of implicit ones at rtol 1e-6"
+        )
+
     def explicit_steps(self, length: float) -> float:
         """Steps that stability alone asks of an explicit method over a time [s]."""
         return abs(length) * self.fastest / STABLE
@@ -55,7 +65,7 @@ class Stiffness:
 
 
 def stiffness(
-    model: CompiledModel, x: Array, t: float = 0.0, r: Array | None = None, s: Array | None = None
+    model: CompiledModel, x: ArrayLike, t: float = 0.0, r: State | None = None, s: Any = None
 ) -> Stiffness:
     """Rates of a model at a state, from about twenty evaluations of ``rhs``.
 
@@ -70,10 +80,11 @@ def stiffness(
         value: Array = model.rhs(t, y, r, s=s)
         return value
 
-    start = right(x)
+    at = numbers("x", x)
+    start = right(at)
 
     def product(v: Array) -> Array:
-        return _product(right, x, start, v)
+        return _product(right, at, start, v)
 
     return Stiffness(_fastest(product, start), _present(product, start, model.nq))
 

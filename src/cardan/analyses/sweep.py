@@ -19,6 +19,7 @@ from .assemble import assemble
 from .consistent import accelerations, speeds
 from .drive import Drive, Stuck
 from .mechanism import Mechanism
+from .targets import kept
 
 Array = NDArray[np.float64]
 
@@ -103,11 +104,12 @@ class Sweep:
         """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
         Raises:
+            ModelError: unknown names, or a path that is no picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
-        from ..view.plot import plot_over
+        from ..view.plot import asked, plot_over
 
-        names = list(names) if names is not None else [*self.model.coordinates]
+        names = asked(names) if names is not None else [*self.model.coordinates]
         curves = {name: self[name] for name in names}
         return plot_over(self.model.name, next(iter(self.drivers)), self.values, curves, path)
 
@@ -149,10 +151,11 @@ def sweep(
     """
     drivers = _drivers(model, driver, values)
     m, table = Mechanism(model, t, r), np.stack([*drivers.values()], axis=1)
-    drive = Drive(m, list(drivers), dict(hold or {}))
+    held = kept(m, hold)
+    drive = Drive(m, list(drivers), held)
     at = drive.at(table[0])
     first = {n: float(c[0]) for n, c in drivers.items() if n not in drive.inputs}
-    begin = assemble(model, first | dict(hold or {}), start=start, branch=branch, t=t, r=at.r)
+    begin = assemble(model, first | held, start=start, branch=branch, t=t, r=at.r)
     drive.check(at, begin.q)
     rows, message = _follow(drive, begin.q, table)
     found = Sweep(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from numbers import Real
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, listed, near
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
 
@@ -114,22 +115,47 @@ def read(
         hold: Those that must be held; by default all without a weight.
 
     Raises:
-        ModelError: an unknown name, a weight that is not positive.
+        ModelError: an unknown name, a weight that is no positive number, weights or names to hold
+            that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
     found = [_target(m, name, value) for name, value in named.items()]
     known = [target.name for target in found]
-    weights, held = weights or {}, None if hold is None else list(hold)
+    weights, held = _weights(weights), None if hold is None else listed("hold", hold, "hand")
     for word, names in (("weights", [*weights]), ("hold", held or [])):
         for name in names:
             if name not in known:
                 raise ModelError(f"{word}: '{name}' is no target.{near(name, known)}")
-    for name, weight in weights.items():
-        if not (np.isfinite(weight) and weight > 0):
-            raise ModelError(f"weights: '{name}' has {weight:g}; weights are positive numbers")
     soft = [n for n in known if (n in weights if held is None else n not in held)]
     counts = {name: float(weights.get(name, 1.0)) for name in soft}
     return [replace(target, weight=counts.get(target.name)) for target in found]
+
+
+def _weights(given: Any) -> dict[str, float]:
+    """Target -> weight, checked but for the names."""
+    if not isinstance(given, Mapping | None):
+        raise ModelError(f"weights={given!r}: give targets with weights, such as {{'hand': 1.0}}")
+    for name, weight in (given or {}).items():
+        number = float(weight) if isinstance(weight, Real) else np.nan
+        if not (np.isfinite(number) and number > 0):
+            raise ModelError(f"weights: '{name}' has {weight!r}; weights are positive numbers")
+    return {name: float(weight) for name, weight in (given or {}).items()}
+
+
+def kept(m: Mechanism, hold: Any) -> dict[str, Any]:
+    """Coordinates and frames that keep a value beside what is driven.
+
+    Raises:
+        ModelError: names without values.
+    """
+    if isinstance(hold, Mapping | None):
+        return dict(hold or {})
+    known = [*entries(m.model.manifest, "q"), *m.model.frames]
+    told = near(hold, known) if isinstance(hold, str) and hold not in known else ""
+    raise ModelError(
+        f"hold={hold!r}: give coordinates or frames with the values they keep, such as "
+        f"{{'{hold if hold in known else known[0]}': 0.2}}.{told}"
+    )
 
 
 def _target(m: Mechanism, name: str, value: Any) -> Target:

@@ -68,7 +68,7 @@ class Workspace:
         from ..view.plot import plot_points
 
         title = f"'{self.frame}' of {self.name}"
-        return plot_points(title, self.points, None if path is None else Path(path))
+        return plot_points(title, self.points, path)
 
 
 def workspace(

@@ -23,6 +23,7 @@ COMMANDS = {
     "check": (".check", "complaints about a scene, each with its cure"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
@@ -37,6 +38,8 @@ start here:
   cardan demo                                a small arm, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
+  cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
+                                             many runs that differ
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
   cardan bench arm.urdf                      how fast, how exact, beside other programs

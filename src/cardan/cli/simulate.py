@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
-from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import reading
+from . import reading, running
 
 if TYPE_CHECKING:
-    from ..model import Model
     from ..runtime.compiled import CompiledModel
     from ..runtime.trajectory import Trajectory
 
@@ -39,66 +35,24 @@ examples:
 A smaller --rtol costs little: the integrator has order 8. The energy line tells if it helped."""
 
 
-DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
-
-
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
     reading.arguments(parser)
-    run = parser.add_argument_group("the run")
-    run.add_argument("--time", metavar="SECONDS", type=_positive, help="end time (default 10)")
-    run.add_argument("--q", metavar="JOINT=VALUE", type=_named, action="append", default=[],
-                     help="initial coordinate of a joint; give it again for another")  # fmt: skip
-    run.add_argument("--u", metavar="JOINT=VALUE", type=_named, action="append", default=[],
-                     help="initial speed of a joint")  # fmt: skip
-    run.add_argument("--rtol", type=_positive, help="relative tolerance per step (default 1e-8)")
-    run.add_argument("--atol", type=_positive, help="absolute tolerance per step (default 1e-10)")
+    running.arguments(parser)
     results = parser.add_argument_group("results")
-    results.add_argument("-o", "--output", metavar="RUN.nc", type=_file(".nc"), help="netCDF file")
     results.add_argument(
-        "--view", metavar="RUN.html", type=_file(".html", ".htm"), help="animated page"
+        "-o", "--output", metavar="RUN.nc", type=running.file(".nc"), help="netCDF file"
+    )
+    results.add_argument(
+        "--view", metavar="RUN.html", type=running.file(".html", ".htm"), help="animated page"
     )
     results.add_argument(
         "--plot",
         metavar="RUN.png",
-        type=_file(".png", ".pdf", ".svg"),
+        type=running.file(".png", ".pdf", ".svg"),
         help="picture (needs matplotlib)",
     )
     results.add_argument("--json", action="store_true", help="print JSON for another program")
-
-
-def _file(*endings: str) -> Callable[[str], Path]:
-    """The type of a file whose ending says what it holds."""
-
-    def path(text: str) -> Path:
-        found = Path(text)
-        if found.suffix.lower() not in endings:
-            raise argparse.ArgumentTypeError(f"'{text}' does not end in {' or '.join(endings)}")
-        return found
-
-    return path
-
-
-def _positive(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (math.isfinite(value) and value > 0):
-        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
-    return value
-
-
-def _named(text: str) -> tuple[str, float | list[float]]:
-    """``elbow=0.3`` or ``ball=1,0,0,0``."""
-    name, found, numbers = text.rpartition("=")
-    try:
-        values = [float(x) for x in numbers.split(",")]
-    except ValueError:
-        values = []
-    if not (found and name and values and all(map(math.isfinite, values))):
-        raise argparse.ArgumentTypeError(f"'{text}' does not read JOINT=VALUE, such as elbow=0.3")
-    return name, values[0] if len(values) == 1 else values
 
 
 def run(options: argparse.Namespace) -> int:
@@ -112,7 +66,8 @@ def run(options: argparse.Namespace) -> int:
         model = compile(scene)
         show("simulating", 0.0)
         motion = model.simulate(
-            **settings(scene, options), progress=lambda fraction: show("simulating", fraction)
+            **running.settings(scene, options),
+            progress=lambda fraction: show("simulating", fraction),
         )
     written = write(motion, options)
     if options.json:
@@ -120,15 +75,6 @@ def run(options: argparse.Namespace) -> int:
     else:
         table(model, motion, written)
     return 0 if motion.success else 1
-
-
-def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
-    """Arguments of the run: the defaults, then what the file says, then what was typed."""
-    typed = {"t": options.time, "rtol": options.rtol, "atol": options.atol}
-    found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
-    for block in ("q", "u"):
-        found[block] = {**found.get(block, {}), **dict(getattr(options, block))}
-    return found
 
 
 def write(motion: Trajectory, options: argparse.Namespace) -> list[str]:

@@ -13,7 +13,7 @@ RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "events.c", "search.c", "dips.c"),
-    *("hold.c", "passing.c", "dependent.h", "solve.h"),
+    *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),

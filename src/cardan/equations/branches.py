@@ -19,8 +19,8 @@ def with_branches(system: System) -> System:
     """
     for n, closure in enumerate(system.closures):
         signs = (closure.branch,) if closure.branch else (1, -1)
-        # a leg may also be drawn out backwards
-        sides = (1, -1) if closure.kind == "leg" else (1,)
+        # a leg may also be drawn out backwards, its motor turned to the other side
+        sides = (closure.side,) if closure.side else (1, -1)
         tried = [_with(system, n, sign, side) for side in sides for sign in signs]
         system = min(tried, key=lambda s: _distance(s, n)) if len(tried) > 1 else tried[0]
     return system

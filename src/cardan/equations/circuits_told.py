@@ -24,6 +24,8 @@ def circuits_told(equations: Equations) -> list[str]:
         lines.append(f"  ... and {hidden} more circuits")
     if system.closures and system.cuts:
         lines.append("  no dyad or leg closes the circuits that are cut: constraints do")
+    if system.closable:
+        lines.append(_closable(system))
     if system.closed:
         names, treatment = equations.multipliers, equations.treatment
         shown = _some(names)
@@ -31,12 +33,28 @@ def circuits_told(equations: Equations) -> list[str]:
     return lines
 
 
+def _closable(system: System) -> str:
+    """What closed form would leave, and what it costs."""
+    joints = [i for closure in system.closable for i in closure.unknown]
+    left = system.nq - sum(len(system.joints[i].element.coordinates) for i in joints)
+    rest = len(system.cuts) - len(system.closable)
+    circuits = f", {rest} circuit{'s' * (rest > 1)} with multipliers" if rest else ""
+    return (
+        f"  constraints='closed_form' would leave {left} of {system.nq} coordinates{circuits}; it "
+        "does not pass dead points"
+    )
+
+
 def _solved(system: System, closure: Closure) -> str:
     names = ", ".join(system.joints[i].name for i in closure.unknown)
-    sign = "+" if closure.branch > 0 else "-"
-    return (
-        f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow (branch {sign})"
-    )
+    signs = f"branch {_sign(closure.branch)}"
+    if closure.third >= 0:
+        signs += f", {system.joints[closure.third].name} {_sign(closure.side)}"
+    return f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow ({signs})"
+
+
+def _sign(number: int) -> str:
+    return "+" if number > 0 else "-"
 
 
 def _cut(system: System, cut: Cut) -> str:

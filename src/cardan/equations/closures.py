@@ -21,12 +21,15 @@ from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..ir.ops import LEAVES
 from ..ir.rewrite import rebuild
-from .dyads import SOLUTIONS, Found
+from . import dyads, legs
+from .dyads import Found
 from .ends import Ends, ends
 from .memo import Memo
 
 if TYPE_CHECKING:
     from .kinematics import Kinematics
+
+SOLUTIONS = {**dyads.SOLUTIONS, "leg": legs.leg, "arm": legs.arm}
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,12 @@ class Found:
     sine: Scalar | None = None
     length: Scalar | None = None
 
+    @property
+    def back(self) -> Found:
+        """The angle in the opposite direction."""
+        assert self.sine is not None
+        return Found(self.cosine, -self.sine)
+
     def coordinate(self, graph: Graph) -> int:
         """The coordinate as a node."""
         if self.length is not None:
@@ -82,13 +88,13 @@ def branches(k: Kinematics, closure: Closure) -> Branches:
     return Branches(seats, closing, dict(cut.path))
 
 
-def _turn(axis: Matrix, start: Matrix, end: Matrix) -> Found:
+def turn(axis: Matrix, start: Matrix, end: Matrix) -> Found:
     """The angle about an axis from one vector across it to another of the same length."""
     square = start.dot(start)
     return Found(start.dot(end) / square, axis.dot(start.cross(end)) / square)
 
 
-def _turned(axis: Matrix, angle: Found, x: Matrix) -> Matrix:
+def turned(axis: Matrix, angle: Found, x: Matrix) -> Matrix:
     """A vector after a rotation."""
     assert angle.cosine is not None
     assert angle.sine is not None
@@ -103,7 +109,7 @@ def planar(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
     return _two_turns(k, closure) if kinds == ["revolute"] * 2 else _turn_and_slide(k, closure)
 
 
-def _flat(axis: Matrix) -> Callable[[Matrix], Matrix]:
+def flattened(axis: Matrix) -> Callable[[Matrix], Matrix]:
     return lambda x: x - axis * axis.dot(x)
 
 
@@ -111,21 +117,36 @@ def _two_turns(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
     """Two revolute joints: a triangle of two arms and the distance between their ends."""
     b, (i, j) = branches(k, closure), closure.unknown
     n, m = b.axis(k, i), b.axis(k, j)
-    flat = _flat(n)
+    flat = flattened(n)
     chained = b.side[i] == b.side[j]
     first = b.seats[j][1] if chained else b.ends[b.side[i]][1]
     start = flat(first - b.seats[i][1])
     arm = flat(b.ends[b.side[j]][1] - b.seats[j][1])
     target = b.ends[-b.side[i]][1] if chained else b.seats[j][1]
     gap = flat(target - b.seats[i][1])
-    end = _elbow(gap, start, arm, n, closure.branch)
-    one = _turn(n, start, end)
     if chained:
-        return {i: (one,), j: (_turn(m, _turned(n, one, arm), gap - end),)}
-    return {i: (one,), j: (_turn(m, arm, end - gap),)}
+        one, two = arms((n, m), start, arm, gap, closure.branch)
+        return {i: (one,), j: (two,)}
+    end = elbow(gap, start, arm, n, closure.branch)
+    return {i: (turn(n, start, end),), j: (turn(m, arm, end - gap),)}
 
 
-def _root(square: Scalar, most: Scalar) -> Scalar:
+def arms(
+    axes: tuple[Matrix, Matrix], start: Matrix, arm: Matrix, gap: Matrix, branch: int
+) -> tuple[Found, Found]:
+    """Angles of two arms, one carried by the other, that together bridge a gap.
+
+    Args:
+        axes: Parallel; start, arm, gap: across them, the arms at the zeros of their joints.
+        branch: To which side the elbow is bent.
+    """
+    n, m = axes
+    end = elbow(gap, start, arm, n, branch)
+    one = turn(n, start, end)
+    return one, turn(m, turned(n, one, arm), gap - end)
+
+
+def root(square: Scalar, most: Scalar) -> Scalar:
     """Root of what is left of the square of an arm; not a number at a dead point."""
     return sqrt(_alive(square, most))
 
@@ -138,13 +159,18 @@ def _alive(square: Scalar, most: Scalar | float) -> Scalar:
     return select(square.apply("lt", most * DEAD), -1.0, square)
 
 
-def _elbow(gap: Matrix, start: Matrix, arm: Matrix, axis: Matrix, branch: int) -> Matrix:
+def elbow(gap: Matrix, start: Matrix, arm: Matrix, axis: Matrix, branch: int) -> Matrix:
     """The vector as long as ``start`` from whose end ``arm`` reaches the end of the gap."""
-    square = gap.dot(gap)
-    reach = (start.dot(start) - arm.dot(arm) + square) * 0.5
+    reach = (start.dot(start) - arm.dot(arm) + gap.dot(gap)) * 0.5
+    return leaning(gap, start, reach, axis, branch)
+
+
+def leaning(goal: Matrix, start: Matrix, value: Scalar, axis: Matrix, branch: int) -> Matrix:
+    """The vector as long as ``start`` whose product with a goal has a value, all across an axis."""
+    square = goal.dot(goal)
     most = start.dot(start) * square
-    height = _root(most - reach * reach, most) * branch
-    return (gap * reach + axis.cross(gap) * height) / square
+    height = root(most - value * value, most) * branch
+    return (goal * value + axis.cross(goal) * height) / square
 
 
 def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
@@ -152,27 +178,27 @@ def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, .
     b = branches(k, closure)
     i, j = sorted(closure.unknown, key=lambda x: k.system.joints[x].element.kind != "revolute")
     n, along = b.axis(k, i), b.axis(k, j)
-    flat = _flat(n)
+    flat = flattened(n)
     along = flat(along)
     if b.side[i] == b.side[j] and j > i:
         # the slide turns with the arm
         arm = flat(b.ends[b.side[i]][1] - b.seats[i][1])
         gap = flat(b.ends[-b.side[i]][1] - b.seats[i][1])
-        length = _slide(along, arm, gap, closure.branch)
-        return {i: (_turn(n, arm + along * length, gap),), j: (Found(length=length),)}
+        length = slide(along, arm, gap, closure.branch)
+        return {i: (turn(n, arm + along * length, gap),), j: (Found(length=length),)}
     arm = flat(b.ends[b.side[i]][1] - b.seats[i][1])
     gap = flat(b.ends[-b.side[i]][1] - b.seats[i][1])
     if b.side[i] == b.side[j]:
         along = -along
-    length = _slide(along, gap, arm, closure.branch)
-    return {i: (_turn(n, arm, gap + along * length),), j: (Found(length=length),)}
+    length = slide(along, gap, arm, closure.branch)
+    return {i: (turn(n, arm, gap + along * length),), j: (Found(length=length),)}
 
 
-def _slide(along: Matrix, start: Matrix, reach: Matrix, branch: int) -> Scalar:
+def slide(along: Matrix, start: Matrix, reach: Matrix, branch: int) -> Scalar:
     """How far to go from a point along a line to be as far away as another vector is long."""
     middle = along.dot(start)
     most = reach.dot(reach)
-    height = _root(middle * middle - start.dot(start) + most, most) * branch
+    height = root(middle * middle - start.dot(start) + most, most) * branch
     return height - middle
 
 
@@ -187,16 +213,16 @@ def spherical(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
         own, other = axis[b.side[i]], axis[b.side[j]]
         meet = _cones(n, n.dot(own), m, m.dot(other), closure.branch)
         return {i: (_about(n, own, meet),), j: (_about(m, other, meet),)}
-    return _two_axes(n, m, axis[b.side[i]], axis[-b.side[i]], (i, j), closure.branch)
+    return two_axes(n, m, axis[b.side[i]], axis[-b.side[i]], (i, j), closure.branch)
 
 
-def _two_axes(
+def two_axes(
     n: Matrix, m: Matrix, start: Matrix, end: Matrix, joints: tuple[int, int], branch: int
 ) -> dict[int, tuple[Found, ...]]:
     """Angles about n, then about m as n has turned it, that lead one direction to another."""
-    turned = _cones(n, n.dot(m), end, m.dot(start), branch)
-    first = _about(n, m, turned)
-    second = _about(turned, _turned(n, first, start), end)
+    direction = _cones(n, n.dot(m), end, m.dot(start), branch)
+    first = _about(n, m, direction)
+    second = _about(direction, turned(n, first, start), end)
     return {joints[0]: (first,), joints[1]: (second,)}
 
 
@@ -211,26 +237,11 @@ def _cones(n: Matrix, a: Scalar, m: Matrix, b: Scalar, branch: int) -> Matrix:
 
 def _about(axis: Matrix, start: Matrix, end: Matrix) -> Found:
     """The angle about an axis from one direction to another on the same cone."""
-    flat = _flat(axis)
-    return _turn(axis, flat(start), flat(end))
-
-
-def leg(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
-    """A universal and a prismatic joint, carried one by the other, that end in a spherical one."""
-    b, (i, j) = branches(k, closure), closure.unknown
-    first, second = b.axis(k, i, "axis1"), b.axis(k, i, "axis2")
-    arm = b.ends[b.side[i]][1] - b.seats[i][1]
-    gap = b.ends[-b.side[i]][1] - b.seats[i][1]
-    along = b.axis(k, j)
-    length = _slide(along, arm, gap, closure.side)
-    distance = sqrt(gap.dot(gap))
-    start, end = (arm + along * length) / distance, gap / distance
-    angles = _two_axes(first, second, start, end, (0, 1), closure.branch)
-    return {i: (*angles[0], *angles[1]), j: (Found(length=length),)}
+    flat = flattened(axis)
+    return turn(axis, flat(start), flat(end))
 
 
 SOLUTIONS: dict[str, Callable[[Kinematics, Closure], dict[int, tuple[Found, ...]]]] = {
     "planar": planar,
     "spherical": spherical,
-    "leg": leg,
 }

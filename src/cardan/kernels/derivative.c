@@ -77,8 +77,7 @@ void cardan_restart(cardan_run *run)
 {
     run->segment = run->t;
     run->in_segment = 0;
-    run->fresh = 0;
-    run->pass_parts = 0;
+    run->fresh = run->pass_parts = 0;
     run->until = run->stops[run->next_stop];
     for (ptrdiff_t i = 0; i < run->tick_count; i++)
         if (run->ticks[i].next < run->until)
@@ -95,7 +94,6 @@ int cardan_segment(cardan_run *run)
     real middle = 0.5 * (run->t + run->stops[run->next_stop]);
 
     cardan_restart(run);
-    run->pass_parts = 0;
     for (ptrdiff_t i = 0; i < run->signal_count; i++) {
         cardan_signal *s = run->signals + i;
         while (s->where + 1 < s->pieces && s->breaks[s->where + 1] < middle)

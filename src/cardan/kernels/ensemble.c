@@ -29,7 +29,7 @@ static int begin(cardan_ensemble *e, cardan_lane *lane)
         memcpy((char *)run + e->own[k].offset, &own, sizeof own);
     }
     if (e->rows)
-        run->rows = e->rows + i * run->capacity * (1 + run->n + nr);
+        run->rows = e->rows + i * run->capacity * cardan_row_width(run);
     run->budget = SLICE;
     lane->number = i;
     return cardan_run_start(run);
@@ -57,8 +57,14 @@ static void one_by_one(cardan_ensemble *e)
 
         if (answer == 0)
             answer = CARDAN_MORE;
-        while (answer == CARDAN_MORE)
+        while (answer == CARDAN_MORE) {
             answer = e->stop ? CARDAN_STOPPED : cardan_run_drive(run);
+            /* rows have room; nobody reads the log of events */
+            if (answer == CARDAN_FULL) {
+                run->log_count = 0;
+                answer = CARDAN_MORE;
+            }
+        }
         finish(e, e->lanes, answer);
     }
 }

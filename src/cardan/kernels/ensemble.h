@@ -43,7 +43,7 @@ typedef struct cardan_ensemble {
     ptrdiff_t timed; /* 1: inputs depend on time */
 
     /* answers */
-    double *rows;     /* (count, capacity, 1 + n + nr), NULL if none are wanted */
+    double *rows;     /* (count, capacity, cardan_row_width(run)), NULL if none are wanted */
     double *x;        /* (count, nx) where they end */
     cardan_run *ends; /* (count) records as they were then */
     ptrdiff_t *answers; /* (count) */

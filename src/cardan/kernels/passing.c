@@ -14,9 +14,10 @@
  */
 #include "dependent.h"
 #include "explicit.h"
+#include "gauss.h"
 #include <math.h>
 
-enum { MOST_POINTS = 10, FEWEST_POINTS = 6, MOST_SWEEPS = 40 };
+enum { FEWEST_POINTS = 6, MOST_SWEEPS = 40 };
 static const real WINDOW = 0.25; /* radians or sizes: a step is at least as long, error permitting */
 static const real NEAREST = 0.01; /* radians or sizes: nearer than that no step is tried */
 static const real APART = 0.03;  /* of the step: how far Gauss points are from the place, at least */
@@ -24,61 +25,10 @@ static const real ENOUGH = 1e-2; /* of the tolerance: where sweeps end */
 static const real ROUNDING = 1e-14; /* relative, times the inverse cube of the distance */
 static const real LOOSE = 10;    /* residuals and last coefficients, in units of the tolerance */
 
-/* A step of length h with s points (s), weights (s), and how far they keep from a place in it. */
-typedef struct gauss {
-    ptrdiff_t s;
-    real h, apart, points[MOST_POINTS], weights[MOST_POINTS];
-} gauss;
-
-/* Numbers that are kept: derivatives at the points, at the last sweep, a state. */
+/* Numbers that are kept: derivatives at the points, those of the last sweep, the start. */
 ptrdiff_t cardan_passing_length(const cardan_run *run)
 {
     return run->constraint_jacobian.function ? (2 * MOST_POINTS + 1) * run->n : 0;
-}
-
-/* Legendre polynomials p (count) at x in -1 ... 1. */
-static void legendre(real x, ptrdiff_t count, real *p)
-{
-    p[0] = 1;
-    p[1] = x;
-    for (ptrdiff_t k = 1; k + 1 < count; k++)
-        p[k + 1] = ((real)(2 * k + 1) * x * p[k] - (real)k * p[k - 1]) / (real)(k + 1);
-}
-
-/* Points and weights of Gauss in 0 ... 1, by Newton's method. */
-static void lay(gauss *at, ptrdiff_t s)
-{
-    const real pi = 3.14159265358979323846;
-    real p[MOST_POINTS + 1];
-
-    at->s = s;
-    for (ptrdiff_t i = 0; i < s; i++) {
-        real x = -cos(pi * ((real)i + 0.75) / ((real)s + 0.5)), slope = 1;
-        for (int k = 0; k < 8; k++) {
-            legendre(x, s + 1, p);
-            slope = (real)s * (x * p[s] - p[s - 1]) / (x * x - 1);
-            x -= p[s] / slope;
-        }
-        at->points[i] = 0.5 * (1 + x);
-        at->weights[i] = 1 / ((1 - x * x) * slope * slope);
-    }
-}
-
-/* Weights w (count) of values at `points`, for the integral from a to b of their polynomial. */
-static void integral(const real *points, ptrdiff_t count, real a, real b, real *w)
-{
-    gauss rule;
-
-    lay(&rule, MOST_POINTS);
-    for (ptrdiff_t j = 0; j < count; j++) {
-        w[j] = 0;
-        for (ptrdiff_t i = 0; i < rule.s; i++) {
-            real x = a + (b - a) * rule.points[i], value = 1;
-            for (ptrdiff_t k = 0; k < count; k++)
-                value *= k == j ? 1 : (x - points[k]) / (points[j] - points[k]);
-            w[j] += (b - a) * rule.weights[i] * value;
-        }
-    }
 }
 
 /* to (n) = from + h sum of w f (count, n). */
@@ -205,6 +155,7 @@ static int choose(real tau, real h, gauss *at)
 {
     real best = 0;
 
+    lay(at, MOST_POINTS);
     for (ptrdiff_t s = MOST_POINTS; s >= FEWEST_POINTS; s--) {
         gauss other;
         real apart = INFINITY;
@@ -220,6 +171,14 @@ static int choose(real tau, real h, gauss *at)
     at->h = h;
     at->apart = best;
     return best >= 0.5 * APART;
+}
+
+/* Parts of a step of length h: of the grid, or as its dense output and the longest step ask. */
+static ptrdiff_t parts_of(const cardan_run *run, real h)
+{
+    const real fewest = run->dense_rows >= 6 ? 3 : 9;
+
+    return (ptrdiff_t)(run->on_grid ? h / run->h + 0.5 : fmax(fewest, ceil(fabs(h) / run->max_step)));
 }
 
 /* Try a step of length h over a place `tau` ahead; `error` becomes its error in tolerances. */
@@ -249,7 +208,7 @@ static int attempt(cardan_run *run, real tau, real h, real *error)
         run->pass_start = run->t;
         run->pass_length = h;
         run->pass_part = 0;
-        run->pass_parts = run->on_grid ? (ptrdiff_t)(h / run->h + 0.5) : run->dense_rows >= 6 ? 3 : 9;
+        run->pass_parts = parts_of(run, h);
         for (ptrdiff_t i = 0; i < run->n; i++)
             y[i] = run->y[i];
     }

@@ -19,6 +19,11 @@ static const double C[7] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
 #define K(j) k[(j) * n + i]
 #endif
 
+/* the last state before the one at the end, at the same time, is y + h times this */
+#define RK45_FIFTH                                                                                 \
+    (9017.0 / 3168 * K(0) - 355.0 / 33 * K(1) + 46732.0 / 5247 * K(2) + 49.0 / 176 * K(3)          \
+     - 5103.0 / 18656 * K(4))
+
 /* The stages of a step, one after the other: STAGE(s, sum) makes derivative s at y + h sum. */
 #define RK45_STAGES(STAGE)                                                                         \
     STAGE(1, 1.0 / 5 * K(0))                                                                       \
@@ -26,8 +31,7 @@ static const double C[7] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
     STAGE(3, 44.0 / 45 * K(0) - 56.0 / 15 * K(1) + 32.0 / 9 * K(2))                                \
     STAGE(4, 19372.0 / 6561 * K(0) - 25360.0 / 2187 * K(1) + 64448.0 / 6561 * K(2)                 \
                  - 212.0 / 729 * K(3))                                                             \
-    STAGE(5, 9017.0 / 3168 * K(0) - 355.0 / 33 * K(1) + 46732.0 / 5247 * K(2) + 49.0 / 176 * K(3)  \
-                 - 5103.0 / 18656 * K(4))                                                          \
+    STAGE(5, RK45_FIFTH)                                                                           \
     STAGE(6, 35.0 / 384 * K(0) + 500.0 / 1113 * K(2) + 125.0 / 192 * K(3) - 2187.0 / 6784 * K(4)   \
                  + 11.0 / 84 * K(5))
 

@@ -56,7 +56,8 @@ int cardan_run_at(cardan_run *run, real t, real *y)
     return status == CARDAN_OPEN ? 0 : status;
 }
 
-static ptrdiff_t width(const cardan_run *run)
+/* Numbers of a row: t, y, r, s, multipliers. */
+ptrdiff_t cardan_row_width(const cardan_run *run)
 {
     return 1 + run->n + run->nr + run->ns + run->nlam;
 }
@@ -64,7 +65,7 @@ static ptrdiff_t width(const cardan_run *run)
 /* Write a row for time t. */
 static int put(cardan_run *run, real t)
 {
-    real *row = run->rows + run->count * width(run);
+    real *row = run->rows + run->count * cardan_row_width(run);
     real theta = run->t == run->t_old ? 1 : (t - run->t_old) / (run->t - run->t_old);
     int status = cardan_run_at(run, t, row + 1);
 
@@ -144,7 +145,7 @@ static int sizes_fit(const cardan_run *run)
     return run->nq + run->nu + run->nz == run->nx && run->nx <= run->n && run->stop_count > 0
            && fits(run->stages, run->n) && fits(run->charted, 8) && fits(run->dense_rows, run->n)
            && run->dense_rows <= CARDAN_MOST_ROWS && fits(run->ne, 16) && fits(run->watched, 16)
-           && fits(run->nlam, 4) && fits(run->capacity, width(run))
+           && fits(run->nlam, 4) && fits(run->capacity, cardan_row_width(run))
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)

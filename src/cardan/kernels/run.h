@@ -9,7 +9,8 @@
  * control.
  *
  * Where circuits are closed by constraints, every state that is kept is projected onto them first:
- * positions, then velocities. The projection takes part in the error control.
+ * positions, then velocities. The projection takes part in the error control. Where branches of the
+ * motion meet, one step leads over the place whatever the method: see hold.c and passing.c.
  */
 #ifndef CARDAN_RUN_H
 #define CARDAN_RUN_H
@@ -187,6 +188,7 @@ struct cardan_run {
     ptrdiff_t open_row;    /* row of the ledger that was open last, -1 if none was */
     ptrdiff_t projections; /* calls of the functions that close */
     ptrdiff_t passed;      /* places where branches meet */
+    ptrdiff_t looked, limited; /* steps that explicit methods looked at; those stability limited */
     ptrdiff_t jacobians, factorizations; /* of the implicit methods */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 };
@@ -221,6 +223,7 @@ int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);
 int cardan_write_rows(cardan_run *run);
+ptrdiff_t cardan_row_width(const cardan_run *run);
 int cardan_inputs_at(cardan_run *run, real t, const real *x);
 void cardan_interpolate(ptrdiff_t rows, ptrdiff_t n, real theta, const real *y_old,
                         const real *spread, real *y);

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
+    from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
     from .compiled import CompiledModel
@@ -143,6 +144,17 @@ class Analyzed(Described):
         from ..analyses.actuation import hybrid_dynamics
 
         return hybrid_dynamics(self._itself, q, u, udot, **options)
+
+    def stiffness(self, x: ArrayLike, t: float = 0.0, **options: Any) -> Stiffness:
+        """The fastest rate at a state against the rate of the motion: whether implicit methods pay.
+
+        Args:
+            x: State [q, u, z] (nx,). t: Time [s].
+            options: ``r``, ``s``; see :func:`cardan.analyses.stiffness.stiffness`.
+        """
+        from ..analyses.stiffness import stiffness
+
+        return stiffness(self._itself, x, t, **options)
 
     def partition(self, q: ArrayLike, *, t: float = 0.0, r: Any = None) -> Partition:
         """Independent coordinates and speeds, chosen at a position: the minimal form.

@@ -17,7 +17,7 @@ from .ledger import Ledger
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-SOUGHT, CLOSED = 1e-14, 1e-11  # residuals relative to the size: what is sought, what is enough
+SOUGHT, CLOSED = 1e-15, 1e-11  # residuals relative to the size: what is sought, what is enough
 MOST_STEPS = 8
 
 

@@ -20,6 +20,7 @@ class Conduct:
             ``not_finite``, ``not_closed``, ``model_failed``, ``event_storm``, ``chatter`` or
             ``too_large``.
         message: The same as a sentence, with time and coordinate.
+        reason: Why this method, or what another one would do better.
         statistics: steps, rejections, evaluations, milliseconds.
     """
 
@@ -30,3 +31,4 @@ class Conduct:
     status: str
     message: str
     statistics: dict[str, float]
+    reason: str = ""

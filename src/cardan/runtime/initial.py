@@ -103,8 +103,8 @@ def _places(letter: str, rows: Rows, joints: Rows) -> dict[str, slice]:
 
 
 def entries(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
-    """Name -> entries of q or u: every entry by its own name, every joint for all of its own."""
-    rows = manifest["coordinates" if letter == "q" else "speeds"]
+    """Name -> entries of q, u or z: every entry by its name, every joint for all of its own."""
+    rows = manifest[{"q": "coordinates", "u": "speeds", "z": "z"}[letter]]
     return _places(letter, rows, manifest["joints"])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,6 +32,10 @@ def summary(motion: Trajectory) -> str:
         f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
         f"{count['milliseconds']:.3g} ms",
     ]
+    if conduct.reason:
+        lines[2:2] = wrap(
+            conduct.reason, 100, initial_indent="  note      ", subsequent_indent=" " * 12
+        )
     given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
     if count.get("passed"):
         lines.append(f"            over {count['passed']:.0f} singular positions")

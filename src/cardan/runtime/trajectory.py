@@ -340,11 +340,11 @@ class Trajectory:
                 the energies by default.
 
         Raises:
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+            ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
         """
         from ..view.plot import plot
 
-        return plot(self, None if path is None else Path(path), names)
+        return plot(self, path, names)
 
     def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
         """Write one self-contained page that plays the motion in any browser. Returns its path.

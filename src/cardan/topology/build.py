@@ -13,9 +13,10 @@ from ..model.origins import located
 from . import announcements, internals, motion
 from .assembly import Assembly
 from .built_in import BuiltIn
-from .circuits import independent
+from .circuits import Numbers, independent
 from .closed_forms import closed_forms
 from .convert import Converter
+from .legs import Axes
 from .pictures import pictures
 from .rotors import with_rotors
 from .system import Atom, Closure, Force, Named, System
@@ -85,9 +86,15 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     parents = [rigid.parent for rigid in assembly.bodies]
     cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
     closures: tuple[Closure, ...] = ()
-    if branches is not None:
+    closable: tuple[Closure, ...] = ()
+    if cuts or branches:
         free = [scene.joints[j.name].motion is None for j in assembly.joints]
-        closures, cuts = closed_forms(cuts, assembly.joints, free, branches)
+        axes = Axes(assembly.joints, parents, Numbers(convert))
+        solved, rest = closed_forms(cuts, axes, free, branches or {})
+        if branches is None:
+            closable = solved
+        else:
+            closures, cuts = solved, rest
     assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:
@@ -121,6 +128,7 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
         nu=assembly.nu,
         cuts=cuts,
         closures=closures,
+        closable=closable,
         constraints=constraints,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),

@@ -221,8 +221,9 @@ class Closure:
         cut: The joint that closes it.
         kind: How it is solved: a member of ``equations.closures``.
         unknown: The tree joints that follow, each after those it is carried by.
-        branch: 1 or -1: which of the two solutions.
-        side: 1 or -1: to which side of its line a leg is drawn out.
+        branch: 1 or -1: which of the two solutions; of a leg that of its two turning joints.
+        side: 1 or -1: which solution of the third joint of a leg.
+        third: Number of that joint, -1 where there is none.
     """
 
     cut: Cut
@@ -230,6 +231,7 @@ class Closure:
     unknown: tuple[int, ...]
     branch: int
     side: int = 1
+    third: int = -1
 
 
 @dataclass(frozen=True)
@@ -282,6 +284,7 @@ class System:
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
     ``cuts`` close the circuits of the tree, but for ``closures``, which are solved in closed form;
+    ``closable`` says which of the cuts could be, where that was not asked for;
     ``constraints`` are expressions that are kept at 0.
     ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
     ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
@@ -303,6 +306,7 @@ class System:
     nu: int
     cuts: tuple[Cut, ...] = ()
     closures: tuple[Closure, ...] = ()
+    closable: tuple[Closure, ...] = field(default=(), repr=False)
     constraints: tuple[Named, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()

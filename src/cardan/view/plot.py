@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import ModelError, listed, near
 from ..runtime.trajectory import Trajectory
 
 POINTS = 1500
@@ -17,14 +18,15 @@ Curve = NDArray[np.float64]
 Panels = list[tuple[str, dict[str, Curve]]]
 
 
-def plot(motion: Trajectory, path: Path | None, names: Iterable[str] | None) -> Any:
+def plot(motion: Trajectory, path: Any, names: Any) -> Any:
     """Draw histories; see :meth:`cardan.runtime.trajectory.Trajectory.plot`.
 
     Returns:
         The Matplotlib figure.
     """
+    chosen = None if names is None else asked(names)
     motion = _smooth(motion)
-    panels = _everything(motion) if names is None else _chosen(motion, list(names))
+    panels = _everything(motion) if chosen is None else _chosen(motion, chosen)
     return _figure(str(motion.manifest["name"]), "t [s]", motion.t, panels, path)
 
 
@@ -41,10 +43,22 @@ def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], pat
         The Matplotlib figure.
     """
     panels = [(name, _columns(name, np.asarray(values))) for name, values in curves.items()]
-    return _figure(title, label, over, panels, None if path is None else Path(path))
+    return _figure(title, label, over, panels, path)
 
 
-def plot_points(title: str, points: Curve, path: Path | None) -> Any:
+def asked(names: Any) -> list[str]:
+    """Names of histories to draw; one alone stands for itself.
+
+    Raises:
+        ModelError: they are no names, or there are none.
+    """
+    found = listed("plot: names", names, "elbow")
+    if not found:
+        raise ModelError("plot: names is empty; leave it out to draw everything")
+    return found
+
+
+def plot_points(title: str, points: Curve, path: Any) -> Any:
     """Draw places (n, 3) from three sides.
 
     Returns:
@@ -60,7 +74,7 @@ def plot_points(title: str, points: Curve, path: Path | None) -> Any:
     return _done(figure, title, path)
 
 
-def _figure(title: str, label: str, over: Curve, panels: Panels, path: Path | None) -> Any:
+def _figure(title: str, label: str, over: Curve, panels: Panels, path: Any) -> Any:
     """Panels below each other, written to a file if there is one."""
     figure = _empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
@@ -88,12 +102,23 @@ def _empty(size: tuple[float, float]) -> Any:
     return Figure(figsize=size, layout="constrained")
 
 
-def _done(figure: Any, title: str, path: Path | None) -> Any:
-    """The figure with its headline, written to a file if there is one."""
+def _done(figure: Any, title: str, path: Any) -> Any:
+    """The figure with its headline, written to a file if there is one.
+
+    Raises:
+        ModelError: no path, or one whose ending says no format.
+    """
     figure.suptitle(title)
-    if path is not None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path, dpi=130)
+    if path is None:
+        return figure
+    if not isinstance(path, str | PathLike):
+        raise ModelError(f"plot({path!r}): the first argument is the picture file; give names=")
+    file, known = Path(path), figure.canvas.get_supported_filetypes()
+    ending = file.suffix[1:].lower()
+    if ending and ending not in known:
+        raise ModelError(f"plot: '{file}' has no ending of a picture.{near(ending, known)}")
+    file.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(file, dpi=130)
     return figure
 
 

@@ -19,10 +19,11 @@ import numpy as np
 from ...errors import ModelError, SolveError, SolveWarning
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
+from ..happenings import Happenings, happenings
 from ..progress import showing
 from ..sample import Plan
 from ..settings import settings
-from ..times import span
+from ..times import Span, span
 from .checkpoint import Checkpoint
 from .crew import suits, width_of
 from .gathered import UNFINISHED, Gathered
@@ -49,8 +50,11 @@ def ensemble(
     x0: Any = None,
     q: Any = None,
     u: Any = None,
+    z: Any = None,
     parameters: Mapping[str, Any] | None = None,
     inputs: Mapping[str, Any] | None = None,
+    sample: float | None = None,
+    events: Mapping[str, Any] | None = None,
     runs: int | None = None,
     seed: int = 0,
     reduce: str | Sequence[str] | Mapping[str, Any] | None = None,
@@ -73,12 +77,14 @@ def ensemble(
         t: End, ``(start, end)`` or output times [s].
         vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,); its names are
             coordinates, speeds, parameters or inputs.
-        x0: States (runs, nx); or q, u: arrays (runs, nq), (runs, nu) or by names,
+        x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.
         parameters: Name -> number, values (runs,) or a distribution.
         inputs: Name -> number, array (runs,), distribution; or, for all runs alike,
-            ``(times, values)`` or ``f(t, x)``.
+            ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
+        events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
+            done one after the other in every thread, the others in lanes.
         runs: How many, where nothing else says so.
         seed: Of the distributions; every name is drawn on its own.
         reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
@@ -102,30 +108,34 @@ def ensemble(
             the checkpoint; a run that failed, with ``check``.
         BuildError: a client whose machine builds other bits.
     """
-    over = span(t)
+    over, may = span(t), happenings(model, events)
+    may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     kept = reductions(reduce, histories_of(model), over.times is not None)
-    if over.times is None and kept:
-        over = replace(over, times=np.linspace(over.start, over.end, POINTS))
-    if not kept:
-        over = replace(over, times=None)
+    over = _observed(over, bool(kept))
     made, given = varied(
-        model, x0=x0, q=q, u=u, parameters=parameters, inputs=inputs, vary=vary, runs=runs,
-        seed=seed, over=(over.start, over.end),
+        model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
+        vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
-    job = Job(model, how, given, over, made, kept)
+    job = Job(model, how, given, may, over, made, kept)
     job = replace(job, width=_width(job, lanes), build=build_key(model))
     hands = Client(client) if client is not None else Threads(threads_of(threads))
-    result = _computed(job, hands, checkpoint, progress)
-    _complain(result, check)
-    return result
+    return _judged(_computed(job, hands, checkpoint, progress), check)
+
+
+def _observed(over: Span, kept: bool) -> Span:
+    """A span with output times where something is made of them, and without where not."""
+    if not kept:
+        return replace(over, times=None)
+    usual = np.linspace(over.start, over.end, POINTS) if over.times is None else over.times
+    return replace(over, times=usual)
 
 
 def _width(job: Job, lanes: int | None) -> int:
     """Lanes side by side; the first run tells whether they pay."""
     if lanes not in (None, 1):
         raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
-    if lanes == 1 or not suits(job.model, job.how, job.given):
+    if lanes == 1 or not suits(job.model, job.how, job.given, job.may):
         return 1
     crew, first = job.crew(), job.varied.part(0, 1)
     crew.run(first)
@@ -133,7 +143,7 @@ def _width(job: Job, lanes: int | None) -> int:
     crew.run(first)
     spent = time.perf_counter() - before
     own = job.varied.own_parameters
-    return width_of(job.model, job.how, own, spent * job.varied.runs)
+    return width_of(job.model, job.how, job.may, own, spent * job.varied.runs)
 
 
 def blocks(job: Job) -> list[Block]:
@@ -141,7 +151,7 @@ def blocks(job: Job) -> list[Block]:
     runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
     row = 8 * (1 + job.model.nx + job.model.nr)
     most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
-    if not suits(job.model, job.how, job.given):
+    if not suits(job.model, job.how, job.given, job.may):
         most = ALONE
     size = max(8, int(most) // 8 * 8)
     return [(first, min(first + size, runs)) for first in range(0, runs, size)]
@@ -159,9 +169,14 @@ def whose(job: Job) -> dict[str, str]:
         "model": digest(model.name, texts.get("rhs"), model.parameters.vector),
         "build": job.build,
         "plan": digest(job.varied.runs, *columns, given.constants, *pieces, functions),
-        "settings": digest(job.how, job.over.start, job.over.end, times),
+        "settings": digest(job.how, job.over.start, job.over.end, times, _watched(job.may)),
         "reductions": digest({name: _told(one) for name, one in job.kept.items()}),
     }
+
+
+def _watched(may: Happenings) -> list[Any]:
+    """Events in words that are the same in every process."""
+    return [may.rows, [(w.name, w.kind, w.direction) for w in may.watches]]
 
 
 def _told(reduction: Any) -> str:
@@ -188,14 +203,15 @@ def _computed(job: Job, hands: Threads | Client, checkpoint: Any, progress: Any)
     return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands))
 
 
-def _complain(result: Ensemble, check: bool) -> None:
-    """Warn of runs that did not reach their end."""
+def _judged(result: Ensemble, check: bool) -> Ensemble:
+    """The result; with a warning of runs that did not reach their end."""
     failed = len(result) - int(result.finished.sum())
     if not failed:
-        return
+        return result
     first = int(np.argmin(result.finished))
     why = result.messages.get(first, "interrupted before it began")
     text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
     if check:
         raise SolveError(text)
     warnings.warn(text, SolveWarning, stacklevel=4)
+    return result

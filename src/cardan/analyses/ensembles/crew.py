@@ -19,6 +19,7 @@ from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
 from ...runtime.samples import build
 from .. import record as abi
+from ..happenings import Happenings
 from ..outcome import explain
 from ..run import Runner
 from ..settings import Settings
@@ -38,7 +39,8 @@ class Ends:
 
     Attributes:
         x: Last states (count, nx).
-        rows: At the output times (count, nt, 1 + nx + nr): t, x, r; NaN where a run ended before.
+        rows: At the output times (count, nt, 1 + nx + nr + ns or more): t, x, r, s; NaN where a run
+            had ended before.
         status: Words, (count,).
         messages: Of the runs that did not reach their end, by index in the block.
         numbers: By name: where it ended ``t`` [s], ``steps``, ``rejections``, ``evaluations``.
@@ -51,9 +53,9 @@ class Ends:
     numbers: dict[str, Array]
 
 
-def suits(model: CompiledModel, how: Settings, given: Signals) -> bool:
+def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) -> bool:
     """Whether the loop in C can do the runs: trees with a compiler, no Python on the way."""
-    if given.functions or Closing.of(model).rows or model.manifest.get("events"):
+    if given.functions or may.watches or may.ticks or Closing.of(model).rows:
         return False
     # what a method makes of itself for a model is asked for every run
     if how.method.suited is not None:
@@ -65,8 +67,10 @@ def suits(model: CompiledModel, how: Settings, given: Signals) -> bool:
     return bool(model._function("rhs").address)
 
 
-def width_of(model: CompiledModel, how: Settings, own: bool, seconds: float) -> int:
-    """Lanes side by side: 1 without vectors, or where building them takes longer than it saves.
+def width_of(
+    model: CompiledModel, how: Settings, may: Happenings, own: bool, seconds: float
+) -> int:
+    """Lanes side by side: 1 without vectors, with events, or where building takes longer.
 
     Args:
         own: Every run has parameters of its own.
@@ -74,7 +78,7 @@ def width_of(model: CompiledModel, how: Settings, own: bool, seconds: float) -> 
     """
     function = model._function("rhs")
     batch = function.caller.batch
-    if not how.method.lanes or batch.recipe is None or widths.width() == 1:
+    if may.rows or not how.method.lanes or batch.recipe is None or widths.width() == 1:
         return 1
     if batch.ready(own) is None and seconds < batch.cost:
         return 1
@@ -85,7 +89,13 @@ class Crew:
     """A thread's records, one per lane."""
 
     def __init__(
-        self, model: CompiledModel, how: Settings, given: Signals, over: Span, width: int
+        self,
+        model: CompiledModel,
+        how: Settings,
+        given: Signals,
+        may: Happenings,
+        over: Span,
+        width: int,
     ) -> None:
         """Allocate.
 
@@ -93,11 +103,12 @@ class Crew:
             model: A model that :func:`suits`.
             how: The method and its tolerances.
             given: Inputs that are the same for all runs.
+            may: Events of the model.
             over: Start and end; ``times`` are the output times.
             width: Lanes, as :func:`width_of` says.
         """
         self.model, self.how, self.over, self.width = model, how, over, width
-        self.runners = [Runner(model, how, given, power=False) for _ in range(width)]
+        self.runners = [Runner(model, how, given, False, may) for _ in range(width)]
         self.times = np.empty(0) if over.times is None else np.ascontiguousarray(over.times)
         stops = [*given.corners(over.start, over.end), over.end]
         for runner in self.runners:
@@ -128,10 +139,11 @@ class Crew:
     def run(self, part: Varied) -> Ends:
         """All runs of a block."""
         count, run = part.runs, self.runners[0].record
-        x0 = np.concatenate([part.block("q"), part.block("u")], axis=1)
+        x0 = part.states()
         r, p = part.block("r"), part.block("p") if part.own_parameters else None
         x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
-        rows = np.full((count, len(self.times), 1 + run.n + run.nr), np.nan)
+        width = 1 + run.n + run.nr + run.ns + run.nlam
+        rows = np.full((count, len(self.times), width), np.nan)
         ends = (abi.Run * count)()
         d = self.driver
         keep = self._own(p)

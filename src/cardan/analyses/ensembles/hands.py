@@ -225,8 +225,8 @@ def remote(parts: tuple[Any, ...], rest: dict[str, Any], first: int, last: int) 
             "versions differ, and so would the last digits. Use equal machines"
         )
     width = 1
-    if job.width > 1 and suits(model, job.how, job.given):
-        width = width_of(model, job.how, job.varied.own_parameters, np.inf)
+    if job.width > 1 and suits(model, job.how, job.given, job.may):
+        width = width_of(model, job.how, job.may, job.varied.own_parameters, np.inf)
     job = Job(**{f.name: getattr(job, f.name) for f in fields(job)} | {"width": width})
     piece = compute(job, job.crew(), 0, last - first)
     messages = {first + k: text for k, text in piece.messages.items()}

@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...runtime.compiled import CompiledModel
+from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
+from ..happenings import Happenings
 from ..settings import Settings
 from ..signals import Signals
 from ..times import Span
@@ -34,6 +36,7 @@ class Job:
         model: The compiled model.
         how: The method and its tolerances.
         given: Inputs that all runs share.
+        may: What may happen.
         over: Start, end and output times.
         varied: What the runs differ by.
         kept: Reductions by name.
@@ -44,6 +47,7 @@ class Job:
     model: CompiledModel
     how: Settings
     given: Signals
+    may: Happenings
     over: Span
     varied: Varied
     kept: Mapping[str, Reduction]
@@ -52,14 +56,17 @@ class Job:
 
     def crew(self) -> Crew | Single:
         """What a thread computes with."""
-        if suits(self.model, self.how, self.given):
-            return Crew(self.model, self.how, self.given, self.over, self.width)
-        return Single(self.model, self.how, self.given, self.over)
+        asked = self.model, self.how, self.given, self.may
+        if suits(*asked):
+            return Crew(*asked, self.over, self.width)
+        return Single(*asked, self.over)
 
     def motion(self, k: int, times: Array | None) -> Trajectory:
         """One run as a trajectory, at times or dense."""
         over = replace(self.over, times=times)
-        return motion(self.model, self.how, self.given, over, self.varied.part(k, k + 1))[0]
+        return motion(self.model, self.how, self.given, self.may, over, self.varied.part(k, k + 1))[
+            0
+        ]
 
 
 @dataclass(frozen=True)
@@ -108,8 +115,9 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
     """What reductions see of a block."""
     model = job.model
     t = np.empty(0) if job.over.times is None else job.over.times
-    x, r = ends.rows[:, :, 1 : 1 + model.nx], ends.rows[:, :, 1 + model.nx :]
-    columns = {name: x[:, :, k] for k, name in enumerate((*model.coordinates, *model.speeds))}
+    x = ends.rows[:, :, 1 : 1 + model.nx]
+    r = ends.rows[:, :, 1 + model.nx : 1 + model.nx + model.nr]
+    columns = {name: x[:, :, k] for k, name in enumerate(entries(model))}
     columns |= {name: r[:, :, k] for k, name in enumerate(model.inputs)}
     outputs = [row["name"] for row in model.manifest["outputs"]]
     found: dict[str, Array] = {}
@@ -118,26 +126,27 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
         if name in columns:
             return columns[name]
         if not found:
-            values = _outputs(model, part, x, r, t)
+            values = _outputs(model, part, ends.rows)
             found.update((n, values[:, :, k]) for k, n in enumerate(outputs))
         return found[name]
 
-    return Histories(t, x, np.array([s == "finished" for s in ends.status]), of)
+    status = np.array(ends.status)
+    return Histories(t, x, status == FINISHED, status == EVENT, of)
 
 
-def _outputs(model: CompiledModel, part: Varied, x: Array, r: Array, t: Array) -> Array:
+def _outputs(model: CompiledModel, part: Varied, rows: Array) -> Array:
     """The user's outputs (runs, nt, ny); NaN where a run had ended."""
-    there = np.isfinite(x).all(axis=2)
-    run, when = np.nonzero(there)
-    own = None
+    there = np.isfinite(rows[:, :, : 1 + model.nx]).all(axis=2)
+    run, own = np.nonzero(there)[0], None
     if part.own_parameters:
         p = part.block("p")
         changed = [c.name for c in part.columns if c.block == "p"]
         names = list(model.parameters)
         own = {name: p[run, names.index(name)] for name in changed}
-    q, u = model.split(x[there])
-    given = r[there] if r.shape[2] else None
-    values = model.outputs(q, u, t=t[when], r=given, parameters=own)
+    sizes = np.cumsum([1, model.nq, model.nu, model.nz, model.nr, model.ns])
+    t, q, u, z, r, s, _ = np.split(rows[there], sizes, axis=1)
+    given: dict[str, Array] = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1]}
+    values = model.outputs(q, u, t=t[:, 0], parameters=own, **given)
     result = np.full((*there.shape, values.shape[1]), np.nan)
     result[there] = values
     return result
@@ -146,7 +155,12 @@ def _outputs(model: CompiledModel, part: Varied, x: Array, r: Array, t: Array) -
 def histories_of(model: CompiledModel) -> list[str]:
     """Names that reductions may speak of."""
     outputs = [row["name"] for row in model.manifest["outputs"]]
-    return [*model.coordinates, *model.speeds, *model.inputs, *outputs]
+    return [*entries(model), *model.inputs, *outputs]
+
+
+def entries(model: CompiledModel) -> tuple[str, ...]:
+    """Names of the entries of a state."""
+    return (*model.coordinates, *model.speeds, *model.internals)
 
 
 def build_key(model: CompiledModel) -> str:

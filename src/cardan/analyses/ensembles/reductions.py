@@ -50,12 +50,14 @@ class Histories:
         t: Output times (nt,).
         x: States (runs, nt, nx); NaN where a run had ended before.
         whole: Which runs reached their end, (runs,).
+        ended: Which ended before, as an event wanted it, (runs,).
         of: ``of(name)``: history of a coordinate, speed, input or output (runs, nt).
     """
 
     t: Array
     x: Array
     whole: NDArray[np.bool_]
+    ended: NDArray[np.bool_]
     of: Callable[[str], Array]
 
 
@@ -100,8 +102,13 @@ class OverTime(Reduction):
     per_run = True
 
     def part(self, block: Histories) -> Parts:
-        """NaN for a run that did not reach its end."""
-        return {"value": OVER_TIME[self.kind](block.of(self.name))}
+        """NaN for a run that broke down; of one that an event ended: up to there."""
+        y = block.of(self.name)
+        value = OVER_TIME[self.kind](y)
+        for k in np.flatnonzero(block.ended):
+            reached = y[k : k + 1, np.isfinite(y[k])]
+            value[k] = OVER_TIME[self.kind](reached)[0] if reached.size else np.nan
+        return {"value": value}
 
 
 @dataclass(frozen=True)

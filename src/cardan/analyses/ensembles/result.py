@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ArgumentError, ModelError, near
-from ...runtime.conduct import FINISHED
+from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
 from .gathered import Gathered
-from .job import NUMBERS, Job
+from .job import NUMBERS, Job, entries
 
 Array = NDArray[np.float64]
 
@@ -69,7 +69,7 @@ class Ensemble:
         """
         if name in self.results:
             return self.results[name]
-        names = [*self.job.model.coordinates, *self.job.model.speeds]
+        names = entries(self.job.model)
         if name not in names:
             known = [*self.results, *names]
             raise ModelError(f"ensemble['{name}']: it was not kept.{near(name, known)}")
@@ -89,7 +89,8 @@ class Ensemble:
     @property
     def u(self) -> Array:
         """Last speeds (runs, nu)."""
-        return self.final[:, self.job.model.nq :]
+        nq, nu = self.job.model.nq, self.job.model.nu
+        return self.final[:, nq : nq + nu]
 
     @property
     def status(self) -> NDArray[np.str_]:
@@ -103,8 +104,8 @@ class Ensemble:
 
     @property
     def finished(self) -> NDArray[np.bool_]:
-        """Which runs reached their end, (runs,)."""
-        return np.asarray(self.codes == self.words.index(FINISHED))
+        """Which runs reached their end, or one that an event made, (runs,)."""
+        return np.isin(self.status, (FINISHED, EVENT))
 
     @cached_property
     def varied(self) -> dict[str, Array]:

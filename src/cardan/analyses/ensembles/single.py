@@ -11,6 +11,7 @@ from ...runtime.compiled import CompiledModel
 from ...runtime.parameters import Parameters
 from ...runtime.trajectory import Trajectory
 from ..closed_start import closed_start
+from ..happenings import Happenings
 from ..plain import PlainRunner
 from ..run import Runner
 from ..settings import Settings, Start
@@ -23,10 +24,15 @@ from .varied import Varied
 Array = NDArray[np.float64]
 
 
-def prepared(
-    model: CompiledModel, how: Settings, given: Signals, over: Span, part: Varied
-) -> tuple[Runner | PlainRunner, Start, Signals]:
-    """The runner of the only run of a part, where it starts, and its inputs.
+def motion(
+    model: CompiledModel,
+    how: Settings,
+    given: Signals,
+    may: Happenings,
+    over: Span,
+    part: Varied,
+) -> tuple[Trajectory, Runner | PlainRunner]:
+    """The only run of a part, and what made it.
 
     Raises:
         ModelError: its circuits cannot be assembled.
@@ -35,27 +41,22 @@ def prepared(
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
     constants = part.block("r")[0]
     own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
-    x = np.concatenate([part.block("q")[0], part.block("u")[0]])
-    begin = Start(x, ())
+    begin = Start(part.states()[0], ())
     if Closing.of(model).rows:
         named = part.named("q", 0), part.named("u", 0)
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
-    return runner_of(model, how, own), begin, own
-
-
-def motion(
-    model: CompiledModel, how: Settings, given: Signals, over: Span, part: Varied
-) -> tuple[Trajectory, Runner | PlainRunner]:
-    """The only run of a part."""
-    runner, begin, own = prepared(model, how, given, over, part)
-    return _run(runner, over, begin, own, False), runner
+    runner = runner_of(model, how, own, may)
+    runner.loosen(begin.slack)
+    return _run(runner, over, begin, False), runner
 
 
 class Single:
     """Used as a :class:`.crew.Crew` is."""
 
-    def __init__(self, model: CompiledModel, how: Settings, given: Signals, over: Span) -> None:
-        self.model, self.how, self.given, self.over = model, how, given, over
+    def __init__(
+        self, model: CompiledModel, how: Settings, given: Signals, may: Happenings, over: Span
+    ) -> None:
+        self.model, self.how, self.given, self.may, self.over = model, how, given, may, over
         self.stopped = False
 
     def stop(self) -> None:
@@ -64,13 +65,13 @@ class Single:
 
     def run(self, part: Varied) -> Ends:
         """All runs of a block."""
-        count, nx, nr = part.runs, self.model.nx, self.model.nr
+        count, nx, nr, ns = part.runs, self.model.nx, self.model.nr, self.model.ns
         times = np.empty(0) if self.over.times is None else self.over.times
         over = Span(self.over.start, self.over.end, np.array([self.over.start, self.over.end]))
         over = self.over if self.over.times is not None else over
         ends = Ends(
             np.full((count, nx), np.nan),
-            np.full((count, len(times), 1 + nx + nr), np.nan),
+            np.full((count, len(times), 1 + nx + nr + ns), np.nan),
             ["not_run"] * count,
             {},
             {name: np.zeros(count) for name in ("steps", "rejections", "evaluations")},
@@ -80,7 +81,8 @@ class Single:
             if self.stopped:
                 break
             try:
-                made, runner = motion(self.model, self.how, self.given, over, part.part(k, k + 1))
+                one = part.part(k, k + 1)
+                made, runner = motion(self.model, self.how, self.given, self.may, over, one)
             except CardanError as problem:
                 # such as circuits that do not close with the parameters of this run
                 ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"
@@ -99,4 +101,5 @@ class Single:
         for name in ("steps", "rejections", "evaluations"):
             ends.numbers[name][k] = made.statistics[name]
         if ends.rows.shape[1]:
-            ends.rows[k, :reached] = np.concatenate([made.t[:, None], made.x, made.r], axis=1)
+            parts = [made.t[:, None], made.x, made.r, made.s]
+            ends.rows[k, :reached] = np.concatenate(parts, axis=1)

@@ -11,6 +11,7 @@ import numpy as np
 from ... import __version__
 from ...errors import ModelError
 from ...runtime.storage import ENDINGS, LIMIT, replaced
+from .job import entries
 from .reductions import Bins
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]
 def variables(ensemble: Ensemble) -> Variables:
     """Name -> (dimensions, values, attributes)."""
     model, t = ensemble.job.model, ensemble.t
-    names = json.dumps([*model.coordinates, *model.speeds])
+    names = json.dumps(entries(model))
     found: Variables = {
         "final": (("run", "entry"), ensemble.final, {"names": names}),
         "status": (("run",), ensemble.codes.astype(float), {"words": json.dumps(ensemble.words)}),
@@ -62,7 +63,7 @@ def to_xarray(ensemble: Ensemble) -> Any:
     found = variables(ensemble)
     times = {"time": found.pop("time")} if "time" in found else {}
     model = ensemble.job.model
-    coordinates = {"entry": [*model.coordinates, *model.speeds], **times}
+    coordinates = {"entry": list(entries(model)), **times}
     data = xarray.Dataset(found, coordinates, {"model": model.name})
     data["status"] = ("run", ensemble.status)
     return data

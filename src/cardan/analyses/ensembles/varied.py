@@ -17,7 +17,7 @@ from .. import sample
 from ..signals import Signals, signals
 
 Array = NDArray[np.float64]
-WHAT = {"q": "coordinate", "u": "speed", "p": "parameter", "r": "input"}
+WHAT = {"q": "coordinate", "u": "speed", "z": "state", "p": "parameter", "r": "input"}
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Column:
     """Values of one name, or of a whole block.
 
     Attributes:
-        block: ``q``, ``u``, ``p`` or ``r``.
+        block: ``q``, ``u``, ``z``, ``p`` or ``r``.
         name: As the user said it; the block itself where all of it was given.
         place: Its entries in the block.
         values: (runs, n), or (1, n) where all runs share them.
@@ -67,8 +67,12 @@ class Varied:
         columns = tuple(column.part(first, last) for column in self.columns)
         return replace(self, runs=last - first, columns=columns)
 
+    def states(self) -> Array:
+        """Where all runs start (runs, nx)."""
+        return np.concatenate([self.block(letter) for letter in "quz"], axis=1)
+
     def block(self, letter: str) -> Array:
-        """q (runs, nq), u (runs, nu), p (runs, np) or r (runs, nr) of all runs."""
+        """q (runs, nq), u (runs, nu), z, p (runs, np) or r (runs, nr) of all runs."""
         block = np.tile(self.base[letter], (self.runs, 1))
         for column in self.columns:
             if column.block == letter:
@@ -116,12 +120,12 @@ class Reader:
                 raise ArgumentError(f"{where}: a distribution goes to one entry, such as 'base.px'")
             self.waiting.append((block, name, place, value))
             return
-        array = self._shaped(where, numbers(where, value), place.stop - place.start)
+        array = self.shaped(where, numbers(where, value), place.stop - place.start)
         self._finite(block, where, place, array)
         self.columns.append(Column(block, name, place, np.ascontiguousarray(array)))
 
-    def _shaped(self, where: str, array: Array, size: int) -> Array:
-        """(runs, size) or (1, size)."""
+    def shaped(self, where: str, array: Array, size: int) -> Array:
+        """(runs, size) or (1, size); says how many runs there are."""
         if size == 1 and (array.ndim == 0 or array.shape[-1:] != (1,)):
             array = array[..., None]
         if array.ndim == 2 and array.shape[1] == size and len(array):
@@ -171,7 +175,7 @@ class Reader:
 
 
 def _entry(model: CompiledModel, block: str, k: int) -> str:
-    names = {"q": model.coordinates, "u": model.speeds, "r": model.inputs}
+    names = {"q": model.coordinates, "u": model.speeds, "z": model.internals, "r": model.inputs}
     return names[block][k] if block in names else list(model.parameters)[k]
 
 
@@ -181,8 +185,10 @@ def varied(
     x0: Any,
     q: Any,
     u: Any,
+    z: Any,
     parameters: Mapping[str, Any] | None,
     inputs: Mapping[str, Any] | None,
+    sample_time: float | None,
     vary: sample.Plan | Mapping[str, Any] | None,
     runs: int | None,
     seed: int,
@@ -197,12 +203,13 @@ def varied(
         ArgumentError: shapes that do not fit. SolveError: a value that is not finite.
     """
     reader = Reader(model, runs, seed)
-    if x0 is not None and (q is not None or u is not None):
-        raise ModelError("the start is given twice: by x0= and by q= or u=. Leave one out")
+    if x0 is not None and any(block is not None for block in (q, u, z)):
+        raise ModelError("the start is given twice: by x0= and by q=, u= or z=. Leave one out")
+    ends = model.nq, model.nq + model.nu
     if x0 is not None:
-        x = reader._shaped("x0", numbers("x0", x0), model.nx)
-        q, u = x[:, : model.nq], x[:, model.nq : model.nq + model.nu]
-    for letter, value in (("q", q), ("u", u)):
+        x = reader.shaped("x0", numbers("x0", x0), model.nx)
+        q, u, z = np.split(x, ends, axis=1)
+    for letter, value in (("q", q), ("u", u), ("z", z)):
         _state(reader, letter, value, "x0" if x0 is not None else letter)
     for name, value in (parameters or {}).items():
         _parameter(reader, name, f"parameters={{'{name}': ...}}", value)
@@ -211,27 +218,24 @@ def varied(
     for name, column in plan.values.items() if plan is not None else ():
         _named(reader, name, column)
     total = reader.total()
-    given = signals(model.manifest["inputs"], shared, None, over)
+    given = signals(model.manifest["inputs"], shared, sample_time, over)
     start, _ = initial_state(model.manifest, {}, {})
-    base = {
-        "q": start[: model.nq],
-        "u": start[model.nq :],
-        "p": model._parameters.vector,
-        "r": given.constants,
-    }
+    base = dict(zip("quz", np.split(start, ends), strict=True))
+    base |= {"p": model._parameters.vector, "r": given.constants}
     made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
     _no_rotation(model, made)
     return made, given
 
 
 def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
-    """Coordinates or speeds, by names or as a block."""
+    """Coordinates, speeds or internal states, by names or as a block."""
     if value is None:
         return
     model = reader.model
     if not isinstance(value, Mapping):
-        size = model.nq if letter == "q" else model.nu
-        reader.add(letter, letter, where, slice(0, size), value)
+        size = {"q": model.nq, "u": model.nu, "z": model.nz}[letter]
+        if size or letter != "z":
+            reader.add(letter, letter, where, slice(0, size), value)
         return
     places = entries(model.manifest, letter)
     for name, given in value.items():
@@ -254,8 +258,11 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
     shared = {}
     for name, value in (inputs or {}).items():
         own = isinstance(value, np.ndarray) and value.ndim > 0
-        if name in reader.model.inputs and (own or isinstance(value, sample.Distribution)):
-            k = reader.model.inputs.index(name)
+        known = reader.model.inputs
+        if own or isinstance(value, sample.Distribution):
+            if name not in known:
+                raise ModelError(f"inputs: there is no input '{name}'.{near(name, known)}")
+            k = known.index(name)
             reader.add("r", name, f"inputs={{'{name}': ...}}", slice(k, k + 1), value)
         else:
             shared[name] = value
@@ -268,15 +275,16 @@ def _named(reader: Reader, name: str, column: Array) -> None:
     tables: dict[str, Callable[[], dict[str, slice]]] = {
         "q": lambda: _single(entries(model.manifest, "q")),
         "u": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.speeds)},
+        "z": lambda: entries(model.manifest, "z"),
         "p": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.parameters)},
         "r": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.inputs)},
     }
     places = {block: table() for block, table in tables.items()}
     found = [block for block, table in places.items() if name in table]
     if len(found) > 1:
-        words = " and ".join(WHAT[block] for block in found)
+        words = " and a ".join(WHAT[block] for block in found)
         raise ModelError(
-            f"vary: '{name}' is a {words} here. Say which by q=, u=, parameters= or inputs="
+            f"vary: '{name}' is a {words} here. Say which by q=, u=, z=, parameters= or inputs="
         )
     if not found and name in model.manifest.get("structural", {}):
         model._parameters.checked(name, 0.0)

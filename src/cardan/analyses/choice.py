@@ -1,0 +1,118 @@
+"""Which method ``method="auto"`` takes, and why: a table of reasons, the first that holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+JACOBIAN = "rhs_jacobian"
+FINE = 1e-7  # below this rtol Radau needs fewer steps than Rosenbrock
+OFTEN = 500  # stops in a run, from which on they set the length of steps
+LOOKED = 12  # looks at what limits the steps, before one judges
+MOST = 0.75  # of them that found stability
+
+
+@dataclass(frozen=True)
+class Case:
+    """What the choice is made from.
+
+    Attributes:
+        rtol: Tolerance.
+        period: Shortest time between two samples or ticks (None: there are none) [s].
+        length: Of the run (None: not known) [s].
+        derived: Whether the model has the Jacobian of its right-hand side.
+        asked: Whether inputs are functions of the user, of which no derivative is known.
+        stiff: Whether stability has limited the steps of an explicit method.
+    """
+
+    rtol: float
+    period: float | None = None
+    length: float | None = None
+    derived: bool = True
+    asked: bool = False
+    stiff: bool = False
+
+    @property
+    def hurried(self) -> bool:
+        """Whether samples or ticks cut the run into many short segments."""
+        if self.period is None:
+            return False
+        return self.length is None or self.length > OFTEN * self.period
+
+
+class Limited(Exception):
+    """Stability limits the steps of an explicit method, not accuracy.
+
+    Attributes:
+        case: What the next choice is made from.
+    """
+
+    def __init__(self, case: Case) -> None:
+        super().__init__(case)
+        self.case = replace(case, stiff=True)
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A method, where it is the one to take, and why in words."""
+
+    method: str
+    holds: Callable[[Case], bool]
+    why: str
+
+
+STIFF = "stability limited the steps of DOP853, not accuracy"
+RULES: tuple[Rule, ...] = (
+    Rule(
+        "DOP853",
+        lambda case: case.stiff and not case.derived,
+        f"{STIFF}; Rosenbrock and Radau need '{JACOBIAN}': cd.compile(..., functions=[..., "
+        f"'{JACOBIAN}'])",
+    ),
+    Rule(
+        "Radau",
+        lambda case: case.stiff and (case.asked or case.rtol < FINE),
+        f"{STIFF}; Radau solves for its steps, to many digits and with inputs of any kind",
+    ),
+    Rule(
+        "Rosenbrock",
+        lambda case: case.stiff,
+        f"{STIFF}; Rosenbrock needs the least per step at this tolerance",
+    ),
+    Rule(
+        "RK45",
+        lambda case: case.hurried and case.rtol > FINE,
+        "samples or ticks end its steps: short ones cost half of those of DOP853",
+    ),
+    Rule(
+        "DOP853",
+        lambda case: True,
+        "not stiff as far as seen: fewest evaluations for an error, from 2 digits to 14",
+    ),
+)
+
+
+def choose(case: Case) -> Rule:
+    """The first rule that holds."""
+    return next(rule for rule in RULES if rule.holds(case))
+
+
+def limited(run: Any) -> bool:
+    """Whether stability limits the steps of a run.
+
+    Args:
+        run: Its record.
+    """
+    return bool(run.looked >= LOOKED and run.limited >= MOST * run.looked)
+
+
+def remark(method: str, run: Any, derived: bool) -> str:
+    """What to say of a run whose steps stability limited, "" of others."""
+    if not limited(run):
+        return ""
+    share = f"stability limited {100 * run.limited / run.looked:.0f} % of the steps of {method}, "
+    cure = "method='Rosenbrock' or 'Radau' takes longer ones"
+    if not derived:
+        cure += f", with functions=[..., '{JACOBIAN}'] at compile"
+    return f"{share}not accuracy: {cure}"

@@ -1,0 +1,154 @@
+"""``cardan ensemble``: many runs of a scene that differ by starts, parameters or inputs."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import reading, running, varying
+
+if TYPE_CHECKING:
+    from ..analyses.ensembles import Ensemble
+
+DESCRIPTION = """\
+Simulate a scene or robot many times, with other values in every run, on all cores and side by side
+in the vectors of each. Prints how the runs went and what was kept of them."""
+
+EPILOG = """\
+examples:
+  cardan ensemble arm.yaml --vary 'm=linspace(1, 2, 100)' --time 10
+        100 masses; a name is a coordinate, a speed (elbow.u), a parameter or an input
+  cardan ensemble arm.yaml --vary 'elbow=normal(0, 0.1)' --vary m=1,2,5 --runs 3000
+        1000 random angles for each of three masses
+  cardan ensemble arm.yaml --vary 'elbow=uniform(-1, 1)' --runs 1024 --plan sobol \\
+        --reduce 'max of elbow' --reduce 'mean of elbow' -o runs.nc
+        a number of every run, a mean over runs at every output time
+  cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --checkpoint runs.part
+        the same command goes on where it was stopped
+
+values: linspace(first, last, count), geomspace(first, last, count), 1,2,5,
+        uniform(low, high), normal(mean, deviation), log_uniform(low, high)
+reductions: max, min, range, rms, last of NAME: of every run; mean, variance, deviation of NAME:
+        over runs; 'mean of NAME over time', 'max of NAME over runs';
+        'histogram of NAME from LOW to HIGH in COUNT'"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    reading.arguments(parser)
+    running.arguments(parser)
+    many = parser.add_argument_group("the runs")
+    many.add_argument("--vary", metavar="NAME=VALUES", type=varying.vary, action="append",
+                      default=[], help="what differs; give it again for another")  # fmt: skip
+    many.add_argument("--runs", metavar="N", type=running.count, help="how many in all")
+    many.add_argument("--plan", choices=tuple(varying.PLANS), default="random",
+                      help="how distributions are drawn (default random)")  # fmt: skip
+    many.add_argument("--seed", type=int, default=0, help="of what is drawn (default 0)")
+    many.add_argument("--threads", metavar="N", type=running.count, help="default: all cores")
+    many.add_argument("--checkpoint", metavar="FILE", type=Path,
+                      help="keeps finished runs; the same command goes on from there")  # fmt: skip
+    results = parser.add_argument_group("results")
+    results.add_argument("--reduce", metavar="WORDS", action="append", default=[],
+                         help="such as 'max of elbow'; give it again for another")  # fmt: skip
+    results.add_argument("--points", metavar="N", type=running.count,
+                         help="output times of reductions (default 201)")  # fmt: skip
+    results.add_argument("-o", "--output", metavar="RUNS.nc", type=running.file(".nc"),
+                         help="netCDF file")  # fmt: skip
+    results.add_argument("--json", action="store_true", help="print JSON for another program")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, run, report."""
+    from ..pipeline import compile
+    from .terminal import console, progress
+
+    plan = varying.plan(options.vary, options.runs, options.plan, options.seed)
+    scene = reading.read(options)
+    with progress() as show:
+        show("deriving and compiling")
+        model = compile(scene)
+        show("running", 0.0)
+        made = model.ensemble(
+            **settings(scene, options),
+            vary=plan,
+            reduce=options.reduce,
+            threads=options.threads,
+            checkpoint=options.checkpoint,
+            progress=lambda fraction: show("running", fraction),
+        )
+    written = []
+    if options.output is not None:
+        options.output.parent.mkdir(parents=True, exist_ok=True)
+        written = [str(made.save(options.output))]
+    if options.json:
+        print(json.dumps(summary(made) | {"files": written}, indent=1))
+    else:
+        out = console()
+        for line in (repr(made), *told(made), *(f"wrote {path}" for path in written)):
+            out.print(line, soft_wrap=True)
+    return 0 if made.success else 1
+
+
+def settings(scene: Any, options: argparse.Namespace) -> dict[str, Any]:
+    """Arguments of the runs; what is varied comes before what the file says."""
+    found = running.settings(scene, options)
+    varied = {name for name, _ in options.vary}
+    for block, ending in (("q", ""), ("u", ".u")):
+        typed = dict(getattr(options, block))
+        found[block] = {
+            name: value
+            for name, value in found[block].items()
+            if name in typed or f"{name}{ending}" not in varied
+        }
+    if options.points:
+        found["t"] = np.linspace(0.0, found["t"], options.points)
+    return found
+
+
+def summary(made: Ensemble) -> dict[str, Any]:
+    """The runs in numbers."""
+    words, counts = np.unique(made.status, return_counts=True)
+    return {
+        "success": made.success,
+        "runs": len(made),
+        "statuses": dict(zip(words.tolist(), counts.tolist(), strict=True)),
+        "messages": {str(k): text for k, text in list(made.messages.items())[:10]},
+        "seconds": made.seconds,
+        "varied": {name: _range(values) for name, values in made.varied.items()},
+        "steps": _range(made.statistics["steps"]),
+        "results": {name: _numbers(made, value) for name, value in made.results.items()},
+    }
+
+
+def _numbers(made: Ensemble, value: Any) -> Any:
+    """A range of what every run has; all of the rest."""
+    counts = getattr(value, "counts", None)
+    if counts is not None:
+        return {"counts": counts.tolist(), "edges": value.edges.tolist()}
+    return _range(value) if len(value) == len(made) else np.asarray(value).tolist()
+
+
+def _range(values: Any) -> dict[str, float | None]:
+    there = np.asarray(values)[np.isfinite(values)]
+    if not there.size:
+        return {"min": None, "mean": None, "max": None}
+    return {"min": float(there.min()), "mean": float(there.mean()), "max": float(there.max())}
+
+
+def told(made: Ensemble) -> list[str]:
+    """Reductions on a screen."""
+    lines = []
+    for name, value in made.results.items():
+        counts = getattr(value, "counts", None)
+        if counts is not None:
+            lines.append(f"{name}: {' '.join(map(str, counts.tolist()))}")
+        else:
+            what = "over the runs" if len(value) == len(made) else "over the output times"
+            span = _range(value)
+            if span["mean"] is not None:
+                lines.append(f"{name}: {span['min']:.6g} ... {span['max']:.6g} {what}")
+    return lines

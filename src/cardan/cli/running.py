@@ -1,0 +1,77 @@
+"""What the commands that run a scene share: times, starts, tolerances, files they write."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what a run takes."""
+    run = parser.add_argument_group("the run")
+    run.add_argument("--time", metavar="SECONDS", type=positive, help="end time (default 10)")
+    run.add_argument("--q", metavar="JOINT=VALUE", type=named, action="append", default=[],
+                     help="initial coordinate of a joint; give it again for another")  # fmt: skip
+    run.add_argument("--u", metavar="JOINT=VALUE", type=named, action="append", default=[],
+                     help="initial speed of a joint")  # fmt: skip
+    run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-8)")
+    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-10)")
+
+
+def file(*endings: str) -> Callable[[str], Path]:
+    """The type of a file whose ending says what it holds."""
+
+    def path(text: str) -> Path:
+        found = Path(text)
+        if found.suffix.lower() not in endings:
+            raise argparse.ArgumentTypeError(f"'{text}' does not end in {' or '.join(endings)}")
+        return found
+
+    return path
+
+
+def positive(text: str) -> float:
+    """The type of a positive number."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value > 0):
+        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return value
+
+
+def count(text: str) -> int:
+    """The type of a number of things."""
+    if not (text.isascii() and text.isdigit() and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text} is not a number such as 1, 2, 3")
+    return int(text)
+
+
+def named(text: str) -> tuple[str, float | list[float]]:
+    """The type of ``elbow=0.3`` or ``ball=1,0,0,0``."""
+    name, found, numbers = text.rpartition("=")
+    try:
+        values = [float(x) for x in numbers.split(",")]
+    except ValueError:
+        values = []
+    if not (found and name and values and all(map(math.isfinite, values))):
+        raise argparse.ArgumentTypeError(f"'{text}' does not read JOINT=VALUE, such as elbow=0.3")
+    return name, values[0] if len(values) == 1 else values
+
+
+def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
+    """Arguments of the run: the defaults, then what the file says, then what was typed."""
+    typed = {"t": options.time, "rtol": options.rtol, "atol": options.atol}
+    found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
+    for block in ("q", "u"):
+        found[block] = {**found.get(block, {}), **dict(getattr(options, block))}
+    return found

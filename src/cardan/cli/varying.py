@@ -1,0 +1,114 @@
+"""``--vary NAME=VALUES``: words of the command line as a sampling plan."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..analyses import sample
+from ..errors import ModelError, near
+
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+LIST = re.compile(rf"\s*{NUMBER}\s*(?:,\s*{NUMBER}\s*)*")
+CALL = re.compile(rf"\s*(\w+)\s*\(({LIST.pattern})\)\s*")
+
+# word -> what it makes of its numbers, and their names
+AXES: dict[str, tuple[Callable[..., Any], str]] = {
+    "linspace": (lambda a, b, n: np.linspace(a, b, _whole(n)), "first, last, count"),
+    "geomspace": (lambda a, b, n: np.geomspace(a, b, _whole(n)), "first, last, count"),
+}
+KINDS: dict[str, tuple[Callable[..., Any], str]] = {
+    "uniform": (sample.uniform, "low, high"),
+    "normal": (sample.normal, "mean, deviation"),
+    "log_uniform": (sample.log_uniform, "low, high"),
+}
+PLANS = {
+    "random": sample.random,
+    "latin_hypercube": sample.latin_hypercube,
+    "sobol": sample.sobol,
+}
+FORMS = ", ".join(f"{word}({names})" for word, (_, names) in {**AXES, **KINDS}.items())
+
+
+def vary(text: str) -> tuple[str, Any]:
+    """The type of ``m=linspace(1, 2, 100)``, ``elbow=normal(0, 0.1)`` or ``m=1,2,5``."""
+    name, found, words = text.partition("=")
+    if not (found and name.strip()):
+        raise argparse.ArgumentTypeError(f"'{text}' does not read NAME=VALUES: {FORMS} or 1,2,5")
+    try:
+        return name.strip(), _values(words)
+    except (ModelError, ValueError, TypeError) as problem:
+        raise argparse.ArgumentTypeError(f"'{text}': {problem}") from None
+
+
+def _values(words: str) -> Any:
+    """An array of values or a distribution. Nothing is evaluated as code."""
+    call = CALL.fullmatch(words)
+    if call is None:
+        if not LIST.fullmatch(words):
+            raise ModelError(f"values are {FORMS} or a list 1,2,5")
+        return np.array(_numbers(words))
+    word, numbers = call.groups()
+    known = {**AXES, **KINDS}
+    if word not in known:
+        raise ModelError(f"there is no '{word}'.{near(word, known)}")
+    make, names = known[word]
+    values = _numbers(numbers)
+    if len(values) != names.count(",") + 1:
+        raise ModelError(f"{word} takes {names}")
+    return make(*values)
+
+
+def _numbers(text: str) -> list[float]:
+    values = [float(word) for word in text.split(",")]
+    if not all(map(math.isfinite, values)):
+        raise ModelError("numbers must be finite")
+    return values
+
+
+def _whole(count: float) -> int:
+    if count != int(count) or not 1 <= count <= sample.MOST:
+        raise ModelError(f"{count:g} is no number of values: 1, 2, ...")
+    return int(count)
+
+
+def plan(
+    given: Sequence[tuple[str, Any]], runs: int | None, kind: str, seed: int
+) -> sample.Plan | None:
+    """Every combination of the listed values; what is distributed is drawn for every run.
+
+    Args:
+        given: Names with arrays or distributions.
+        runs: In all; with listed values a multiple of their combinations.
+        kind: How to draw, of :data:`PLANS`.
+        seed: Of what is drawn.
+
+    Raises:
+        ModelError: a name twice, or a number of runs that does not fit.
+    """
+    names = [name for name, _ in given]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise ModelError(f"--vary: '{twice}' is given twice")
+    axes = {name: value for name, value in given if isinstance(value, np.ndarray)}
+    kinds = {name: value for name, value in given if not isinstance(value, np.ndarray)}
+    grid = sample.grid(axes) if axes else None
+    count = len(grid) if grid else 1
+    total = runs or count
+    if not given:
+        return None
+    if kinds and runs is None and not axes:
+        raise ModelError("--vary draws values: say of how many runs with --runs")
+    if total % count:
+        raise ModelError(f"--runs {total} is no multiple of the {count} combinations of values")
+    if not kinds and total != count:
+        raise ModelError(f"--runs {total}: the values have {count} combinations, all alike then")
+    values = {n: np.repeat(v, total // count) for n, v in grid.values.items()} if grid else {}
+    drawn = PLANS[kind](total, kinds, seed=seed).values if kinds else {}
+    words = [*(["grid"] if grid else []), *([kind.replace("_", " ")] if kinds else [])]
+    return sample.Plan(" and ".join(words), {name: {**values, **drawn}[name] for name in names})

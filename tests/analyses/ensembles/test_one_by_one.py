@@ -1,0 +1,85 @@
+"""Runs with circuits, events or Python on the way: one after the other, as ``simulate`` does."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from analyses.ensembles.test_bits import same
+from cardan.runtime import interpreted, toolchain
+
+
+@pytest.fixture(scope="module")
+def fourbar() -> cd.CompiledModel:
+    """A crank and a rocker, closed by a cut joint."""
+    scene = cd.Model("fourbar", gravity=(0, 0, -9.81))
+    lengths = {"crank": 0.2, "coupler": 0.6, "rocker": 0.5}
+    for name, length in lengths.items():
+        rod = cd.inertia.rod(1.0, length, axis="z")
+        scene.body(name, mass=1.0, com=(0, 0, -length / 2), inertia=rod)
+    crank, coupler, rocker = (scene.bodies[name] for name in lengths)
+    scene.joint("a", cd.Revolute("y"), scene.ground, crank)
+    scene.joint("b", cd.Revolute("y"), crank.at(0, 0, -0.2), coupler)
+    scene.joint("d", cd.Revolute("y"), scene.ground.at(0.55, 0, 0), rocker)
+    scene.joint("c", cd.Revolute("y"), coupler.at(0, 0, -0.6), rocker.at(0, 0, -0.5))
+    return cd.compile(scene, constraints="multipliers")
+
+
+def test_circuits_are_assembled_run_by_run(fourbar: cd.CompiledModel) -> None:
+    angles = np.linspace(-0.4, 0.4, 12)
+    made = fourbar.ensemble(0.5, q={"a": angles}, threads=2)
+    assert made.success
+    assert made.job.width == 1
+    same(made, fourbar.ensemble(0.5, q={"a": angles}, threads=1))
+    for i in (0, 7):
+        motion = fourbar.simulate(0.5, q={"a": angles[i]})
+        np.testing.assert_array_equal(made.final[i], motion.x[-1])
+        np.testing.assert_array_equal(made.run(i).x[-1], motion.x[-1])
+
+
+def test_functions_as_inputs(double: cd.CompiledModel) -> None:
+    def torque(t: float, x: np.ndarray) -> float:
+        return -0.3 * x[2] + 0.1 * t
+
+    elbow = np.linspace(-1, 1, 11)
+    made = double.ensemble(
+        1.0, q={"elbow": elbow}, inputs={"torque": torque}, reduce="max of elbow"
+    )
+    motion = double.simulate(1.0, q={"elbow": elbow[3]}, inputs={"torque": torque})
+    np.testing.assert_array_equal(made.final[3], motion.x[-1])
+
+    def broken(t: float, x: np.ndarray) -> float:
+        raise RuntimeError("no sensor")
+
+    with pytest.raises(RuntimeError, match="no sensor"):
+        double.ensemble(1.0, q={"elbow": elbow}, inputs={"torque": broken})
+
+
+def test_events_of_the_caller(double: cd.CompiledModel) -> None:
+    speeds = np.linspace(0, 6, 10)
+    events = {"up": ("elbow", 0.5)}
+    made = double.ensemble(1.0, u={"elbow": speeds}, events=events, reduce="max of elbow")
+    assert set(made.status) == {"finished", "event"}
+    assert made.success
+    for i in (0, 9):
+        motion = double.simulate(1.0, u={"elbow": speeds[i]}, events=events)
+        np.testing.assert_array_equal(made.final[i], motion.x[-1])
+        assert made.statistics["t"][i] == motion.t[-1]
+    # up to where the event was
+    assert 0.45 < made["max of elbow"][9] <= 0.5
+
+
+def test_without_a_compiler(double: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> None:
+    here = double.ensemble(0.3, q={"elbow": np.array([0.1, 0.2, 0.3])}, rtol=1e-10)
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "ziglang", list)
+    interpreted.announce.cache_clear()
+    bare = pickle.loads(pickle.dumps(double))
+    with pytest.warns(cd.BuildWarning, match="no C compiler"):
+        made = bare.ensemble(0.3, q={"elbow": np.array([0.1, 0.2, 0.3])}, rtol=1e-10)
+    assert made.job.build == "NumPy"
+    np.testing.assert_allclose(made.final, here.final, rtol=0, atol=1e-8)

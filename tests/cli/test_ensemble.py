@@ -1,0 +1,113 @@
+"""``cardan ensemble``: words of the command line as runs."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.io import netcdf_file
+
+from cardan.cli import main, varying
+
+ARM = str(Path(__file__).parents[2] / "examples" / "arm.urdf")
+
+
+def status(*words: str) -> int:
+    try:
+        return main(words)
+    except SystemExit as stop:
+        return int(stop.code or 0)
+
+
+def test_a_grid_with_random_values(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["ensemble", ARM, "--time", "0.2", "--vary", "waist=linspace(0, 1, 4)"]
+    words += ["--vary", "elbow=normal(0, 0.1)", "--runs", "40", "--reduce", "max of elbow"]
+    words += ["--reduce", "mean of elbow", "--points", "11", "-o", str(tmp_path / "a" / "runs.nc")]
+    assert status(*words, "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["runs"] == 40
+    assert found["statuses"] == {"finished": 40}
+    assert found["varied"]["waist"] == {"min": 0.0, "mean": 0.5, "max": 1.0}
+    assert len(found["results"]["mean of elbow"]) == 11
+    with netcdf_file(tmp_path / "a" / "runs.nc", mmap=False) as file:
+        waist = file.variables["varied waist"][:]
+        np.testing.assert_allclose(np.unique(waist), np.linspace(0, 1, 4), rtol=0, atol=1e-15)
+        assert file.variables["max of elbow"].shape == (40,)
+        assert file.variables["final"].shape == (40, 6)
+    assert status(*words) == 0
+    shown = capsys.readouterr().out
+    assert "40 runs from 0 s to 0.2 s" in shown
+    assert "max of elbow: " in shown
+
+
+def test_a_checkpoint(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["ensemble", ARM, "--time", "0.1", "--vary", "waist=1,2,5", "--json"]
+    words += ["--checkpoint", str(tmp_path / "runs")]
+    assert status(*words) == 0
+    first = json.loads(capsys.readouterr().out)
+    assert status(*words) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["steps"] == first["steps"]
+    assert status(*words, "--rtol", "1e-3") == 1
+    assert "belongs to another ensemble" in capsys.readouterr().err
+
+
+FORMS: dict[str, Any] = {
+    "m=1": [1.0],
+    "m= 1, -2.5e-3 ,.5": [1.0, -2.5e-3, 0.5],
+    "m=linspace(0, 1, 3)": [0, 0.5, 1],
+    "m = geomspace(1, 100, 3)": [1, 10, 100],
+}
+
+
+@pytest.mark.parametrize("text", FORMS)
+def test_lists(text: str) -> None:
+    name, values = varying.vary(text)
+    assert name == "m"
+    np.testing.assert_allclose(values, FORMS[text], rtol=1e-15)
+
+
+REFUSED = {
+    "m": "does not read NAME=VALUES",
+    "=1": "does not read NAME=VALUES",
+    "m=one": "values are linspace",
+    "m=linspace(1,2)": "linspace takes first, last, count",
+    "m=linspace(1,2,2.5)": "2.5 is no number of values",
+    "m=linspce(1,2,3)": "Did you mean 'linspace'",
+    "m=normal(0,-1)": "the deviation must be positive",
+    "m=uniform(2,1)": "low must be below high",
+    "m=1e999": "numbers must be finite",
+    "m=__import__('os')": "values are linspace",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_words_that_mean_nothing(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("ensemble", ARM, "--vary", text) == 2
+    assert REFUSED[text] in capsys.readouterr().err
+
+
+COUNTS = {
+    (
+        "--vary",
+        "waist=1,2,3",
+        "--vary",
+        "elbow=normal(0,1)",
+        "--runs",
+        "10",
+    ): "no multiple of the 3",
+    ("--vary", "elbow=normal(0,1)"): "say of how many runs with --runs",
+    ("--vary", "waist=1,2", "--runs", "4"): "have 2 combinations, all alike",
+    ("--vary", "waist=1", "--vary", "waist=2"): "'waist' is given twice",
+    (): "nothing differs between the runs",
+    ("--vary", "waste=1,2"): "Did you mean 'waist'",
+}
+
+
+@pytest.mark.parametrize("words", COUNTS)
+def test_runs_that_do_not_fit(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("ensemble", ARM, "--time", "0.1", *words) == 1
+    assert COUNTS[words] in capsys.readouterr().err
