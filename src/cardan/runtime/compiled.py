@@ -317,6 +317,12 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
+    def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
+        """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
+        from ..analyses.stepper import resume
+
+        return resume(self, path, events=events)
+
     def step(self, x: ArrayLike, dt: float, **options: Any) -> Array:
         """States (..., nx) a time dt [s] after x; see :func:`cardan.analyses.stepper.step`."""
         from ..analyses.stepper import step

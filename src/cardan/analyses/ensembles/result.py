@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
+from .crew import NUMBERS
 from .gathered import Gathered
-from .job import NUMBERS, Job, entries
+from .job import Job, entries
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from ..settings import Settings, Start
 from ..signals import Signals
 from ..simulate import _run, runner_of
 from ..times import Span
-from .crew import Ends
+from .crew import NUMBERS, Ends
 from .varied import Varied
 
 Array = NDArray[np.float64]
@@ -73,9 +73,9 @@ class Single:
             np.full((count, len(times), 1 + nx + nr + ns), np.nan),
             ["not_run"] * count,
             {},
-            {name: np.zeros(count) for name in ("steps", "rejections", "evaluations")},
+            np.zeros((count, len(NUMBERS))),
         )
-        ends.numbers["t"] = np.full(count, np.nan)
+        ends.numbers[:, 0] = np.nan
         for k in range(count):
             if self.stopped:
                 break
@@ -96,9 +96,7 @@ class Single:
         ends.status[k] = made.status
         if not made.success:
             ends.messages[k] = made.message
-        ends.numbers["t"][k] = runner.record.t
-        for name in ("steps", "rejections", "evaluations"):
-            ends.numbers[name][k] = made.statistics[name]
+        ends.numbers[k] = runner.record.t, *(made.statistics[name] for name in NUMBERS[1:])
         if ends.rows.shape[1]:
             parts = [made.t[:, None], made.x, made.r, made.s]
             ends.rows[k, :reached] = np.concatenate(parts, axis=1)
