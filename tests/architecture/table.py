@@ -57,6 +57,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
+    ("cardan.runtime.compiled", "CompiledModel.resume"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.analyses.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),

@@ -73,7 +73,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "Radau",
         lambda case: case.stiff and (case.asked or case.rtol < FINE),
-        f"{STIFF}; Radau solves for its steps, to many digits and with inputs of any kind",
+        f"{STIFF}; Radau reaches many digits and rarely asks for slopes of f(t, x)",
     ),
     Rule(
         "Rosenbrock",

@@ -116,13 +116,9 @@ static void enter(cardan_run *run, const cardan_board *at)
     }
 }
 
-/* Values at the start, the first ticks, and what happens there already. */
-int cardan_events_start(cardan_run *run)
+/* The first ticks of a run that starts at t. */
+void cardan_events_clock(cardan_run *run)
 {
-    const cardan_board at = cardan_board_of(run);
-    int status;
-
-    run->happened = run->at_once = 0;
     for (ptrdiff_t i = 0; i < run->tick_count; i++) {
         cardan_tick *tick = run->ticks + i;
         real k = ceil((run->t - tick->phase) / tick->period - 1e-9);
@@ -132,6 +128,15 @@ int cardan_events_start(cardan_run *run)
         if (fabs(tick->next - run->t) <= 1e-9 * tick->period)
             tick->next = run->t;
     }
+}
+
+/* Values at the start, and what happens there already. */
+int cardan_events_start(cardan_run *run)
+{
+    const cardan_board at = cardan_board_of(run);
+    int status;
+
+    run->happened = run->at_once = 0;
     if (at.m == 0)
         return 0;
     for (ptrdiff_t i = 0; i < at.m; i++) {
@@ -141,7 +146,6 @@ int cardan_events_start(cardan_run *run)
     status = cardan_event_values(run, run->t, run->y, at.g);
     if (status == 0)
         enter(run, &at);
-    cardan_restart(run);
     return status;
 }
 
