@@ -178,7 +178,7 @@ MISTAKES: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"a": (("z", 1.0), "mrk")}, cd.ModelError, "Did you mean 'mark'"),
     ({"a": (("z", 1.0), "mark", "left")}, cd.ModelError, "'left' is none of end, mark, down"),
     ({"a": lambda t: t}, ValueError, r"the function of 'a' must take \(t, x\)"),
-    ({"a": lambda t, x: "soon"}, ValueError, r"f\(t, x\) of 'a' gave no number"),
+    ({"a": lambda t, x: "soon"}, ValueError, "the function of 'a' gave 'soon', which is no number"),
     ({"floor.lower": ("z", 1.0)}, cd.ModelError, "the model has an event 'floor.lower'"),
 ]
 
