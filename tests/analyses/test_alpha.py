@@ -20,9 +20,9 @@ Array = np.ndarray
 SPEED = 150.0
 
 
-def top(**options: Any) -> cd.CompiledModel:
+def top(name: str = "heavy_top", **options: Any) -> cd.CompiledModel:
     """The fast heavy top: a free body, whose center is held to turn about the ground origin."""
-    scene = cd.Model("heavy_top", gravity=(0, 0, -9.81))
+    scene = cd.Model(name, gravity=(0, 0, -9.81))
     body = scene.body("top", mass=15, com=(0, 0, 0), inertia=(0.234375, 0.46875, 0.234375))
     scene.joint("free", cd.Free(), scene.ground, body)
     scene.joint("pivot", cd.Spherical(), scene.ground, body.at(0, -1, 0), cut=True)
@@ -252,7 +252,7 @@ def test_refusals(model: cd.CompiledModel) -> None:
     soft = top(constraints="penalty")
     with pytest.raises(ModelError, match="compile with constraints='multipliers'"):
         soft.simulate(0.1, x0=spinning(model), method="GeneralizedAlpha")
-    few = top(functions=["rhs", "qdot", "close_position", "close_velocity"])
+    few = top("few", functions=["rhs", "qdot", "close_position", "close_velocity"])
     with pytest.raises(ModelError, match="needs the function 'balance'"):
         few.simulate(0.1, x0=spinning(model), method="GeneralizedAlpha")
 
