@@ -116,9 +116,6 @@ class Solved(Protocol):
     held: Matrix
     certainty: Scalar | None
 
-    def derivative(self, x: Scalar) -> Scalar:
-        """Time derivative of an expression along the motion."""
-
 
 class Jumped(Protocol):
     """What an element may know of an event."""
@@ -129,6 +126,9 @@ class Jumped(Protocol):
     @property
     def before(self) -> Solved:
         """The solution of the equations of motion before the event."""
+
+    def derivative(self, x: Scalar, s: Matrix) -> Scalar:
+        """Time derivative of an expression before the event, were the element in other modes."""
 
     def after(self, x: Scalar) -> Scalar:
         """Value of an expression with the speeds behind the event."""

@@ -7,13 +7,14 @@ and 8 (impacts, stick and slip as constraints that come and go).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from ..elements.forces.force import Places
 from ..elements.internal import Impulse
 from ..ir.arithmetic import Scalar, select
 from ..ir.derivative import forward
-from ..ir.graph import ZERO
+from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..topology.system import Force
@@ -45,27 +46,23 @@ class Along:
         names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
         nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
         certainty = self._certainty.get(force.name)
-        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
+        return Own(Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
         g = self.k.graph
-        seeds = dict(self.k.time_seeds)
-        for i, node in enumerate(self.udot.nodes):
-            seeds[g.var("u", i)] = node
-        return Scalar(g, forward(g, [x.node], seeds)[0])
+        column = Matrix(g, 1, 1, [x.node])
+        slots = [g.var("u", i) for i in range(len(self.udot))]
+        slopes = [forward(g, [x.node], {slot: ONE})[0] for slot in slots]
+        return self.k.derivative(column)[0] + Matrix(g, len(slots), 1, slopes).dot(self.udot)
 
 
+@dataclass(frozen=True)
 class Own:
     """What one element may know of the solution of the equations of motion."""
 
-    def __init__(self, along: Along, held: Matrix, certainty: Scalar | None) -> None:
-        self.held, self.certainty = held, certainty
-        self._along = along
-
-    def derivative(self, x: Scalar) -> Scalar:
-        """Time derivative of an expression along the motion."""
-        return self._along.derivative(x)
+    held: Matrix
+    certainty: Scalar | None
 
 
 def rates(d: Dynamics) -> Matrix:
@@ -96,9 +93,19 @@ class Jump:
         self.k, self._d, self._force, self._speeds = d.k, d, force, speeds
 
     @cached_property
+    def _along(self) -> Along:
+        return Along(self._d)
+
+    @property
     def before(self) -> Own:
         """The solution of the equations of motion before the event."""
-        return Along(self._d).of(self._force)
+        return self._along.of(self._force)
+
+    def derivative(self, x: Scalar, s: Matrix) -> Scalar:
+        """Time derivative of an expression before the event, were the element in other modes."""
+        g = self.k.graph
+        modes = {g.var("s", self._force.s + i): node for i, node in enumerate(s.nodes)}
+        return Scalar(g, rebuild(g, [self._along.derivative(x).node], modes, into=g)[1][0])
 
     def fired(self, event: int) -> Scalar:
         """1 where this event of the element happened, else 0."""
