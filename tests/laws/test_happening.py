@@ -8,6 +8,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import cardan as cd
+from mechanisms import closed_planar
 
 G = 9.81
 FINE = {"rtol": 1e-11, "atol": 1e-12}
@@ -347,3 +348,62 @@ def test_saved_scenes_keep_their_elements(tmp_path: object) -> None:
     models = [cd.compile(s) for s in (scene, again)]
     one, two = (m.rhs(0.0, [0.3, -0.2], s=[1, 0.1, 0.2, 0]) for m in models)
     assert np.array_equal(one, two)
+
+
+def rough_four_bar(friction: bool) -> cd.Model:
+    """A crank-rocker with bearings that its own reactions press."""
+    scene = cd.Model("rough" if friction else "smooth", gravity=(0, 0, -G))
+    bars = {}
+    for name, length in (("crank", 0.3), ("coupler", 0.9), ("rocker", 0.7)):
+        inertia = cd.inertia.rod(length, length, axis="x")
+        bars[name] = scene.body(name, mass=length, com=(length / 2, 0, 0), inertia=inertia)
+    tip = bars["coupler"].at(0.9, 0, 0)
+    scene.joint("A", cd.Revolute("y"), scene.ground, bars["crank"])
+    scene.joint("B", cd.Revolute("y"), bars["crank"].at(0.3, 0, 0), bars["coupler"])
+    scene.joint("D", cd.Revolute("y"), scene.ground.at(0.9, 0, 0), bars["rocker"])
+    scene.joint("C", cd.Revolute("y"), tip, bars["rocker"].at(0.7, 0, 0), cut=True)
+    if friction:
+        scene.force("fa", cd.Friction("A", mu=0.2, radius=0.05))
+        scene.force("fd", cd.Friction("D", mu=0.3, radius=0.05))
+    return scene
+
+
+@pytest.mark.parametrize("treatment", ["multipliers", "elimination", "null_space"])
+def test_friction_of_reactions_in_a_closed_loop(treatment: str) -> None:
+    """Against a fixed point of reactions; the rocker turns round where nothing can hold it."""
+    model = cd.compile(cd.derive(rough_four_bar(True), constraints=treatment))
+    free = cd.compile(cd.derive(rough_four_bar(False), constraints=treatment))
+    q = free.assemble({"A": 0.5}).x[:3]
+    u = free.close_velocity(q, [1.0, 0.0, 0.0])[:3]
+    at = [free.speeds.index("A.u"), free.speeds.index("D.u")]
+    signs, tau = np.sign(u[at]), np.zeros(3)
+    for _ in range(100):
+        across = [free.reaction(joint, q, u, tau=tau)[3:] * [1, 0, 1] for joint in "AD"]
+        tau[at] = -signs * 0.05 * np.array([0.2, 0.3]) * np.linalg.norm(across, axis=1)
+    wanted = free.forward_dynamics(q, u, tau=tau)
+    assert model.forward_dynamics(q, u) == pytest.approx(wanted, abs=1e-11)
+    motion = model.simulate(3.0, q={"A": 0.5}, u={"A": 2.0}, rtol=1e-8)
+    assert motion.success
+    assert len([event for event in motion.events if event.name == "fd.stop"]) > 3
+    assert np.abs(motion.drift.energy).max() < 1e-6
+
+
+@pytest.mark.parametrize("treatment", ["multipliers", "elimination", "null_space", "closed_form"])
+def test_friction_turns_round_where_the_mechanism_has_a_dead_point(treatment: str) -> None:
+    # the rocker rests there while the crank goes on: nothing can stick
+    torque = 0.1
+    scene = closed_planar.four_bar()
+    scene.force("pivot", cd.Friction("D", coulomb=torque))
+    model = cd.compile(cd.derive(scene, constraints=treatment))
+    motion = model.simulate(1.0, q={"A": 1.0}, **FINE)
+    assert motion.success, motion.message
+    stops = [event for event in motion.events[1:] if event.name == "pivot.stop"]
+    # the crank moves: no end of the motion itself
+    at_dead_points = [event for event in stops if abs(event.x[model.nq]) > 1]
+    assert len(at_dead_points) >= 3
+    assert [event.s_after[0] for event in at_dead_points] == [-e.s[0] for e in at_dead_points]
+    # Coulomb friction takes its torque times the way
+    times = [0.0, *(event.t for event in stops), 1.0]
+    cranks = motion.at(np.array(times))[:, 0]
+    way = np.abs(np.diff([closed_planar.four_bar_angles(crank)["D"] for crank in cranks])).sum()
+    assert motion.work["pivot"][-1] == pytest.approx(-torque * way, rel=1e-9)

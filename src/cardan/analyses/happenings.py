@@ -195,10 +195,12 @@ def _checked(name: str, function: Value) -> Value:
     """The function, whose result must be a number."""
 
     def value(t: float, x: Array) -> float:
+        found = function(t, x)
         try:
-            found = float(function(t, x))
-        except (TypeError, ValueError) as problem:
-            raise ArgumentError(f"events: f(t, x) of '{name}' gave no number: {problem}") from None
-        return found
+            return float(found)
+        except (TypeError, ValueError):
+            raise ArgumentError(
+                f"events: the function of '{name}' gave {found!r}, which is no number"
+            ) from None
 
     return value

@@ -184,7 +184,17 @@ def _function(name: str, function: InputFunction) -> InputFunction:
     except ValueError:
         # built-in functions do not tell
         return function
-    return function
+
+    def value(t: float, x: Array) -> float:
+        found = function(t, x)
+        try:
+            return float(found)
+        except (TypeError, ValueError):
+            raise ArgumentError(
+                f"inputs: the function of '{name}' gave {found!r}, which is no number"
+            ) from None
+
+    return value
 
 
 def _number(name: str, value: Any) -> float:

@@ -26,7 +26,7 @@ from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, happenings
 from .integrators import INTEGRATORS
 from .outcome import explain
-from .plain import PlainRunner
+from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
 from .settings import Settings, Start, Values, blocks, settings, start
@@ -159,9 +159,12 @@ def runner_of(
             )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
     called += [name for _, name in needs]
+    compiled = _integrators(model)
+    if not compiled:
+        check_plain(how)
     # side by side, as both must be compiled
     model.prepare(*called)
-    if all(model._function(name).address for name in called) and _integrators(model):
+    if all(model._function(name).address for name in called) and compiled:
         return Runner(model, how, given, power, may)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
     return PlainRunner(model, replace(how, words=words), given, power, may)

@@ -16,7 +16,7 @@ from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
-from .layout import FUNCTIONS, NAMED, Layout
+from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction, assemble, batch
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -334,9 +334,7 @@ class CompiledModel(Analyzed):
         from .saved import digest, restore, texts
 
         self._objects.write(
-            name
-            for name in self.manifest["available"]
-            if name not in (*NAMED, "derivative", "rhs_jacobian")
+            name for name in self.manifest["available"] if name not in (*NAMED, *DEMANDED)
         )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)

@@ -205,9 +205,14 @@ class Friction(ForceElement):
         mode, v = at.s[0], self._speed(at)
         behind = jumped.after(v)
         along = select((behind * 0).apply("lt", behind), FORWARD, BACKWARD)
-        # coming to rest, or found at rest at the start
+        # coming to rest: it sticks where friction can take all of what accelerates it
+        response = jumped.response(v)
+        rate = jumped.before.derivative(v) + response * self._sliding(at) * self._direction(at)
+        bears = (rate.apply("abs") - response * self._most(at)).apply("le", 0.0)
+        turned = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
+        # or found sliding at the start
         moves = (v * 0).apply("lt", v.apply("abs")).apply("and", mode.apply("eq", float(UNDECIDED)))
-        stopped = select(moves, along, STICKING)
+        stopped = select(moves, along, select(bears, STICKING, turned))
         # sticking gives way to what pushes against it, or is torn loose by an impact elsewhere
         pushed = select(jumped.before.held[0].apply("lt", 0.0), FORWARD, BACKWARD)
         torn = select(
