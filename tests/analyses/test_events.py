@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.runtime import toolchain
 from cardan.runtime.trajectory import Trajectory, load
 
 G = 9.81
@@ -207,3 +209,34 @@ def test_an_unknown_internal_state(ball: cd.CompiledModel) -> None:
         ball.simulate(1.0, z={"motor.fore": 1.0})
     with pytest.raises(cd.ModelError, match="given twice"):
         ball.simulate(1.0, x0=[1, 0, 0], z={"motor.force": 1.0})
+
+
+def test_the_same_without_a_compiler(
+    ball: cd.CompiledModel,
+    servo: cd.CompiledModel,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    runs: list[tuple[cd.CompiledModel, dict[str, Any]]] = [
+        (ball, {"q": START, "inputs": {"push": 1.0}, "events": {"top": ("z", 0.1)}}),
+        (ball, {"q": START, "inputs": {"push": 0.5}, "z": {"motor.force": 1.0}}),
+        (servo, {}),
+    ]
+    compiled = [model.simulate(1.5, **given, **FINE) for model, given in runs]
+    models = [pickle.dumps(model) for model, _ in runs]
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    for (_, given), text, fast in zip(runs, models, compiled, strict=True):
+        bare = pickle.loads(text)
+        with warnings.catch_warnings():
+            # it says once that there is no compiler
+            warnings.simplefilter("ignore", cd.BuildWarning)
+            motion = bare.simulate(1.5, **given, **FINE)
+        assert "in NumPy" in motion.conduct.settings
+        assert motion.status == fast.status
+        assert [e.name for e in motion.events] == [e.name for e in fast.events]
+        times = [[e.t for e in some.events] for some in (motion, fast)]
+        np.testing.assert_allclose(*times, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(motion.x[-1], fast.x[-1], rtol=0, atol=1e-8)
+        np.testing.assert_allclose(motion.s[-1], fast.s[-1], rtol=0, atol=1e-8)
