@@ -104,7 +104,8 @@ class Change:
     s: Matrix | None = None
 
 
-class Solved(Protocol):
+@dataclass(frozen=True)
+class Solved:
     """What an element may know of the solution of the equations of motion.
 
     Attributes:

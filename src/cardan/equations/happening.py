@@ -7,11 +7,10 @@ and 8 (impacts, stick and slip as constraints that come and go).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ..elements.forces.force import Places
-from ..elements.internal import Impulse
+from ..elements.internal import Impulse, Solved
 from ..ir.arithmetic import Scalar, select
 from ..ir.derivative import forward
 from ..ir.graph import ONE, ZERO
@@ -41,12 +40,12 @@ class Along:
         self._rows = [row.name for row in d.constraints.rows] if d.k.system.closed else []
         self._certainty = d.pressed.certainty
 
-    def of(self, force: Force) -> Own:
+    def of(self, force: Force) -> Solved:
         """The part of one element."""
         names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
         nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
         certainty = self._certainty.get(force.name)
-        return Own(Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
+        return Solved(Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
@@ -55,14 +54,6 @@ class Along:
         slots = [g.var("u", i) for i in range(len(self.udot))]
         slopes = [forward(g, [x.node], {slot: ONE})[0] for slot in slots]
         return self.k.derivative(column)[0] + Matrix(g, len(slots), 1, slopes).dot(self.udot)
-
-
-@dataclass(frozen=True)
-class Own:
-    """What one element may know of the solution of the equations of motion."""
-
-    held: Matrix
-    certainty: Scalar | None
 
 
 def rates(d: Dynamics) -> Matrix:
@@ -97,7 +88,7 @@ class Jump:
         return Along(self._d)
 
     @property
-    def before(self) -> Own:
+    def before(self) -> Solved:
         """The solution of the equations of motion before the event."""
         return self._along.of(self._force)
 
