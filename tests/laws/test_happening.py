@@ -407,3 +407,17 @@ def test_friction_turns_round_where_the_mechanism_has_a_dead_point(treatment: st
     cranks = motion.at(np.array(times))[:, 0]
     way = np.abs(np.diff([closed_planar.four_bar_angles(crank)["D"] for crank in cranks])).sum()
     assert motion.work["pivot"][-1] == pytest.approx(-torque * way, rel=1e-9)
+
+
+def test_a_sliding_block_bounces_against_its_friction() -> None:
+    scene = slider("buffer", mass=2.0)
+    scene.force("end", cd.Stop("x", upper=1.0, restitution=0.5))
+    scene.force("rail", cd.Friction("x", coulomb=1.0))
+    motion = cd.compile(scene).simulate(3.0, u={"x": 2.0}, **FINE)
+    # 0.5 m/s^2 on the way there, back with half of what is left, again 0.5 m/s^2
+    back = 0.5 * np.sqrt(4.0 - 2 * 0.5)
+    assert motion["x"][-1] == pytest.approx(1.0 - back**2 / (2 * 0.5), abs=1e-9)
+    assert [e.name for e in motion.events] == ["rail.stop", "end.upper", "rail.stop"]
+    assert motion.events[1].s_after.tolist() == [0, -1]
+    assert motion.events[2].t == pytest.approx((2 - 2 * back) / 0.5 + back / 0.5, abs=1e-9)
+    assert np.abs(motion.drift.energy).max() < 1e-12
