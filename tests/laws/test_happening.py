@@ -8,6 +8,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import cardan as cd
+from mechanisms import closed_planar
 
 G = 9.81
 FINE = {"rtol": 1e-11, "atol": 1e-12}
@@ -385,3 +386,24 @@ def test_friction_of_reactions_in_a_closed_loop(treatment: str) -> None:
     assert motion.success
     assert len([event for event in motion.events if event.name == "fd.stop"]) > 3
     assert np.abs(motion.drift.energy).max() < 1e-6
+
+
+@pytest.mark.parametrize("treatment", ["multipliers", "elimination", "null_space", "closed_form"])
+def test_friction_turns_round_where_the_mechanism_has_a_dead_point(treatment: str) -> None:
+    # the rocker rests there while the crank goes on: nothing can stick
+    torque = 0.1
+    scene = closed_planar.four_bar()
+    scene.force("pivot", cd.Friction("D", coulomb=torque))
+    model = cd.compile(cd.derive(scene, constraints=treatment))
+    motion = model.simulate(1.0, q={"A": 1.0}, **FINE)
+    assert motion.success, motion.message
+    stops = [event for event in motion.events[1:] if event.name == "pivot.stop"]
+    # the crank moves: no end of the motion itself
+    at_dead_points = [event for event in stops if abs(event.x[model.nq]) > 1]
+    assert len(at_dead_points) >= 3
+    assert [event.s_after[0] for event in at_dead_points] == [-e.s[0] for e in at_dead_points]
+    # Coulomb friction takes its torque times the way
+    times = [0.0, *(event.t for event in stops), 1.0]
+    cranks = motion.at(np.array(times))[:, 0]
+    way = np.abs(np.diff([closed_planar.four_bar_angles(crank)["D"] for crank in cranks])).sum()
+    assert motion.work["pivot"][-1] == pytest.approx(-torque * way, rel=1e-9)
