@@ -206,63 +206,6 @@ def test_a_contact_bounces_as_its_equation_says() -> None:
     assert np.abs(motion.drift.energy).max() < 1e-8
 
 
-def test_a_sampled_controller_holds_its_force() -> None:
-    """Mass under a digital PD controller: exact steps of a double integrator."""
-    m, period = 2.0, 0.05
-    scene = slider("digital", mass=m)
-    x, v = scene.q("x"), scene.u("x")
-    scene.force("pd", cd.Controller.pid("x", x, v, target=1.0, kp=8.0, kd=5.0, sample=period))
-    motion = cd.compile(scene).simulate(np.arange(0, 3.001, period), **FINE)
-    place = speed = 0.0
-    wanted = []
-    for _ in motion.t:
-        wanted.append((place, speed))
-        a = (8.0 * (1.0 - place) - 5.0 * speed) / m
-        place, speed = place + speed * period + a * period**2 / 2, speed + a * period
-    assert motion.x == pytest.approx(np.array(wanted), abs=1e-10)
-
-
-def test_a_continuous_controller_has_states() -> None:
-    m, kp, ki, kd, target = 2.0, 8.0, 3.0, 5.0, 1.0
-    scene = slider("analog", mass=m)
-    x, v = scene.q("x"), scene.u("x")
-    scene.force("pid", cd.Controller.pid("x", x, v, target=target, kp=kp, ki=ki, kd=kd))
-    scene.output("sum", scene.state("pid.integral"))
-    motion = cd.compile(scene).simulate(4.0, **FINE)
-    A = np.array([[0, 1, 0], [-kp / m, -kd / m, ki / m], [-1, 0, 0]])
-    b = np.array([0, kp * target / m, target])
-    # x' = A x + b from rest
-    w, T = np.linalg.eig(A)
-    start = np.linalg.solve(T, np.linalg.solve(A, b))
-    wanted = (T @ (np.exp(w * motion.t[-1]) * start)).real - np.linalg.solve(A, b)
-    assert motion.x[-1] == pytest.approx(wanted, abs=1e-9)
-    assert motion["sum"][-1] == pytest.approx(wanted[2], abs=1e-9)
-    assert motion["pid.integral"][-1] == pytest.approx(wanted[2], abs=1e-9)
-
-
-def test_state_space_controllers_are_their_matrices() -> None:
-    scene = slider("observer", mass=1.0)
-    measured = [scene.q("x")]
-    made = cd.Controller.state_space("x", [[-3.0]], [[2.0]], [1.5], [-4.0], measured, start=(0.2,))
-    scene.force("lag", made)
-    motion = cd.compile(scene).simulate(2.0, q={"x": 1.0}, **FINE)
-    A = np.array([[0, 1, 0], [-4.0, 0, 1.5], [2.0, 0, -3.0]])
-    w, T = np.linalg.eig(A)
-    wanted = (T @ (np.exp(w * 2.0) * np.linalg.solve(T, [1.0, 0, 0.2]))).real
-    assert motion.x[-1] == pytest.approx(wanted, abs=1e-9)
-
-
-def test_an_actuator_lags() -> None:
-    scene = slider("motor", mass=1.0)
-    scene.force("motor", cd.Actuator("x", command=3.0, lag=0.2, limit=2.0))
-    motion = cd.compile(scene).simulate(1.0, **FINE)
-    assert motion["motor.force"] == pytest.approx(3.0 * (1 - np.exp(-motion.t / 0.2)), abs=1e-10)
-    # the joint feels it up to its limit
-    reached = -0.2 * np.log(1 - 2.0 / 3.0)
-    before = 3.0 * (reached - 0.2 * (1 - np.exp(-reached / 0.2)))
-    assert motion["x.u"][-1] == pytest.approx(before + 2.0 * (1.0 - reached), abs=1e-6)
-
-
 @pytest.mark.parametrize("direction", ["down", "up", "both"])
 def test_events_of_the_user_are_located(direction: str) -> None:
     """Zeros of a harmonic motion, ten times better than the tolerance asks."""
@@ -407,3 +350,17 @@ def test_friction_turns_round_where_the_mechanism_has_a_dead_point(treatment: st
     cranks = motion.at(np.array(times))[:, 0]
     way = np.abs(np.diff([closed_planar.four_bar_angles(crank)["D"] for crank in cranks])).sum()
     assert motion.work["pivot"][-1] == pytest.approx(-torque * way, rel=1e-9)
+
+
+def test_a_sliding_block_bounces_against_its_friction() -> None:
+    scene = slider("buffer", mass=2.0)
+    scene.force("end", cd.Stop("x", upper=1.0, restitution=0.5))
+    scene.force("rail", cd.Friction("x", coulomb=1.0))
+    motion = cd.compile(scene).simulate(3.0, u={"x": 2.0}, **FINE)
+    # 0.5 m/s^2 on the way there, back with half of what is left, again 0.5 m/s^2
+    back = 0.5 * np.sqrt(4.0 - 2 * 0.5)
+    assert motion["x"][-1] == pytest.approx(1.0 - back**2 / (2 * 0.5), abs=1e-9)
+    assert [e.name for e in motion.events] == ["rail.stop", "end.upper", "rail.stop"]
+    assert motion.events[1].s_after.tolist() == [0, -1]
+    assert motion.events[2].t == pytest.approx((2 - 2 * back) / 0.5 + back / 0.5, abs=1e-9)
+    assert np.abs(motion.drift.energy).max() < 1e-12

@@ -21,7 +21,7 @@ from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
-from .choice import JACOBIAN, Case, Limited, choose, limited, remark
+from .choice import JACOBIAN, Case, Limited, choose, reconsider, remark
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, happenings
 from .integrators import INTEGRATORS
@@ -208,8 +208,8 @@ def driven(
                 logs.append(runner.drained())
                 run.count = 0
             done = abs(run.t - over.start) / over.length
-            if case is not None and case.derived and not case.stiff and limited(run) and done < 0.5:
-                raise Limited(case)
+            if case is not None and done < 0.5:
+                reconsider(case, runner, over, begin.x)
             show(min(1.0, done))
     milliseconds = 1e3 * (time.perf_counter() - clock)
     width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
