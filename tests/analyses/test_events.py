@@ -207,3 +207,9 @@ def test_an_unknown_internal_state(ball: cd.CompiledModel) -> None:
         ball.simulate(1.0, z={"motor.fore": 1.0})
     with pytest.raises(cd.ModelError, match="given twice"):
         ball.simulate(1.0, x0=[1, 0, 0], z={"motor.force": 1.0})
+
+
+def test_reports_of_models_with_states_and_modes(ball: cd.CompiledModel) -> None:
+    report = ball.report()
+    assert {row.function for row in report.rows} >= {"rhs", "forward_dynamics"}
+    assert all(row.error is not None and row.error < 1e-14 for row in report.rows)
