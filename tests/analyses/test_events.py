@@ -284,3 +284,9 @@ def test_by_every_method(method: str, turning: tuple[cd.CompiledModel, Trajector
     np.testing.assert_allclose(
         motion.at(inside), wanted.at(inside), rtol=0, atol=10 * BOUNDS[method]
     )
+
+
+def test_reports_of_models_with_states_and_modes(ball: cd.CompiledModel) -> None:
+    report = ball.report()
+    assert {row.function for row in report.rows} >= {"rhs", "forward_dynamics"}
+    assert all(row.error is not None and row.error < 1e-14 for row in report.rows)
