@@ -21,7 +21,7 @@ CHOICES: list[tuple[Case, str, str]] = [
     (Case(1e-10, period=1e-3, length=1.0), "DOP853", "not stiff as far as seen"),
     (Case(1e-6, stiff=True), "Rosenbrock", "stability limited"),
     (Case(1e-9, stiff=True), "Radau", "stability limited"),
-    (Case(1e-6, stiff=True, asked=True), "Radau", "inputs of any kind"),
+    (Case(1e-6, stiff=True, asked=True), "Radau", "slopes of f(t, x)"),
     (Case(1e-6, stiff=True, derived=False), "DOP853", "functions=[..., 'rhs_jacobian']"),
 ]
 

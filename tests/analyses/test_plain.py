@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime import interpreted, toolchain
+from cardan.runtime import interpreted, kernels, toolchain
 
 # two routes to one solution: each is right to some multiple of its tolerance
 FINE = {"rtol": 1e-11, "atol": 1e-12}
@@ -150,3 +150,11 @@ def test_breakdown_is_told(bare: Any) -> None:
         motion = model.simulate(2.0)
     assert motion.status in ("step_too_small", "not_finite")
     assert motion.t[-1] == pytest.approx(1.0, abs=1e-3)
+
+
+def test_methods_of_compilers_say_so(double: cd.CompiledModel, bare: Any) -> None:
+    model = bare(double)
+    # as in a process that never had one
+    kernels.library.cache_clear()
+    with pytest.raises(cd.ModelError, match="method 'GeneralizedAlpha' needs a C compiler: pip"):
+        model.simulate(1.0, method="GeneralizedAlpha")

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -82,3 +87,68 @@ def test_one_step_from_many_states(double: cd.CompiledModel) -> None:
         motion = double.simulate(0.2, x0=x[place], **options)
         np.testing.assert_allclose(there[place], motion.x[-1], rtol=0, atol=1e-11)
     np.testing.assert_allclose(double.step(there, -0.2, **options), x, rtol=0, atol=1e-10)
+
+
+# checkpoints on disk
+
+
+GO_ON = """
+import sys, cardan as cd
+model = cd.load_model(sys.argv[1])
+stepper = model.resume(sys.argv[2])
+print(stepper.step(0.7).tobytes().hex())
+"""
+WAYS = [
+    {"method": "DOP853", "rtol": 1e-9},
+    {"method": "RK45", "rtol": 1e-7, "max_step": 0.1},
+    {"method": "RK4", "step": 0.003},
+    {"method": "Radau"},
+    {"method": "Rosenbrock"},
+]
+
+
+@pytest.mark.parametrize("how", WAYS, ids=lambda how: str(how["method"]))
+def test_a_file_goes_on_to_the_bit(
+    double: cd.CompiledModel, how: dict[str, Any], tmp_path: Path
+) -> None:
+    stepper = double.stepper(q={"elbow": 0.4}, inputs={"torque": 0.1}, **how)
+    stepper.step(0.31, inputs={"torque": 0.3})
+    stepper.save(tmp_path / "run.npz")
+    there = stepper.step(0.7)
+    again = double.resume(tmp_path / "run.npz")
+    assert again.t == 0.31
+    assert again.inputs == {"torque": 0.3}
+    assert again.step(0.7).tobytes() == there.tobytes()
+    assert again.work == stepper.work
+    assert repr(again) == repr(stepper)
+
+
+def test_another_process_goes_on_to_the_bit(double: cd.CompiledModel, tmp_path: Path) -> None:
+    stepper = double.stepper(q={"elbow": 0.4})
+    stepper.step(0.3)
+    stepper.save(tmp_path / "run.npz")
+    command = [sys.executable, "-c", GO_ON, str(double.directory), str(tmp_path / "run.npz")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == stepper.step(0.7).tobytes().hex()
+
+
+def test_files_that_are_no_checkpoint_of_this(
+    double: cd.CompiledModel, ball: cd.CompiledModel, tmp_path: Path
+) -> None:
+    stepper = double.stepper(events={"up": ("elbow", 1.0)})
+    path = tmp_path / "run.npz"
+    stepper.save(path)
+    with pytest.raises(cd.ModelError, match="watches for up: give the same events="):
+        double.resume(path)
+    assert double.resume(path, events={"up": ("elbow", 1.0)}).t == 0
+    for other in (ball, double.with_parameters({"upper.mass": 2.0})):
+        with pytest.raises(cd.ModelError, match="other equations or parameters"):
+            other.resume(path)
+    with pytest.raises(cd.ModelError, match="no such file"):
+        double.resume(tmp_path / "none.npz")
+    with pytest.raises(cd.ModelError, match="does not exist"):
+        stepper.save(tmp_path / "none" / "run.npz")
+    for content in (b"", b"PK not at all", path.read_bytes()[:500]):
+        (tmp_path / "bad.npz").write_bytes(content)
+        with pytest.raises(cd.ModelError, match=r"bad\.npz is no checkpoint"):
+            double.resume(tmp_path / "bad.npz")

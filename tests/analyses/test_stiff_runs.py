@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import cardan as cd
 from cardan.analyses.integrators import INTEGRATORS
@@ -80,6 +81,17 @@ def test_stiffness_is_measured(spring: cd.CompiledModel) -> None:
     assert not spring.with_parameters(k=100.0).stiffness(x).implicit_pays(10.0, 1e-5)
 
 
+def test_auto_sees_vibrations_that_rest(spring: cd.CompiledModel) -> None:
+    motion = spring.simulate([0, 10.0], q=slow(1e9), rtol=1e-5)
+    assert motion.statistics["steps"] < 300
+    assert motion.statistics["factorizations"] > 0
+    assert "stability limited the steps of DOP853" in str(motion)
+    # a spring that vibrates is followed by explicit steps, as it takes the fewest
+    excited = spring.with_parameters(k=1e7).simulate([0, 2.0], q={"swing": ANGLE}, rtol=1e-5)
+    assert excited.statistics["steps"] > 1000
+    assert excited.statistics["factorizations"] == 0
+
+
 def test_nothing_moves() -> None:
     scene = cd.Model("idle", gravity=(0, 0, 0))
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
@@ -140,6 +152,37 @@ def test_contact_that_is_hard(method: str) -> None:
     exact = model.simulate([0, 0.6, 0.8], method="DOP853", **options)
     motion = model.simulate([0, 0.6, 0.8], method=method, **options)
     np.testing.assert_allclose(motion.x, exact.x, rtol=0, atol=2e-6)
+
+
+@METHODS
+@pytest.mark.parametrize("rtol", [1e-4, 1e-7, 1e-10])
+def test_events_are_found(method: str, rtol: float) -> None:
+    scene = cd.Model("oscillator", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
+    scene.force("spring", cd.JointForce("x", -scene.q("x")))
+    model = cd.compile(scene)
+    options: dict[str, Any] = {"q": {"x": 1.0}, "method": method, "rtol": rtol, "atol": rtol}
+    motion = model.simulate(6.0, events={"half": (("x", 0.5), "mark")}, **options)
+    times = [event.t for event in motion.events]
+    np.testing.assert_allclose(times, [np.pi / 3, 5 * np.pi / 3], rtol=0, atol=10 * rtol)
+
+
+@METHODS
+def test_internal_states_and_dry_friction(method: str) -> None:
+    scene = cd.Model("slider", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
+    # a motor that follows within 0.1 ms, on a spring; friction holds where it can
+    behind = 3 * sp.sin(2 * cd.t) - 4 * scene.q("x")
+    scene.force("motor", cd.Actuator("x", command=behind, lag=1e-4))
+    scene.force("rub", cd.Friction("x", 0.8, static=1.0, against=1.0))
+    model = cd.compile(scene)
+    times, options = np.linspace(0, 5, 26), {"rtol": 1e-8, "atol": 1e-10}
+    exact = model.simulate(times, method="DOP853", rtol=1e-11, atol=1e-12)
+    motion = model.simulate(times, method=method, **options)
+    assert [e.name for e in motion.events] == [e.name for e in exact.events]
+    assert len(motion.events) > 3
+    np.testing.assert_allclose(motion.x, exact.x, rtol=0, atol=1e-6)
+    assert motion.statistics["steps"] < exact.statistics["steps"] / 5
 
 
 @pytest.mark.parametrize("method", IMPLICIT)

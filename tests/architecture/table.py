@@ -61,6 +61,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
         {"cardan.analyses.precision_runs"}
     ),
     ("cardan.analyses.precision", "Precision.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.runtime.compiled", "CompiledModel.resume"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.analyses.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),

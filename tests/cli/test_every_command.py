@@ -167,3 +167,26 @@ def test_check_refuses_a_relation_of_speeds_that_is_not_linear(
     scene.save(tmp_path / "bent.yaml")
     assert status("check", str(tmp_path / "bent.yaml")) == 1
     assert "error: constraint 'square' is not linear in the speeds" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["check", "inspect", "simulate", "bench", "export", "ensemble"])
+def test_scenes_with_states_and_modes(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = cd.Model("servo")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=2.0))
+    scene.force("end", cd.Stop("x", upper=0.1, restitution=0.5))
+    scene.force("motor", cd.Actuator("x", command=3.0, lag=0.1))
+    scene.save("servo.yaml")
+    more = {
+        "simulate": ("--time", "1"),
+        "bench": ("--peers", "casadi"),
+        "export": ("-o", "servo_c"),
+        "ensemble": ("--time", "1", "--vary", "x=0,0.05"),
+    }
+    assert status(command, "servo.yaml", *more.get(command, ()), "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    if command == "simulate":
+        assert found["end"]["motor.force"] == pytest.approx(3.0, abs=1e-3)
+        assert found["events"][0]["name"] == "end.upper"
+    if command == "bench":
+        assert all(row["error"] < 1e-15 for row in found["rows"])
+    assert status(command, "servo.yaml", *more.get(command, ())) == 0

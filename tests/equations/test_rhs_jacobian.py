@@ -7,6 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 
 import cardan as cd
 from cardan.ir.interpreter import evaluate
@@ -27,7 +28,7 @@ def quaternions(equations: Any) -> list[int]:
 
 
 def difference(equations: Any, blocks: dict[str, Any], along: dict[str, Array]) -> Array:
-    """Change of rhs along a direction of q, u, t and r, quaternions kept at length 1."""
+    """Change of rhs along a direction of its arguments, quaternions kept at length 1."""
     rhs, sides = equations.function("rhs"), []
     with mpmath.workdps(DIGITS):
         step = mpmath.mpf(STEP)
@@ -45,17 +46,17 @@ def difference(equations: Any, blocks: dict[str, Any], along: dict[str, Array]) 
         return np.array([float((a - b) / (2 * step)) for a, b in zip(*sides, strict=True)])
 
 
-def judge(equations: Any, q: Array, u: Array, allowed: float) -> None:
+def judge(equations: Any, q: Array, u: Array, allowed: float, **more: Any) -> None:
     """Along a random direction of everything, and along the quaternions themselves."""
     rng = np.random.default_rng(SEED)
-    given = values(equations, q=q, u=u)
+    given = {"z": []} | values(equations, q=q, u=u, **more)
     blocks = {name: [float(x) for x in row] for name, row in given.items()}
-    along = {name: rng.uniform(-1, 1, len(blocks[name])) for name in ("q", "u", "t", "r")}
-    nq, n = len(q), len(q) + len(u)
+    along = {name: rng.uniform(-1, 1, len(blocks[name])) for name in ("q", "u", "z", "t", "r")}
+    nq, n = len(q), len(q) + len(u) + len(blocks["z"])
     found = evaluate(equations.function("rhs_jacobian"), blocks)
     by_x = np.array(found["d_x"], dtype=float).reshape(n, n)
     by_r = np.array(found.get("d_r", []), dtype=float).reshape(n, -1)
-    ours = by_x @ np.concatenate([along["q"], along["u"]]) + by_r @ along["r"]
+    ours = by_x @ np.concatenate([along["q"], along["u"], along["z"]]) + by_r @ along["r"]
     ours += np.array(found["d_t"], dtype=float) * along["t"]
     theirs = difference(equations, blocks, along)
     size = max(1.0, np.abs(by_x).max(initial=0.0), np.abs(by_r).max(initial=0.0))
@@ -98,6 +99,27 @@ def test_other_ways_to_treat_constraints(treatment: str) -> None:
 def test_every_formalism(method: str) -> None:
     q, u = states("satellite")
     judge(derived("satellite", method), q[-1], u[-1], 1e-10)
+
+
+@pytest.mark.parametrize("mode", [0, 1, -1, 2])
+def test_internal_states_and_modes(mode: int) -> None:
+    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    wanted = scene.input("wanted", default=0.3)
+    upper = scene.body("upper", mass=2.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.1))
+    lower = scene.body("lower", mass=1.0, com=(0, 0, -0.4), inertia=(0.1, 0.1, 0.1))
+    scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
+    scene.joint("elbow", cd.Revolute("y"), upper.at(0, 0, -1), lower)
+    total = sp.Symbol("total")
+    behind = wanted * sp.sin(cd.t) - scene.q("shoulder")
+    law = 5 * behind + 3 * total - scene.u("shoulder")
+    scene.force("control", cd.Controller("shoulder", (total,), (behind - total**2 / 9,), law))
+    scene.force("motor", cd.Actuator("elbow", command=-2 * scene.q("elbow"), lag=0.05))
+    scene.force("rub", cd.Friction("elbow", 0.7, static=0.9, stribeck=0.1, viscous=0.2))
+    equations = cd.derive(scene)
+    assert (equations.system.nz, equations.system.ns) == (2, 1)
+    # undecided, sliding either way, sticking: then the elbow is held by a condition
+    q, u = np.array([0.4, -0.7]), np.array([1.2, 0.0 if mode == 2 else 0.6])
+    judge(equations, q, u, 1e-11, z=[0.2, -0.5], s=[float(mode)])
 
 
 def test_compiled() -> None:

@@ -41,11 +41,10 @@ def test_stiff_order(method: str, tmp_path: Path) -> None:
         motion = problem.run(2.0, [-1.0, 0.0], **options)
         exact = np.stack([-np.cos(motion.t), np.sin(motion.t)], axis=1)
         errors.append(np.abs(motion.x - exact).max(axis=0))
-    # h a = 5e4 ... 2e5: neither breaks down, nor falls below the order of its stages, which is 3;
-    # errors of the stiff entry are those of the stages over a
-    assert slope(steps, [e[0] for e in errors]) > 3
-    assert errors[-1][1] < 1e-9
-    assert slope(steps, [e[1] for e in errors]) > 1.9
+    # h a = 5e4 ... 2e5: the stiff entry has the order of the stages, 3, over a
+    assert slope(steps, [e[0] for e in errors]) == pytest.approx(5, abs=0.15)
+    assert slope(steps, [e[1] for e in errors]) == pytest.approx(3, abs=0.15)
+    assert errors[0][1] < 1e-9
 
 
 # u'' = 1000 ((1 - q^2) u) - q: relaxation oscillations
@@ -96,7 +95,7 @@ def test_factors_are_kept(tmp_path: Path) -> None:
     motion = problem.run([0, 2000.0], [2, 0], method="Radau", rtol=1e-8, atol=1e-10)
     count = motion.statistics
     assert 0 < count["jacobians"] <= count["factorizations"]
-    assert count["factorizations"] < 0.9 * count["steps"]
+    assert count["factorizations"] < 0.5 * count["steps"]
     # the other one takes new ones for every trial
     motion = problem.run([0, 2000.0], [2, 0], method="Rosenbrock", rtol=1e-8, atol=1e-10)
     count = motion.statistics

@@ -10,14 +10,20 @@ Hulbert, J. Appl. Mech. 60 (1993), 371-375; M. Arnold, O. Brüls, Multibody Syst
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ArgumentError, ModelError
 from .alpha import Alpha, GeneralizedAlpha
+from .integrator import Integrator
+from .runge_kutta import response as response_of
 from .settings import integrator
 
 Array = NDArray[np.float64]
+ROUNDED = 1e-12  # of |R| = 1, to which methods without damping round
 
 
 def amplification(
@@ -29,7 +35,7 @@ def amplification(
     """The matrix by which a step multiplies the state of an oscillator.
 
     Args:
-        method: ``"GeneralizedAlpha"``, ``"HHT"``, ``"Newmark"``, or coefficients.
+        method: Name of an integrator, or coefficients of the generalized-alpha family.
         omega: Omega = omega h, angle that passes in a step (...) [rad].
         damping: zeta, share of the critical damping.
         index: None: the oscillator is free. 3, 2 or 1: it is held by its position, speed or
@@ -38,13 +44,15 @@ def amplification(
     Returns:
         (..., 3, 3) for the state [x, h x', h^2 a] of a free one, a the accelerations of the
         method; (..., 4, 4) for [x, h x', h^2 a, h^2 lam] of a held one with
-        x'' + 2 zeta omega x' + omega^2 x = lam.
+        x'' + 2 zeta omega x' + omega^2 x = lam. (..., 2, 2) for [x, h x'] of methods that keep no
+        accelerations: Runge-Kutta and Rosenbrock, which do not hold anything by themselves.
 
     Raises:
         ModelError: the method has none. ArgumentError: another index.
     """
-    alpha = _coefficients(method)
-    angle = np.asarray(omega, dtype=np.float64)
+    alpha, angle = _coefficients(method), np.asarray(omega, dtype=np.float64)
+    if isinstance(alpha, Integrator):
+        return _one_step(alpha, angle, damping, index)
     if index not in (None, 1, 2, 3):
         raise ArgumentError(f"index={index!r}: None (free), 3 (position), 2 (speed) or 1")
     size = 3 if index is None else 4
@@ -69,6 +77,59 @@ def amplification(
         after[..., 3, 0], after[..., 3, 1] = angle**2, 2 * damping * angle
         after[..., 3, 3] = -1.0
     return np.asarray(np.linalg.solve(after, before))
+
+
+def _one_step(method: Integrator, angle: Array, damping: float, index: int | None) -> Array:
+    """The matrix of a method that keeps nothing but the state."""
+    if index is not None:
+        raise ModelError(f"'{method.name}' holds nothing: its states are projected")
+    system = np.zeros((*angle.shape, 2, 2), dtype=np.complex128)
+    system[..., 0, 1] = 1.0
+    system[..., 1, 0], system[..., 1, 1] = -(angle**2), -2 * damping * angle
+    return np.asarray(response_of(method, system).real)
+
+
+def response(method: str, z: ArrayLike) -> NDArray[np.complexfloating[Any, Any]]:
+    """R(z) (...), by which a step multiplies y of y' = lambda y, at z = lambda h.
+
+    Args:
+        method: Name of a Runge-Kutta or Rosenbrock method.
+        z: Complex numbers (...), those of a grid to see where abs(R) <= 1: the region of stability.
+
+    Raises:
+        ModelError: nothing of the kind is known of the method.
+    """
+    numbers = np.asarray(z, dtype=np.complex128)[..., None, None]
+    return response_of(integrator(method), numbers)[..., 0, 0]
+
+
+def stable_along(method: str, direction: complex) -> float:
+    """How far from 0 along a ray a method is stable: the largest r with |R| <= 1 up to it.
+
+    Args:
+        method: As :func:`response` takes it.
+        direction: ``-1`` for decay, ``1j`` for oscillations without damping.
+
+    Returns:
+        r, in steps times rates; inf where all of the ray is stable.
+
+    Raises:
+        ModelError: as :func:`response`.
+    """
+    ray = complex(direction) / abs(direction)
+
+    def grows(r: Array) -> NDArray[np.bool_]:
+        return np.asarray(np.abs(response(method, ray * r)) > 1 + ROUNDED)
+
+    grid = np.concatenate([np.linspace(0, 20, 20001)[1:], np.logspace(np.log10(20), 8, 500)])
+    bad = np.flatnonzero(grows(grid))
+    if not len(bad):
+        return math.inf
+    low, high = (float(grid[bad[0] - 1]) if bad[0] else 0.0), float(grid[bad[0]])
+    while high - low > 1e-13 * high:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if grows(np.array(middle)) else (middle, high)
+    return low
 
 
 def spectral_radius(
@@ -112,16 +173,13 @@ def period_error(
     return np.asarray(angle / np.abs(np.angle(pair)) - 1)
 
 
-def _coefficients(method: str | Alpha | GeneralizedAlpha) -> Alpha:
-    """Coefficients of a method of the generalized-alpha family."""
+def _coefficients(method: str | Alpha | GeneralizedAlpha) -> Alpha | Integrator:
+    """Coefficients of a method of the generalized-alpha family; of others the record."""
     if isinstance(method, Alpha):
         return method
     if isinstance(method, GeneralizedAlpha):
         return method.alpha
     chosen = integrator(method)
     if chosen.kernel != "alpha":
-        raise ModelError(
-            f"stability: '{chosen.name}' is none of GeneralizedAlpha, HHT and Newmark, whose "
-            "matrices are known here"
-        )
+        return chosen
     return Alpha(*chosen.options[:4])

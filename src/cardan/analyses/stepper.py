@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
@@ -38,12 +39,15 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner | PlainRunner, begin: Array, t: float) -> None:
-        self._runner, self._model = runner, runner.model
+    def __init__(self, runner: Runner | PlainRunner, how: Settings) -> None:
+        self._runner, self._model, self._how = runner, runner.model, how
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
-        answer = runner.start(t, begin, [t + 1.0])
         self._log = runner.drained()
         self._over = ""
+
+    def _start(self, begin: Array, t: float) -> None:
+        runner = self._runner
+        answer = runner.start(t, begin, [t + 1.0])
         if answer < 0:
             raise SolveError(explain(runner, answer, Span(t, t + 1.0))[1])
 
@@ -124,9 +128,22 @@ class Stepper:
                 raise SolveError(f"inputs: '{name}' is {value}. Every input must be finite")
             self._runner.views["r"][self._names.index(name)] = value
 
-    def save(self) -> Saved:
-        """A checkpoint; :meth:`restore` goes back to it bit for bit."""
-        return self._runner.save()
+    def save(self, path: str | Path | None = None) -> Saved:
+        """A checkpoint; :meth:`restore` goes back to it bit for bit.
+
+        Args:
+            path: A file to write it to as well: ``model.resume(path)`` goes on from there, in
+                another process on a machine of the same kind too.
+
+        Raises:
+            ModelError: no such directory, or a method with choices of its own.
+        """
+        saved = self._runner.save()
+        if path is not None:
+            from .checkpoint import write
+
+            write(self._runner, self._how, saved, Path(path))
+        return saved
 
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this stepper.
@@ -180,7 +197,27 @@ def stepper(
     runner = runner_of(model, how, given, happenings(model, events))
     runner.loosen(begin.slack)
     runner.want(None, dense=False)
-    return Stepper(runner, begin.x, t)
+    made = Stepper(runner, how)
+    made._start(begin.x, t)
+    return made
+
+
+def resume(
+    model: CompiledModel, path: str | Path, *, events: Mapping[str, Any] | None = None
+) -> Stepper:
+    """The stepper of a checkpoint that :meth:`Stepper.save` wrote; it goes on bit for bit.
+
+    Args:
+        model: The model it was made with, at the same parameters.
+        path: The file.
+        events: As the stepper was made with: functions are not in the file.
+
+    Raises:
+        ModelError: no checkpoint of this model, or of other events.
+    """
+    from .checkpoint import read
+
+    return Stepper(*read(model, Path(path), events))
 
 
 def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array:

@@ -96,12 +96,15 @@ def write(motion: Trajectory, options: argparse.Namespace) -> list[str]:
 def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
     """The run in numbers."""
     first, last = motion.x[0].tolist(), motion.x[-1].tolist()
-    names = [*model.coordinates, *model.speeds]
+    names = [*model.coordinates, *model.speeds, *model.internals]
     return {
         "success": bool(motion.success),
         "message": motion.message,
         "time": float(motion.t[-1]),
         "steps": int(motion.statistics["steps"]),
+        "events": [
+            {"time": event.t, "name": event.name} for event in motion.events if event.kind != "tick"
+        ],
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
         "energy_drift": float(motion.drift[-1]),
@@ -128,7 +131,7 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
     for heading in ("coordinate", "start", "end", "speed at end"):
         rows.add_column(heading, justify="left" if heading == "coordinate" else "right")
     speeds = dict(zip(model.speeds, motion.u[-1].tolist(), strict=True))
-    for name in model.coordinates:
+    for name in (*model.coordinates, *model.internals):
         rate = speeds.get(f"{name}.u")
         rows.add_row(
             name,
@@ -139,6 +142,9 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
     out = console()
     out.print(rows)
     out.print(f"{found['message']}: t = {found['time']:g} s in {found['steps']} steps")
+    if found["events"]:
+        last = found["events"][-1]
+        out.print(f"events {len(found['events'])}, last '{last['name']}' at {last['time']:g} s")
     out.print(f"energy drift {found['energy_drift']:.1e} J")
     for level, worst in found.get("residuals", {}).items():
         out.print(f"largest {level} residual of the constraints {worst:.1e}")

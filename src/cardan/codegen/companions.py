@@ -15,17 +15,18 @@ RUN = (
     *("events.h", "events.c", "search.c", "dips.c"),
     *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
 )
+SHIFT = ("shift.h", "shift.c", "linear.h")
 INTEGRATORS = {
     "rk4": ("rk4.c",),
     "rk45": ("rk45.c", "rk45_tables.h"),
     "dop853": ("dop853.c", "dop853_tables.h"),
     "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
-    "radau": ("radau.c", "radau_tables.h", "implicit.c", "linear.h"),
+    "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
         *("alpha.h", "alpha.c", "alpha_matrix.c", "alpha_memory.c", "alpha_newton.c"),
         "linear.h",
     ),
-    "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", "linear.h"),
+    "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
 }
 NEEDS = {
     "midpoint": ("energy",),

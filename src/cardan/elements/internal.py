@@ -132,3 +132,6 @@ class Jumped(Protocol):
 
     def after(self, x: Scalar) -> Scalar:
         """Value of an expression with the speeds behind the event."""
+
+    def response(self, velocity: Scalar) -> Scalar:
+        """Acceleration of a velocity per force along it, circuits and what others hold included."""

@@ -110,6 +110,12 @@ class Jump:
         behind = {g.var("u", i): node for i, node in enumerate(self._speeds.nodes)}
         return Scalar(g, rebuild(g, [x.node], behind, into=g)[1][0])
 
+    def response(self, velocity: Scalar) -> Scalar:
+        """Acceleration of a velocity per force along it, circuits and what others hold included."""
+        nodes = self._d.constraints.gradient(self._force.name, velocity.node, VELOCITY)
+        row = Matrix(self.k.graph, 1, len(nodes), nodes)
+        return (row @ self._d.response(row))[0]
+
 
 def transition(d: Dynamics) -> tuple[Matrix, Matrix, Matrix]:
     """u (nu, 1), z (nz, 1) and s (ns, 1) behind the events that the block ``e`` says happened."""

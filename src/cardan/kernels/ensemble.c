@@ -41,8 +41,15 @@ static void finish(cardan_ensemble *e, cardan_lane *lane, int answer)
     const cardan_run *run = lane->run;
     const ptrdiff_t i = lane->number;
 
+    double *numbers = e->numbers + 4 * i;
+
     memcpy(e->x + i * run->nx, run->y, (size_t)run->nx * sizeof(double));
-    e->ends[i] = *run;
+    numbers[0] = run->t;
+    numbers[1] = (double)run->steps;
+    numbers[2] = (double)run->rejections;
+    numbers[3] = (double)run->evaluations;
+    if (answer != CARDAN_DONE)
+        e->ends[i] = *run;
     e->answers[i] = answer;
     e->finished++;
     lane->number = -1;

@@ -19,7 +19,7 @@ typedef struct cardan_own {
 /* One after the other in one lane: the record at work, and how each run begins. */
 typedef struct cardan_lane {
     cardan_run *run;
-    double *memory;
+    double *memory; /* what of its memory a run may leave behind: all that follows the stages */
     const cardan_run *fresh;
     const double *fresh_memory; /* (memory_length) */
     ptrdiff_t number;           /* of the run under way, -1 if there is none */
@@ -45,7 +45,8 @@ typedef struct cardan_ensemble {
     /* answers */
     double *rows;     /* (count, capacity, cardan_row_width(run)), NULL if none are wanted */
     double *x;        /* (count, nx) where they end */
-    cardan_run *ends; /* (count) records as they were then */
+    double *numbers;  /* (count, 4): t, steps, rejections, evaluations */
+    cardan_run *ends; /* (count) records, of those that did not reach their end */
     ptrdiff_t *answers; /* (count) */
 
     ptrdiff_t next, finished;

@@ -157,7 +157,7 @@ static int choose(real tau, real h, gauss *at)
 
     lay(at, MOST_POINTS);
     for (ptrdiff_t s = MOST_POINTS; s >= FEWEST_POINTS; s--) {
-        gauss other;
+        gauss other = {0};
         real apart = INFINITY;
         lay(&other, s);
         for (ptrdiff_t k = 0; k < s; k++)
@@ -185,7 +185,7 @@ static ptrdiff_t parts_of(const cardan_run *run, real h)
 static int attempt(cardan_run *run, real tau, real h, real *error)
 {
     real *f = run->passing, *y = f + 2 * MOST_POINTS * run->n;
-    gauss at;
+    gauss at = {0};
     int status;
 
     *error = INFINITY;
@@ -220,7 +220,7 @@ static void on_step(const cardan_run *run, real theta, real *y, real *f)
 {
     const real *slopes = run->passing, *start = slopes + 2 * MOST_POINTS * run->n;
     real w[MOST_POINTS];
-    gauss at;
+    gauss at = {0};
 
     lay(&at, run->pass_points);
     integral(at.points, at.s, 0, theta, w);

@@ -6,16 +6,15 @@
  * The Jacobian and its factors serve as long as iterations converge fast and the step stays.
  * Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.8.
  */
-#include "linear.h"
 #include "radau_tables.h"
-#include "run.h"
+#include "shift.h"
 #include <float.h>
 #include <math.h>
 
 /* the error of a step behaves like h^4 */
 enum { ORDER = 4, ITERATIONS = 7, TO_ROUNDING = 30 };
-/* iterations that converge faster keep the Jacobian; steps that would grow by less stay */
-static const real FAST = 1e-3, DEAD_BAND = 1.2;
+/* iterations that converge faster keep the Jacobian; steps that would change by less stay */
+static const real FAST = 1e-3, SHRINK = 0.9, GROW = 1.2;
 
 /* What outlives a step, at the start of `own`. */
 typedef struct memory {
@@ -32,18 +31,18 @@ typedef struct parts {
     memory *now;
     real *before;   /* (3, nx) rows of the dense output of the last step */
     real *jacobian;
-    real *alone, *alone_order;    /* factors of the real system */
-    real *re, *im, *pair_order;   /* of the complex one */
-    real *w, *g;                  /* (3, nx) transformed increments and right sides */
-    real *state;                  /* (n) */
-    real *error;                  /* (nx) */
+    real *w, *g;     /* (3, nx) transformed increments and right sides */
+    real *error;     /* (nx) */
+    real *state;     /* (n) */
+    cardan_shift alone, pair; /* the real system and the complex one */
 } parts;
 
 ptrdiff_t cardan_radau_length(const cardan_run *run)
 {
     const ptrdiff_t nx = run->nx;
 
-    return SCALARS + cardan_jacobian_length(run) + nx * (3 * nx + 2 + 3 + 6 + 1) + run->n;
+    return SCALARS + 10 * nx + run->n + cardan_jacobian_length(run) + cardan_shift_length(run, 0)
+           + cardan_shift_length(run, 1);
 }
 
 static parts parts_of(const cardan_run *run)
@@ -54,15 +53,13 @@ static parts parts_of(const cardan_run *run)
     own.now = (memory *)run->own;
     own.before = run->own + SCALARS;
     own.jacobian = own.before + 3 * nx;
-    own.alone = own.jacobian + cardan_jacobian_length(run);
-    own.alone_order = own.alone + nx * nx;
-    own.re = own.alone_order + nx;
-    own.im = own.re + nx * nx;
-    own.pair_order = own.im + nx * nx;
-    own.w = own.pair_order + nx;
+    own.w = own.jacobian + cardan_jacobian_length(run);
     own.g = own.w + 3 * nx;
     own.error = own.g + 3 * nx;
     own.state = own.error + nx;
+    own.alone = cardan_shift_in(run, own.jacobian, own.state + run->n, 0);
+    own.pair = cardan_shift_in(run, own.jacobian,
+                               own.state + run->n + cardan_shift_length(run, 0), 1);
     return own;
 }
 
@@ -74,21 +71,10 @@ int cardan_radau_init(cardan_run *run)
 /* Factor ALONE / h - J and (REAL + i IMAG) / h - J. */
 static int factor(cardan_run *run, const parts *own, real h)
 {
-    const ptrdiff_t nx = run->nx;
-
-    for (ptrdiff_t i = 0; i < nx * nx; i++) {
-        own->alone[i] = own->re[i] = -own->jacobian[i];
-        own->im[i] = 0;
-    }
-    for (ptrdiff_t i = 0; i < nx; i++) {
-        own->alone[i * (nx + 1)] += ALONE / h;
-        own->re[i * (nx + 1)] += REAL / h;
-        own->im[i * (nx + 1)] += IMAG / h;
-    }
     run->factorizations++;
     own->now->factored = 0;
-    if (cardan_factor(nx, own->alone, own->alone_order)
-        || cardan_factor_complex(nx, own->re, own->im, own->pair_order))
+    if (cardan_shift_factor(&own->alone, ALONE / h, 0)
+        || cardan_shift_factor(&own->pair, REAL / h, IMAG / h))
         return CARDAN_NOT_FINITE;
     own->now->factored = h;
     return 0;
@@ -175,8 +161,8 @@ static int iterate(cardan_run *run, const parts *own, real h, real *size)
         g[nx + i] = f[1] - (REAL * v[1] - IMAG * v[2]) / h;
         g[2 * nx + i] = f[2] - (REAL * v[2] + IMAG * v[1]) / h;
     }
-    cardan_substitute(nx, own->alone, own->alone_order, g);
-    cardan_substitute_complex(nx, own->re, own->im, own->pair_order, g + nx, g + 2 * nx);
+    cardan_shift_solve(&own->alone, ALONE / h, 0, g, NULL);
+    cardan_shift_solve(&own->pair, REAL / h, IMAG / h, g + nx, g + 2 * nx);
     *size = norm(run, g, 3);
     for (ptrdiff_t j = 0; j < 3 * nx; j++)
         w[j] += g[j];
@@ -241,7 +227,7 @@ static int error_of(cardan_run *run, const parts *own, real h, real *error)
             real lack = (ERROR[0] * k[i] + ERROR[1] * k[n + i] + ERROR[2] * k[2 * n + i]) / h;
             own->error[i] = (again ? own->g[i] : run->f[i]) + lack;
         }
-        cardan_substitute(nx, own->alone, own->alone_order, own->error);
+        cardan_shift_solve(&own->alone, ALONE / h, 0, own->error, NULL);
         for (ptrdiff_t i = 0; i < nx; i++) {
             real e = own->error[i] / cardan_scale(run, run->trial, i);
             if (!(e * e <= worst)) {
@@ -326,8 +312,8 @@ static void remember(cardan_run *run, const parts *own, real h, real error, real
     own->now->h = h;
     own->now->error = fmax(error, 0.01);
     own->now->current = 0;
-    /* growth by little is not worth new factors */
-    if (own->now->kept && fabs(run->h) >= fabs(h) && fabs(run->h) < DEAD_BAND * fabs(h))
+    /* a change by little is not worth new factors */
+    if (own->now->kept && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
         run->h = h;
 }
 

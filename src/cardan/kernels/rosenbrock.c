@@ -5,9 +5,8 @@
  * Source: G. Steinebach, BIT Numerical Mathematics 63 (2023), 27; E. Hairer, G. Wanner, Solving
  * Ordinary Differential Equations II, section IV.7.
  */
-#include "linear.h"
 #include "rosenbrock_tables.h"
-#include "run.h"
+#include "shift.h"
 #include <math.h>
 
 /* the error of a step, of the embedded method of order 4, behaves like h^5 */
@@ -20,26 +19,13 @@ int cardan_rosenbrock_init(cardan_run *run)
 
 ptrdiff_t cardan_rosenbrock_length(const cardan_run *run)
 {
-    return cardan_jacobian_length(run) + run->nx * (run->nx + 1) + run->n;
+    return cardan_jacobian_length(run) + run->n + cardan_shift_length(run, 0);
 }
 
-static real *factors_of(const cardan_run *run)
+/* A state (n) to evaluate at, behind the Jacobian. */
+static real *state_of(const cardan_run *run)
 {
     return run->own + cardan_jacobian_length(run);
-}
-
-/* Factor I / (h GAMMA) - J; 1 where that is singular. */
-static int factor(cardan_run *run, real h)
-{
-    const ptrdiff_t nx = run->nx;
-    real *matrix = factors_of(run);
-
-    for (ptrdiff_t i = 0; i < nx * nx; i++)
-        matrix[i] = -run->own[i];
-    for (ptrdiff_t i = 0; i < nx; i++)
-        matrix[i * (nx + 1)] += 1 / (h * GAMMA);
-    run->factorizations++;
-    return cardan_factor(nx, matrix, matrix + nx * nx);
 }
 
 /* y + sum A u for stage s, in `trial`: the last three add one stage each to the one before. */
@@ -64,10 +50,13 @@ static int stages(cardan_run *run, real h)
 {
     const ptrdiff_t n = run->n, nx = run->nx;
     const real *by_t = run->own + nx * nx;
-    real *k = run->k, *factors = factors_of(run), *state = factors + nx * (nx + 1);
+    const cardan_shift system = cardan_shift_in(run, run->own, state_of(run) + n, 0);
+    const real shift = 1 / (h * GAMMA);
+    real *k = run->k, *state = state_of(run);
     int status = 0;
 
-    if (factor(run, h))
+    run->factorizations++;
+    if (cardan_shift_factor(&system, shift, 0))
         return CARDAN_NOT_FINITE;
     for (int s = 0; s < STAGES && status == 0; s++) {
         real *u = k + s * n;
@@ -85,7 +74,7 @@ static int stages(cardan_run *run, real h)
                 sum += C[s][j] * k[j * n + i];
             u[i] = (s > 0 ? u[i] : run->f[i]) + sum / h + h * SLOPES[s] * by_t[i];
         }
-        cardan_substitute(nx, factors, factors + nx * nx, u);
+        cardan_shift_solve(&system, shift, 0, u, NULL);
     }
     place(run, STAGES);
     return status;
@@ -111,7 +100,7 @@ static void rows_of(const cardan_run *run, ptrdiff_t i, real *row)
 static int energies(cardan_run *run, real h)
 {
     const ptrdiff_t n = run->n, nx = run->nx;
-    real *k = run->k, *state = factors_of(run) + nx * (nx + 1);
+    real *k = run->k, *state = state_of(run);
     int status = 0;
 
     if (n == nx)

@@ -165,6 +165,7 @@ int cardan_run_start(cardan_run *run)
     run->culprit = cardan_not_finite(run->y, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    cardan_events_clock(run);
     status = cardan_segment(run);
     if (status == 0)
         status = cardan_close(run, run->t, run->y, 1);

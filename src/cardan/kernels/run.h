@@ -268,6 +268,7 @@ ptrdiff_t cardan_jacobian_length(const cardan_run *run);
 int cardan_jacobian(cardan_run *run, real h, real *jacobian);
 /* events.c and dips.c */
 ptrdiff_t cardan_board_length(const cardan_run *run);
+void cardan_events_clock(cardan_run *run);
 int cardan_events_start(cardan_run *run);
 int cardan_events_seek(cardan_run *run);
 int cardan_events_apply(cardan_run *run);

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { MOST_TRIALS = 150, MOST_ROWS = 15 };
+enum { MOST_TRIALS = 150 };
 
 /* Value of event i at a time inside the last step. */
 static int value_at(cardan_run *run, const cardan_board *at, ptrdiff_t i, real t, real *value)
@@ -95,7 +95,7 @@ static int locate_sunk(cardan_run *run, const cardan_board *at, ptrdiff_t i, rea
 static void shorten(const cardan_run *run, real part)
 {
     const ptrdiff_t d = run->dense_rows, n = run->n;
-    real a[MOST_ROWS + 1];
+    real a[CARDAN_MOST_ROWS + 1];
 
     for (ptrdiff_t i = 0; i < n; i++) {
         real scale = part;

@@ -97,13 +97,16 @@ class Ours:
         found = self.method(name)(*args, **more)
         return np.stack(found, axis=1) if name == "derivatives" else np.asarray(found)
 
+    def _still(self) -> dict[str, Array]:
+        """What is the same at all states: inputs, internal states and modes as they start."""
+        own = {block: self.model._layout.start(block) for block in ("r", "z", "s")}
+        return own | {"t": np.zeros(1), "wrench": np.zeros(6 * len(self.model.bodies))}
+
     def blocks(self, name: str, states: States) -> dict[str, Array]:
         """What a call reads besides the parameters, by block."""
         third = {"inverse_dynamics": "udot"}.get(name, "tau")
-        still = {"t": np.zeros(1), "r": self.model._layout.start("r")}
-        still["wrench"] = np.zeros(6 * len(self.model.bodies))
         moving = {"q": states.q, "u": states.u, third: states.third}
-        return still | {key: np.ascontiguousarray(block) for key, block in moving.items()}
+        return self._still() | {key: np.ascontiguousarray(block) for key, block in moving.items()}
 
     def start(self, name: str, states: States) -> Callable[[int], float]:
         """One state after the other, in a loop in C."""
@@ -149,11 +152,10 @@ class Ours:
     def exact(self, name: str, states: States) -> Array:
         """Results from 40 digits, rounded once."""
         function = from_dict(self.model._objects.saved()[self.function(name).symbol])
-        still = {"t": [0.0], "r": self.model._layout.start("r"), "p": self.model.parameters.vector}
+        still = {**self._still(), "p": self.model.parameters.vector}
         rows = []
         for q, u, x in zip(states.q, states.u, states.third, strict=True):
             blocks: dict[str, Any] = {**still, "q": q, "u": u, "udot": x, "tau": x}
-            blocks["wrench"] = np.zeros(6 * len(self.model.bodies))
             found = evaluate(function, {k: list(v) for k, v in blocks.items()}, "mp", DIGITS)
             rows.append([float(x) for o in function.outputs for x in found[o.name]])
         nu = self.model.nu

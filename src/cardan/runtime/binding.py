@@ -31,6 +31,6 @@ def multipliers(motion: Trajectory) -> dict[str, Array]:
     if rows and "multipliers" not in motion.stored:
         model = motion._model("the multipliers")
         motion.stored["multipliers"] = model.multipliers(
-            motion.q, motion.u, t=motion.t, r=motion._r
+            motion.q, motion.u, t=motion.t, r=motion._r, **motion._own
         )
     return {row["name"]: motion.stored["multipliers"][:, k] for k, row in enumerate(rows)}

@@ -16,7 +16,7 @@ from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
-from .layout import FUNCTIONS, NAMED, Layout
+from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction, assemble, batch
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -328,6 +328,12 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
+    def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
+        """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
+        from ..analyses.stepper import resume
+
+        return resume(self, path, events=events)
+
     def step(self, x: ArrayLike, dt: float, **options: Any) -> Array:
         """States (..., nx) a time dt [s] after x; see :func:`cardan.analyses.stepper.step`."""
         from ..analyses.stepper import step
@@ -339,9 +345,7 @@ class CompiledModel(Analyzed):
         from .saved import digest, restore, texts
 
         self._objects.write(
-            name
-            for name in self.manifest["available"]
-            if name not in (*NAMED, "derivative", "rhs_jacobian")
+            name for name in self.manifest["available"] if name not in (*NAMED, *DEMANDED)
         )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)

@@ -22,14 +22,16 @@ SEED, STATES = 1, 32
 def values(
     model: CompiledModel, function: LoadedFunction, rng: np.random.Generator, count: int
 ) -> dict[str, Array]:
-    """Random arguments, (count, ...): states inside limits, inputs at their defaults."""
+    """Random arguments, (count, ...): states inside limits; inputs, internal states and modes at
+    their defaults."""
     made: dict[str, Array] = {}
-    q, u = model.split(model.random_state(rng, (count,)))
-    states = {"q": q, "q0": q, "u": u, "x": np.concatenate([q, u], axis=-1)}
-    states["t"] = np.full(count, 0.3)
+    x = model.random_state(rng, (count,))
+    q, u = model.split(x)
+    states = {"q": q, "q0": q, "u": u, "x": x, "t": np.full(count, 0.3)}
     for argument in function.caller.arguments:
-        if argument.name == "r" and argument.default is not None:
-            states["r"] = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
+        if argument.name in "rzs" and argument.default is not None:
+            given = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
+            states[argument.name] = given
         random = rng.uniform(-1, 1, (count, *argument.shape))
         made[argument.name] = states.get(argument.name, random)
     return made

@@ -29,6 +29,8 @@ from . import lanes as records
 from .varied import Varied
 
 Array = NDArray[np.float64]
+# what is counted of every run
+NUMBERS = ("t", "steps", "rejections", "evaluations")
 NOT_RUN = -1000  # answer of a run that has not begun
 UNITS = 8  # bytes of a number
 
@@ -43,14 +45,14 @@ class Ends:
             had ended before.
         status: Words, (count,).
         messages: Of the runs that did not reach their end, by index in the block.
-        numbers: By name: where it ended ``t`` [s], ``steps``, ``rejections``, ``evaluations``.
+        numbers: (count, 4), of :data:`NUMBERS`: where it ended [s], ...
     """
 
     x: Array
     rows: Array
     status: list[str]
     messages: dict[int, str]
-    numbers: dict[str, Array]
+    numbers: Array
 
 
 def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) -> bool:
@@ -116,19 +118,20 @@ class Crew:
             run = runner.record
             run.t, run.times, run.time_count = over.start, self.times.ctypes.data, len(self.times)
             run.capacity = len(self.times)
-        self._keep: list[Any] = [runner.memory.copy() for runner in self.runners]
+        # stages, trials and dense output are written before they are read
+        start = self.runners[0].record.r - self.runners[0].memory.ctypes.data
+        left = [runner.memory[start // UNITS :] for runner in self.runners]
+        self._keep: list[Any] = [memory.copy() for memory in left]
         size = ctypes.sizeof(abi.Run)
         fresh = [ctypes.create_string_buffer(bytes(r.record), size) for r in self.runners]
         self.lanes = (records.Lane * width)()
-        for lane, runner, record, memory in zip(
-            self.lanes, self.runners, fresh, self._keep, strict=True
-        ):
-            lane.run, lane.memory = ctypes.addressof(runner.record), runner.memory.ctypes.data
+        for k, (lane, record, memory) in enumerate(zip(self.lanes, fresh, self._keep, strict=True)):
+            lane.run, lane.memory = ctypes.addressof(self.runners[k].record), left[k].ctypes.data
             lane.fresh, lane.fresh_memory = ctypes.addressof(record), memory.ctypes.data
         self._keep += fresh
         self.driver = records.Driver()
         self.driver.lanes, self.driver.lane_count = ctypes.addressof(self.lanes), width
-        self.driver.memory_length = len(self.runners[0].memory)
+        self.driver.memory_length = len(left[0])
         self.driver.order, self.driver.timed = how.method.order, bool(given.pieces)
         self.drive = records.driver(model._kernels())
 
@@ -144,17 +147,19 @@ class Crew:
         x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
         width = 1 + run.n + run.nr + run.ns + run.nlam
         rows = np.full((count, len(self.times), width), np.nan)
-        ends = (abi.Run * count)()
+        ends = (abi.Run * count).from_buffer(bytearray(count * ctypes.sizeof(abi.Run)))
+        numbers = np.zeros((count, len(NUMBERS)))
         d = self.driver
         keep = self._own(p)
         d.x0, d.r, d.count = x0.ctypes.data, r.ctypes.data, count
         d.rows = rows.ctypes.data if len(self.times) else None
+        d.numbers = numbers.ctypes.data
         d.x, d.ends, d.answers = x.ctypes.data, ctypes.addressof(ends), answers.ctypes.data
         abreast = self._abreast(p is not None) if self.width > 1 else None
         d.abreast = ctypes.addressof(abreast[0]) if abreast else None
         self.drive(d)
         del keep, abreast
-        return self._ends(x, rows, answers, ends)
+        return self._ends(x, rows, answers, numbers, ends)
 
     def _own(self, p: Array | None) -> list[Any]:
         """Prepared parameters of every run for every function that is called."""
@@ -207,21 +212,21 @@ class Crew:
         return a, memory, built, library
 
     def _ends(
-        self, x: Array, rows: Array, answers: NDArray[np.intp], ends: ctypes.Array[abi.Run]
+        self,
+        x: Array,
+        rows: Array,
+        answers: NDArray[np.intp],
+        numbers: Array,
+        ends: ctypes.Array[abi.Run],
     ) -> Ends:
         """Answers in words and numbers."""
-        layout: Any = np.dtype(abi.Run)
-        table = np.frombuffer(memoryview(ends).cast("B"), dtype=layout)
         begun = answers != NOT_RUN
-        x[~begun] = np.nan
+        x[~begun] = numbers[~begun, 0] = np.nan
         status, messages = ["finished"] * len(x), {}
         for k in np.flatnonzero(answers != abi.DONE).tolist():
             status[k] = "not_run"
             if begun[k]:
                 status[k], messages[k] = self._explain(ends[k], int(answers[k]))
-        names = ("steps", "rejections", "evaluations")
-        numbers = {name: np.where(begun, table[name], 0).astype(np.float64) for name in names}
-        numbers["t"] = np.where(begun, table["t"], np.nan)
         return Ends(x, rows, status, messages, numbers)
 
     def _explain(self, end: abi.Run, answer: int) -> tuple[str, str]:

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ModelError
-from .job import NUMBERS, Job, Piece
+from .crew import NUMBERS
+from .job import Job, Piece
 from .reductions import Parts, States
 
 Array = NDArray[np.float64]

@@ -25,7 +25,6 @@ from .single import Single, motion
 from .varied import Varied
 
 Array = NDArray[np.float64]
-NUMBERS = ("t", "steps", "rejections", "evaluations")
 
 
 @dataclass(frozen=True)
@@ -105,7 +104,7 @@ def compute(job: Job, crew: Crew | Single, first: int, last: int) -> Piece:
         first,
         ends.x,
         np.array(ends.status),
-        np.stack([ends.numbers[name] for name in NUMBERS], axis=1),
+        ends.numbers,
         {first + k: text for k, text in ends.messages.items()},
         parts,
     )

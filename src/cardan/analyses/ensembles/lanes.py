@@ -31,7 +31,7 @@ ENSEMBLE: tuple[tuple[Any, str], ...] = (
     (COUNT, "lane_count memory_length"),
     (POINTER, "x0 r own w"),
     (COUNT, "count own_count w_size order timed"),
-    (POINTER, "rows x ends answers"),
+    (POINTER, "rows x numbers ends answers"),
     (COUNT, "next finished stop"),
 )
 

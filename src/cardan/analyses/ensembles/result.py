@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
+from .crew import NUMBERS
 from .gathered import Gathered
-from .job import NUMBERS, Job, entries
+from .job import Job, entries
 
 Array = NDArray[np.float64]
 
@@ -169,6 +170,7 @@ def _summary(ensemble: Ensemble) -> str:
         f"{job.over.end:g} s",
         f"  varied: {names}",
         f"  {job.how.method.name}, {job.how.words}; {ensemble.hands}{lanes}",
+        *([f"  auto: {job.how.reason}"] if job.how.reason else []),
     ]
     width = max(map(len, ensemble.words))
     for code, count in counts.most_common():

@@ -10,15 +10,16 @@ from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
 from ...runtime.parameters import Parameters
 from ...runtime.trajectory import Trajectory
+from ..choice import Case
 from ..closed_start import closed_start
 from ..happenings import Happenings
 from ..plain import PlainRunner
 from ..run import Runner
 from ..settings import Settings, Start
 from ..signals import Signals
-from ..simulate import _run, runner_of
+from ..simulate import driven, runner_of
 from ..times import Span
-from .crew import Ends
+from .crew import NUMBERS, Ends
 from .varied import Varied
 
 Array = NDArray[np.float64]
@@ -31,11 +32,13 @@ def motion(
     may: Happenings,
     over: Span,
     part: Varied,
+    case: Case | None = None,
 ) -> tuple[Trajectory, Runner | PlainRunner]:
     """The only run of a part, and what made it.
 
     Raises:
         ModelError: its circuits cannot be assembled.
+        Limited: with ``case``: another method would be chosen.
     """
     if part.own_parameters:
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
@@ -46,8 +49,7 @@ def motion(
         named = part.named("q", 0), part.named("u", 0)
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
-    runner.loosen(begin.slack)
-    return _run(runner, over, begin, False), runner
+    return driven(runner, over, begin, False, case), runner
 
 
 class Single:
@@ -74,9 +76,9 @@ class Single:
             np.full((count, len(times), 1 + nx + nr + ns), np.nan),
             ["not_run"] * count,
             {},
-            {name: np.zeros(count) for name in ("steps", "rejections", "evaluations")},
+            np.zeros((count, len(NUMBERS))),
         )
-        ends.numbers["t"] = np.full(count, np.nan)
+        ends.numbers[:, 0] = np.nan
         for k in range(count):
             if self.stopped:
                 break
@@ -97,9 +99,7 @@ class Single:
         ends.status[k] = made.status
         if not made.success:
             ends.messages[k] = made.message
-        ends.numbers["t"][k] = runner.record.t
-        for name in ("steps", "rejections", "evaluations"):
-            ends.numbers[name][k] = made.statistics[name]
+        ends.numbers[k] = runner.record.t, *(made.statistics[name] for name in NUMBERS[1:])
         if ends.rows.shape[1]:
             parts = [made.t[:, None], made.x, made.r, made.s]
             ends.rows[k, :reached] = np.concatenate(parts, axis=1)

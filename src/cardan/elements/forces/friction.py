@@ -15,7 +15,7 @@ from .force import Action, ForceElement, JointLoad, Places, one_coordinate
 
 UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
 FIELDS = ("coulomb", "static", "stribeck", "viscous", "against", "smooth", "mu", "radius")
-# of the speed behind an impact against that before it: whether a joint was torn loose
+# of the speed behind an impact against that before it: what counts as a jump, or as rest
 LOOSE = 1e-12
 # what must be left of the uniqueness of a friction force: it grows with the inverse of that
 CERTAIN = 1e-3
@@ -205,16 +205,20 @@ class Friction(ForceElement):
         mode, v = at.s[0], self._speed(at)
         behind = jumped.after(v)
         along = select((behind * 0).apply("lt", behind), FORWARD, BACKWARD)
-        # coming to rest, or found at rest at the start
+        # coming to rest: it sticks where friction can take all of what accelerates it
+        response = jumped.response(v)
+        rate = jumped.before.derivative(v) + response * self._sliding(at) * self._direction(at)
+        bears = (rate.apply("abs") - response * self._most(at)).apply("le", 0.0)
+        turned = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
+        # or found sliding at the start
         moves = (v * 0).apply("lt", v.apply("abs")).apply("and", mode.apply("eq", float(UNDECIDED)))
-        stopped = select(moves, along, STICKING)
-        # sticking gives way to what pushes against it, or is torn loose by an impact elsewhere
+        stopped = select(moves, along, select(bears, STICKING, turned))
+        # sticking gives way to what pushes against it
         pushed = select(jumped.before.held[0].apply("lt", 0.0), FORWARD, BACKWARD)
-        torn = select(
-            ((behind - v).apply("abs") - LOOSE * (1 + behind.apply("abs"))).apply("le", 0.0),
-            mode,
-            along,
-        )
-        kept = select(mode.apply("eq", float(STICKING)), torn, mode)
-        changed = select(jumped.fired(0), stopped, select(jumped.fired(1), pushed, kept))
+        changed = select(jumped.fired(0), stopped, select(jumped.fired(1), pushed, mode))
+        # impacts, elsewhere too, tear it loose, turn it round or bring it to rest
+        struck = (LOOSE * (1 + behind.apply("abs"))).apply("lt", (behind - v).apply("abs"))
+        rest = behind.apply("abs").apply("le", LOOSE * (1 + v.apply("abs")))
+        decided = mode.apply("eq", float(UNDECIDED)).apply("not")
+        changed = select(struck.apply("and", decided), select(rest, STICKING, along), changed)
         return Change(s=Matrix.vector(at.motion.graph, [changed]))
