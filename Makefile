@@ -2,6 +2,7 @@
 #   make demo              the Panda robot from URDF to simulation
 #   make test              linters, types, all tests
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
+#   make hard              every integrator on every hard case, docs/hard_cases.md
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
 PYTHON ?= python3
@@ -15,10 +16,10 @@ BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd)
 
-.PHONY: help demo test bench lint types external fuzz clean
+.PHONY: help demo test bench hard lint types external fuzz clean
 
 help:
-	@sed -n '2,5s/^#   //p' Makefile
+	@sed -n '2,6s/^#   //p' Makefile
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
@@ -57,6 +58,10 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 # writes docs/performance; QUICK=1 for a few mechanisms and no page
 bench: $(VENV)/.installed-bench
 	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
+
+# writes docs/hard_cases.md
+hard: $(VENV)/.installed-test
+	$(BIN)/python tests/hard/page.py
 
 clean:
 	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis

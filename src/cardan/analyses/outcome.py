@@ -32,7 +32,8 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
     if answer == abi.TOO_SMALL:
         return "step_too_small", (
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
-            "The motion is singular there, or rtol and atol are tighter than it can be computed"
+            f"{_rotation(runner)}The motion is singular there, or rtol and atol are tighter than "
+            "it can be computed"
         )
     if answer == abi.UNSOLVED:
         return "not_solved", (
@@ -89,10 +90,25 @@ def _domain(runner: Runner | PlainRunner) -> str:
     rows = [joint.get("solved") for joint in runner.model.manifest["joints"]]
     circuits = dict.fromkeys(f"'{row['circuit']}'" for row in rows if row)
     if not circuits:
-        return "A force or a rotation leaves its domain there"
+        return f"{_rotation(runner)}A force or a rotation leaves its domain there"
     return (
         f"The circuit that {' or '.join(circuits)} closes is at a dead point there, or cannot "
         "reach it; run through with constraints='multipliers'. Or a force leaves its domain"
+    )
+
+
+def _rotation(runner: Runner | PlainRunner) -> str:
+    """What the rotation that is to blame cannot say, and which one can; "" if none is to blame."""
+    model, k = runner.model, runner.record.culprit
+    if not 0 <= k < len(model.coordinates):
+        return ""
+    owner = model.manifest["coordinates"][k]["joint"]
+    joint = next(row for row in model.manifest["joints"] if row["name"] == owner)
+    if not (joint.get("rotation") and joint.get("domain")):
+        return ""
+    return (
+        f"Joint '{owner}' turns by rotation='{joint['rotation']}' ({joint['domain']}); "
+        "rotation='quaternion' has no such limits. "
     )
 
 

@@ -1,0 +1,69 @@
+"""A ball that bounces ever faster: infinitely often in a finite time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import cardan as cd
+from cardan.analyses.integrators import INTEGRATORS
+
+from .case import UNDAMPED, Case, Cell, table
+
+HEIGHT, BOUNCE, G = 1.0, 0.5, 9.81
+FALL = np.sqrt(2 * HEIGHT / G)
+REST = FALL * (1 + BOUNCE) / (1 - BOUNCE)
+
+
+def ball(settle: float) -> cd.Model:
+    """A mass above a floor."""
+    scene = cd.Model("ball", gravity=(0, 0, -G))
+    scene.joint("height", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=1.0))
+    scene.force("floor", cd.Stop("height", lower=0.0, restitution=BOUNCE, settle=settle))
+    return scene
+
+
+def bouncing() -> cd.Model:
+    """It never settles."""
+    return ball(0.0)
+
+
+def settling() -> cd.Model:
+    """It stays where it is slower than a millimeter a second."""
+    return ball(1e-3)
+
+
+def end(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
+    """How far the end of the run is from the time at which it rests [s]."""
+    return abs(float(motion.t[-1]) - REST)
+
+
+def settled(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
+    """Largest error of the times of impacts [s]; infinite unless it lies on the floor at last."""
+    hits = [event.t for event in motion.events if event.kind == "impact"]
+    known = FALL * (1 + 2 * np.cumsum(np.r_[0, BOUNCE ** np.arange(1, len(hits))]))
+    lies = abs(motion["height"][-1]) + abs(motion["height.u"][-1]) < 1e-9
+    return float(np.abs(hits - known).max()) if lies and len(hits) > 10 else np.inf
+
+
+COMMON = {"t": 2.0, "start": {"q": {"height": HEIGHT}}, "step": 1e-3}
+CHATTER = Case(
+    name="chatter",
+    hard="a ball keeps half its speed at every bounce: infinitely many within 1.35 s",
+    oracle="closed form; ends with the status chatter, error of the time [s]",
+    build=bouncing,
+    error=end,
+    # a parabola: exact for every method, up to how small intervals count as none
+    expected=table(
+        {name: Cell(1e-4, status="chatter") for name in INTEGRATORS} | {"Newmark": UNDAMPED}
+    ),
+    **COMMON,
+)
+SETTLED = Case(
+    name="chatter, settled",
+    hard="the same where it settles below 1 mm/s: it comes to rest and stays",
+    oracle="closed form; largest error of the times of impacts [s]",
+    build=settling,
+    error=settled,
+    expected=table({name: Cell(1e-8) for name in INTEGRATORS} | {"Newmark": UNDAMPED}),
+    **COMMON,
+)

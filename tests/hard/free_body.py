@@ -1,0 +1,78 @@
+"""A free body that tumbles for ever: momentum and energy after very many steps."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+import cardan as cd
+from cardan.analyses.integrators import INTEGRATORS
+
+from .case import Case, Cell, Never
+
+STEP = 2e-3
+SPIN = [0.4, 1.0, 0.02]
+
+
+def build() -> cd.Model:
+    """Three moments of inertia, no force."""
+    scene = cd.Model("free_body", gravity=(0, 0, 0))
+    body = scene.body("body", mass=2.0, com=(0, 0, 0), inertia=(1.0, 2.0, 3.0))
+    scene.joint("free", cd.Free(), scene.ground, body)
+    return scene
+
+
+def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
+    """Largest relative change of energy, of spin and of linear momentum."""
+    momentum = model.momentum(motion.q, motion.u)
+    going = momentum[:, 3:]
+    # about the center: a flight of kilometers rounds to picometers a step
+    turning = momentum[:, :3] - np.cross(motion["free"][:, 4:], going)
+    total = motion.energy.total
+    return float(
+        max(
+            abs(total[-1] / total[0] - 1),
+            np.linalg.norm(turning[-1] - turning[0]) / np.linalg.norm(turning[0]),
+            np.linalg.norm(going[-1] - going[0]) / np.linalg.norm(going[0]),
+        )
+    )
+
+
+# of adaptive methods: as many steps as of the others
+AS_MANY = {"rtol": 1e-12, "atol": 1e-13, "max_step": STEP}
+
+
+def expected(count: int) -> dict[str, Cell | Never]:
+    """Some four roundings a step, all in one direction at worst; order 2 leaves h^2 beside."""
+    rounded = 1e-15 * count
+    close = Cell(rounded, AS_MANY)
+    return {
+        "DOP853": close, "RK45": close, "RKMK853": close, "RKMK45": close,
+        "RK4": Cell(rounded), "RKMK4": Cell(rounded),
+        "Radau": close, "Rosenbrock": close,
+        "EnergyMidpoint": Cell(1e-5),
+        **{name: Cell(1e-5, {"step": STEP}) for name in ("GeneralizedAlpha", "HHT", "Newmark")},
+    }  # fmt: skip
+
+
+CASE = Case(
+    name="free body",
+    hard="an asymmetric body tumbles and flies for 1e5 steps of 2 ms",
+    oracle="largest relative change of energy, angular momentum about the center and linear one",
+    build=build,
+    t=np.array([0.0, 1e5 * STEP]),
+    start={"u": {"free": [*SPIN, 0.3, 0.0, -0.2]}},
+    error=error,
+    expected=expected(100_000),
+    step=STEP,
+)
+LONG = replace(
+    CASE,
+    name="free body, 1e7 steps",
+    hard="the same for 1e7 steps",
+    t=np.array([0.0, 1e7 * STEP]),
+    # a tenth of the steps or less where each of them solves equations
+    expected=expected(10_000_000) | {"EnergyMidpoint": Cell(1e-3, {"step": 20 * STEP})},
+    slow=tuple(INTEGRATORS),
+)

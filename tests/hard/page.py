@@ -1,0 +1,122 @@
+"""Measures every cell and writes docs/hard_cases.md; status 1 where one is not as expected.
+
+usage: python tests/hard/page.py
+"""
+
+from __future__ import annotations
+
+import platform
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+# the cases and the zoo stand in the folder above
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from cardan.analyses.integrators import INTEGRATORS
+from cardan.cli.terminal import progress
+from hard import CASES
+from hard.case import FINISHED, Case, Cell, Never, Outcome, measure
+
+PAGE = Path(__file__).parents[2] / "docs" / "hard_cases.md"
+Found = dict[tuple[str, str], Outcome]
+HEAD = """\
+# Hard cases
+
+Written by `make hard`, which runs every integrator on every case again. What is expected, a status
+and a bound of the error, stands in `tests/hard` before anything runs, and the tests hold it; errors
+and times are those of one run on one machine ({machine}). Methods of order 4 and more run at tight
+tolerances, those of order 2 at rough ones: the cases ask what can be relied on, not which is
+fastest. `cardan report FILE` compares methods on a scene of yours.
+
+In the table: ✓ as expected, ✗ not, – not applicable, for a reason that stands below."""
+
+
+def expectation(cell: Cell | Never) -> str:
+    """What a cell expects, as the page says it."""
+    if isinstance(cell, Never):
+        return f"not applicable: {cell.reason}"
+    status = "" if cell.status == FINISHED else f"{cell.status}, "
+    return f"{status}≤ {cell.bound:.0e}" if cell.bound else cell.status
+
+
+def settings(case: Case, method: str) -> str:
+    """Tolerances or step in words."""
+    return ", ".join(f"{name} {value:.2g}" for name, value in case.how(method).items())
+
+
+def mark(case: Case, method: str, found: Found) -> str:
+    """One sign for a cell."""
+    cell = case.expected[method]
+    if isinstance(cell, Never):
+        return "–"
+    return "✓" if found[case.name, method].meets(cell) else "✗"
+
+
+def overview(found: Found) -> Iterator[str]:
+    """Case by method."""
+    yield f"| case | {' | '.join(INTEGRATORS)} |"
+    yield f"|---|{':---:|' * len(INTEGRATORS)}"
+    for case in CASES.values():
+        marks = " | ".join(mark(case, method, found) for method in INTEGRATORS)
+        yield f"| [{case.title}](#{anchor(case)}) | {marks} |"
+
+
+def anchor(case: Case) -> str:
+    """Where the section of a case stands in the page."""
+    kept = "".join(c for c in case.title.lower() if c.isalnum() or c in " -")
+    return kept.replace(" ", "-")
+
+
+def section(case: Case, found: Found) -> Iterator[str]:
+    """The table of a case."""
+    yield f"\n## {case.title}\n"
+    yield f"{case.hard[0].upper()}{case.hard[1:]}.\n"
+    yield f"Measured by: {case.oracle}.\n"
+    yield "| method | settings | expected | found | steps | ms |"
+    yield "|---|---|---|---|---:|---:|"
+    for method, cell in case.expected.items():
+        if isinstance(cell, Never):
+            yield f"| {method} | | {expectation(cell)} | | | |"
+            continue
+        one = found[case.name, method]
+        status = "" if one.status == FINISHED else f"{one.status}, "
+        missed = "" if one.meets(cell) else f" ✗ {cell.missed}"
+        yield (
+            f"| {method} | {settings(case, method)} | {expectation(cell)} "
+            f"| {status}{one.error:.1e}{missed} | {one.steps} | {one.milliseconds:.2g} |"
+        )
+    said = {
+        found[case.name, method].message
+        for method, cell in case.expected.items()
+        if isinstance(cell, Cell) and found[case.name, method].status != FINISHED
+    }
+    if said:
+        yield f"\nWhat a run says: {min(said, key=lambda words: (len(words), words))}."
+
+
+def main() -> int:
+    """Measure, write."""
+    found: Found = {}
+    with progress() as show:
+        for k, case in enumerate(CASES.values()):
+            for method, cell in case.expected.items():
+                show(f"{case.name}, {method}", k / len(CASES))
+                if isinstance(cell, Cell):
+                    found[case.name, method] = measure(case, method)
+    machine = f"{platform.machine()}, {platform.system()}"
+    lines = [HEAD.format(machine=machine), "", *overview(found)]
+    for case in CASES.values():
+        lines += section(case, found)
+    PAGE.write_text("\n".join(lines) + "\n", "utf-8")
+    wrong = 0
+    for (name, method), one in found.items():
+        cell = CASES[name].expected[method]
+        if isinstance(cell, Cell) and not one.meets(cell):
+            wrong += 1
+            print(f"{name}, {method}: {one.status}, {one.error:.1e}; {expectation(cell)}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""A block on a belt that sticks and slips."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+import cardan as cd
+
+from .case import ROUNDED, UNDAMPED, Case, Cell, alike
+
+BELT, STATIC, FALL = 0.2, 1.0, 3.0
+SLIP, PERIOD, END_OF_SLIP = 4.295999526464542, 12.00103129578276, -0.5410063538636437
+
+
+def build() -> cd.Model:
+    """Friction that falls with speed, true sticking."""
+    scene = cd.Model("stick_slip", gravity=(0, 0, 0))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
+    scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
+    law = STATIC / (1 + FALL * sp.Abs(scene.u("x") - BELT))
+    scene.force("belt", cd.Friction("x", coulomb=law, static=STATIC, against=BELT))
+    return scene
+
+
+def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
+    """Largest error of the times of slipping and of the period [s], and of the place [m]."""
+    slips = np.array([event.t for event in motion.events if event.name == "belt.slip"])
+    stops = np.array([event.t for event in motion.events if event.name == "belt.stop"])[1:]
+    if len(slips) != 3 or len(stops) != 3:
+        return np.inf
+    place = motion.at(stops[0])[0] - END_OF_SLIP
+    found = (np.diff(slips) - PERIOD, stops - slips - SLIP, place)
+    return float(max(np.abs(values).max() for values in found))
+
+
+CASE = Case(
+    name="stick-slip",
+    hard="dry friction on a belt: the block sticks, breaks loose, slides and sticks again",
+    oracle="limit cycle by located events, 30 digits; error of times [s] and place [m]",
+    build=build,
+    t=34.0,
+    start={"q": {"x": 0.0}, "u": {"x": BELT}},
+    error=error,
+    step=1e-3,
+    expected=alike(
+        explicit=1e-7,
+        lower=1e-7,
+        implicit=1e-7,
+        damped=1e-2,
+        fixed=1e-6,
+        energy=1e-3,
+        Newmark=UNDAMPED,
+        EnergyMidpoint=Cell(1e-3, missed=ROUNDED),
+    ),
+)

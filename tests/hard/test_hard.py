@@ -1,0 +1,60 @@
+"""Every method on every hard case: the status and the error that its table allows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from cardan.analyses.integrators import INTEGRATORS
+from hard import CASES
+from hard.case import Case, Cell, Never, measure
+from hard.page import PAGE, expectation
+
+ASKED = pytest.mark.skipif("CARDAN_HARD" not in os.environ, reason="asked for by CARDAN_HARD=1")
+
+
+def cells() -> Iterator[Any]:
+    """Every cell that is measured; the slow ones only where they are asked for."""
+    for case in CASES.values():
+        for method, cell in case.expected.items():
+            if isinstance(cell, Cell):
+                marks = [pytest.mark.slow, ASKED] if method in case.slow else []
+                if cell.missed:
+                    marks.append(pytest.mark.xfail(reason=cell.missed, strict=True))
+                yield pytest.param(case, method, marks=marks, id=f"{case.name}-{method}")
+
+
+@pytest.mark.parametrize(("case", "method"), list(cells()))
+def test_cell(case: Case, method: str) -> None:
+    cell = case.expected[method]
+    assert isinstance(cell, Cell)
+    found = measure(case, method)
+    print(f"{found.status}, error {found.error:.1e}, allowed {cell.bound:.0e}: {found.message}")
+    assert found.status == cell.status
+    assert found.error <= cell.bound
+
+
+def test_a_run_in_gimbal_lock_names_the_cure() -> None:
+    for name in ("proper", "other"):
+        case = CASES[f"gimbal lock, started in it, {name} sequences"]
+        said = measure(case, "DOP853").message
+        assert "ends excluded); rotation='quaternion' has no such limits" in said
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=str)
+def test_every_method_has_a_cell(case: Case) -> None:
+    assert set(case.expected) == set(INTEGRATORS)
+    assert all(cell.reason for cell in case.expected.values() if isinstance(cell, Never))
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=str)
+def test_the_page_says_the_same(case: Case) -> None:
+    section = PAGE.read_text("utf-8").split(f"\n## {case.title}\n")[1].split("\n## ")[0]
+    rows = [line for line in section.splitlines() if line.startswith("| ")][1:]
+    said = {cells[1].strip(): cells for cells in (row.split("|") for row in rows)}
+    assert set(said) == set(INTEGRATORS)
+    for method, cell in case.expected.items():
+        assert said[method][3].strip() == expectation(cell)
