@@ -86,6 +86,11 @@ def test_quaternions_of_either_sign_and_lie_groups() -> None:
     assert all(min(p.error for p in made.points if p.method == m) < 1e-9 for m in ("RK45", "RK4"))
 
 
+def test_what_rests_is_not_compared() -> None:
+    made = precision(pendulum(), 0.1, ["RK45", "RK4"])
+    assert made.recommendation.startswith("nothing moves from this start")
+
+
 def test_patience_ends_a_method_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(precision_runs, "STEPS", (100, 2_000_000_000))
     made = precision(pendulum(), 1.0, ["RK4"], patience=0.05, **START)

@@ -85,6 +85,9 @@ class Precision:
         return "\n".join(self._sentences())
 
     def _sentences(self) -> Iterator[str]:
+        if self.points and not any(point.error for point in self.points):
+            yield "nothing moves from this start, so that there is no error: give another q or u"
+            return
         for goal in GOALS:
             found = self.best(goal)
             if not found:

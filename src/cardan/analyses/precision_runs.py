@@ -223,10 +223,13 @@ class Bench:
         Raises:
             OutOfTime: it takes more than so many times the patience.
         """
-        until = time.perf_counter() + patient * self._patience
+        begun: list[float] = []
 
         def watch(_: float) -> None:
-            if time.perf_counter() > until:
+            now = time.perf_counter()
+            # what is derived and compiled before the first steps does not count
+            begun[:] = begun or [now]
+            if now - begun[0] > patient * self._patience:
                 raise OutOfTime
 
         with warnings.catch_warnings():
