@@ -76,6 +76,13 @@ class Closing:
 
 def size_of(model: CompiledModel) -> float:
     """Size of a mechanism [m]: the longest way between two joints of a body; 1 without any."""
+    if model._size is None:
+        model._size = _measured(model)
+    return model._size
+
+
+def _measured(model: CompiledModel) -> float:
+    """The size from the saved scene."""
     if "scene" not in model.saved:
         return 1.0
     known, vector = model._objects.sizes, model.parameters.vector

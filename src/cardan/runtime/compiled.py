@@ -86,6 +86,8 @@ class CompiledModel(Analyzed):
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
         self._doubted: set[str] = set()
+        # of the mechanism with these parameters, once it is known
+        self._size: float | None = None
         self._calls = _Calls(self._function)
 
     def __repr__(self) -> str:
