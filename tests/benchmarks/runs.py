@@ -9,10 +9,11 @@ usage: runs.py [--quick] [--only NAME ...] [--rounds N]
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import tempfile
 import warnings
+from collections.abc import Callable, Sequence
+from contextlib import chdir
 from dataclasses import replace
 from pathlib import Path
 
@@ -23,12 +24,13 @@ from rich.console import Console
 from rich.table import Table
 
 from benchmarks.motion import own, page, pictures
-from benchmarks.motion.contest import measure
+from benchmarks.motion.contest import Outcome, measure
 from benchmarks.motion.figures import Measured, figures
 from benchmarks.motion.problem import Problem
 from benchmarks.motion.problems import PROBLEMS
 from benchmarks.motion.programs import PROGRAMS
 from cardan.cli.terminal import progress
+from cardan.errors import CardanError
 
 FOLDER = Path(__file__).parents[2] / "docs" / "performance"
 ROUNDS, QUICK_ROUNDS = 15, 3
@@ -46,20 +48,15 @@ def main() -> int:
     names = given.only or (QUICK if given.quick else tuple(PROBLEMS))
     whole = not given.quick and not given.only
     warnings.simplefilter("ignore")
-    found = Measured({})
+    rounds = QUICK_ROUNDS if given.quick else given.rounds
+    problems = [thinned(PROBLEMS[n]) if given.quick else PROBLEMS[n] for n in names]
     # programs leave their objects and logs where they stand
     with tempfile.TemporaryDirectory(prefix="cardan-runs-") as private, progress() as show:
-        back = Path.cwd()
-        os.chdir(private)
-        for name in names:
-            problem = thinned(PROBLEMS[name]) if given.quick else PROBLEMS[name]
-            rounds = QUICK_ROUNDS if given.quick else given.rounds
-            outcome = measure(problem, PROGRAMS, rounds, show)
-            found = replace(found, outcomes={**found.outcomes, name: outcome})
-        if whole:
+        with chdir(private):
+            found = motions(problems, rounds, show)
+        if whole and not found.lacking:
             show("ensemble of Panda runs")
             found = replace(found, gain=own.gain(), steps=own.saved_steps())
-        os.chdir(back)
     rows = figures(found)
     if whole:
         pictures.write(dict(found.outcomes), FOLDER / "runs")
@@ -68,9 +65,21 @@ def main() -> int:
     return 0
 
 
+def motions(problems: Sequence[Problem], rounds: int, show: Callable[[str], None]) -> Measured:
+    """The problems in turn; what cannot be built here is named."""
+    outcomes: dict[str, Outcome] = {}
+    lacking: dict[str, str] = {}
+    for problem in problems:
+        try:
+            outcomes[problem.name] = measure(problem, PROGRAMS, rounds, show)
+        except (CardanError, FileNotFoundError) as why:
+            lacking[problem.title] = str(why).splitlines()[0]
+    return Measured(outcomes, lacking=lacking)
+
+
 def thinned(problem: Problem) -> Problem:
-    """The same with two settings of everything and an end found by our methods."""
-    methods = {method: each[1:3] for method, each in problem.methods.items()}
+    """The same with two settings of everything: our tightest, loose ones of the others."""
+    methods = {method: each[-2:] for method, each in problem.methods.items()}
     return replace(
         problem, methods=methods, tolerances=problem.tolerances[1:3], steps=problem.steps[:2]
     )

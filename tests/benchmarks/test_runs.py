@@ -10,6 +10,7 @@ import pytest
 from benchmarks.motion import page
 from benchmarks.motion.contest import LOST, Outcome, Row, fronts, measure
 from benchmarks.motion.figures import Measured, figures, ratio
+from benchmarks.motion.problem import Task
 from benchmarks.motion.problems import PROBLEMS
 from benchmarks.motion.programs import PEERS, PROGRAMS, ours
 from benchmarks.motion.programs.program import Entry, Program, present, willing
@@ -30,7 +31,9 @@ def found() -> Measured:
     )
     absent = {"Exudyn": "joint 'a' is revolute along [1, 1, 0]"}
     outcome = Outcome(DOUBLE, rows, 1e-13, absent, {"CasADi CVODES BDF": [1e-4]})
-    return Measured({"double_pendulum": outcome}, gain=6.0)
+    return Measured(
+        {"double_pendulum": outcome}, gain=6.0, lacking={"Panda": "its file is not here"}
+    )
 
 
 def test_every_line_is_there_and_says_what_was_not_measured() -> None:
@@ -62,6 +65,7 @@ def test_tables_and_notes() -> None:
     assert len(list(fronts(outcome))) == 3
     notes = "\n".join(page.left_out(found()))
     assert "Exudyn was not measured: joint 'a' is revolute along [1, 1, 0]" in notes
+    assert "Panda was not measured: its file is not here" in notes
     assert "CasADi CVODES BDF lost the motion or gave up at 0.0001" in notes
 
 
@@ -78,14 +82,19 @@ def test_a_contest_without_other_programs() -> None:
         willing,
         lambda task: [Entry("fake", "wrong", 1, wrong), Entry("fake", "none", 2, gives_up)],
     )
+
+    def cannot(task: Task) -> list[Entry]:
+        raise RuntimeError("no compiler\nin detail")
+
     gone = Program("gone", lambda: "not installed: pip install gone", willing, lambda task: [])
+    broken = Program("broken", present, willing, cannot)
     small = replace(DOUBLE, methods={"DOP853": (1e-6, 1e-8)}, end=0.5)
-    outcome = measure(small, (ours.PROGRAM, fake, gone), 2, lambda text: None)
+    outcome = measure(small, (ours.PROGRAM, fake, gone, broken), 2, lambda text: None)
     assert [r.setting for r in outcome.rows] == [1e-6, 1e-8]
     assert outcome.rows[1].error < outcome.rows[0].error < 1e-5 < LOST
     assert outcome.doubt < 1e-12
     assert outcome.lost == {"fake wrong": [1], "fake none": [2]}
-    assert outcome.absent == {"gone": "not installed: pip install gone"}
+    assert outcome.absent == {"gone": "not installed: pip install gone", "broken": "no compiler"}
 
 
 def test_members() -> None:

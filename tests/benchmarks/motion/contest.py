@@ -16,7 +16,7 @@ from cardan.errors import CardanError
 # seconds that all rounds of a run may take, and those beyond which it has one
 SHARE, LONG = 1.5, 4.0
 # a motion with larger errors [m] or [rad] was lost
-LOST = 1.0
+LOST = 0.3
 # what other programs raise where they give up
 GAVE_UP = (ArithmeticError, RuntimeError, ValueError, CardanError)
 
@@ -78,7 +78,10 @@ def measure(
             absent[program.name] = why
             continue
         show(f"{problem.title}: {program.name}")
-        entries += program.entries(ready)
+        try:
+            entries += program.entries(ready)
+        except GAVE_UP as problems:
+            absent[program.name] = str(problems).splitlines()[0]
     lost: dict[str, list[float]] = {}
     first: dict[Entry, tuple[float, float]] = {}
     for entry in entries:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from benchmarks.figures import Figure
 from benchmarks.motion.contest import Outcome
@@ -21,11 +21,13 @@ class Measured:
         outcomes: By name of the problem.
         gain: Time of an ensemble one by one over that in lanes, None where not measured.
         steps: Explicit steps over implicit ones of the stiff problem, None where not measured.
+        lacking: Problem -> why it is not here.
     """
 
     outcomes: Mapping[str, Outcome]
     gain: float | None = None
     steps: float | None = None
+    lacking: Mapping[str, str] = field(default_factory=dict)
 
 
 def figures(found: Measured) -> list[Figure]:

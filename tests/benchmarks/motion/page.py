@@ -50,6 +50,8 @@ def left_out(found: Measured) -> Iterator[str]:
     for program in PEERS:
         if program.missing():
             yield f"{program.name} was not measured: {program.missing()}"
+    for title, why in found.lacking.items():
+        yield f"{title} was not measured: {why}"
     for outcome in found.outcomes.values():
         title = outcome.problem.title
         for name, why in outcome.absent.items():
