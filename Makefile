@@ -8,7 +8,8 @@ PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
 # what the benchmark compares with and draws with, where they do not install together
-PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco pydy cython mpmath matplotlib
+PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn scikit-sundae pydy cython mpmath \
+	matplotlib
 # of each of the eight kinds of input
 CASES ?= 13000
 BIN := $(VENV)/bin
@@ -54,9 +55,10 @@ $(VENV)/.installed-bench: $(VENV)/.installed-test
 	$(INSTALL) --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) $$peer || true; done
 	@touch $@
 
-# writes docs/performance; QUICK=1 for a few mechanisms and no page
+# writes docs/performance: calls, then motions; QUICK=1 for a few of both and no page
 bench: $(VENV)/.installed-bench
 	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/runs.py $(if $(QUICK),--quick)
 
 clean:
 	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis

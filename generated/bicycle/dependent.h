@@ -18,7 +18,7 @@
  * entry depends on those before it: the sine of its angle to them is the root of that. Its unknown
  * becomes 0, whatever B says there. Rows of which rounding is all that is left, as of a condition
  * across a plane in which everything moves, have no direction: no measure is below
- * CARDAN_VANISHED of the largest.
+ * CARDAN_VANISHED of the largest. Runs do not ask where a row is about to depend: see hold.c.
  * Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 10.3.
  */
 #define CARDAN_DEPENDENT 1e-9

@@ -238,18 +238,36 @@ CARDAN_INLINE void cardan_sincos(int n, const double *x, double *sine, double *c
 }
 
 /* comparisons and logic: 1.0 is true, 0.0 is false, any other number counts as true */
-CARDAN_INLINE double cardan_lt(double a, double b) { return a < b ? 1.0 : 0.0; }
-CARDAN_INLINE double cardan_le(double a, double b) { return a <= b ? 1.0 : 0.0; }
-CARDAN_INLINE double cardan_eq(double a, double b) { return a == b ? 1.0 : 0.0; }
-CARDAN_INLINE double cardan_and(double a, double b) { return a != 0.0 && b != 0.0 ? 1.0 : 0.0; }
-CARDAN_INLINE double cardan_or(double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; }
-CARDAN_INLINE double cardan_not(double a) { return a == 0.0 ? 1.0 : 0.0; }
+#if CARDAN_PACK > 1
+/* By bits, as lanes do it: around a branch compilers would fuse other products with sums than they
+ * do in lanes, and the last bit would differ. */
+CARDAN_INLINE double cardan_choice(int holds, double then, double otherwise)
+{
+    const uint64_t mask = (uint64_t)0 - (uint64_t)(holds != 0);
+    return cardan_of_bits((mask & cardan_bits(then)) | (~mask & cardan_bits(otherwise)));
+}
+#else
+#define cardan_choice(holds, then, otherwise) ((holds) ? (then) : (otherwise))
+#endif
+CARDAN_INLINE double cardan_lt(double a, double b) { return cardan_choice(a < b, 1.0, 0.0); }
+CARDAN_INLINE double cardan_le(double a, double b) { return cardan_choice(a <= b, 1.0, 0.0); }
+CARDAN_INLINE double cardan_eq(double a, double b) { return cardan_choice(a == b, 1.0, 0.0); }
+CARDAN_INLINE double cardan_and(double a, double b)
+{
+    return cardan_choice((a != 0.0) & (b != 0.0), 1.0, 0.0);
+}
+CARDAN_INLINE double cardan_or(double a, double b)
+{
+    return cardan_choice((a != 0.0) | (b != 0.0), 1.0, 0.0);
+}
+CARDAN_INLINE double cardan_not(double a) { return cardan_choice(a == 0.0, 1.0, 0.0); }
 
 /* choice by value: both sides have been computed */
-#define cardan_select(condition, then, otherwise) ((condition) != 0.0 ? (then) : (otherwise))
+#define cardan_select(condition, then, otherwise)                                                  \
+    cardan_choice((condition) != 0.0, then, otherwise)
 CARDAN_INLINE double cardan_sign(double x) { return cardan_lt(0.0, x) - cardan_lt(x, 0.0); }
-CARDAN_INLINE double cardan_min(double a, double b) { return b < a ? b : a; }
-CARDAN_INLINE double cardan_max(double a, double b) { return b > a ? b : a; }
+CARDAN_INLINE double cardan_min(double a, double b) { return cardan_choice(b < a, b, a); }
+CARDAN_INLINE double cardan_max(double a, double b) { return cardan_choice(a < b, b, a); }
 
 CARDAN_INLINE double cardan_factorial(int n)
 {

@@ -20,9 +20,9 @@ Array = np.ndarray
 SPEED = 150.0
 
 
-def top(**options: Any) -> cd.CompiledModel:
+def top(name: str = "heavy_top", **options: Any) -> cd.CompiledModel:
     """The fast heavy top: a free body, whose center is held to turn about the ground origin."""
-    scene = cd.Model("heavy_top", gravity=(0, 0, -9.81))
+    scene = cd.Model(name, gravity=(0, 0, -9.81))
     body = scene.body("top", mass=15, com=(0, 0, 0), inertia=(0.234375, 0.46875, 0.234375))
     scene.joint("free", cd.Free(), scene.ground, body)
     scene.joint("pivot", cd.Spherical(), scene.ground, body.at(0, -1, 0), cut=True)
@@ -252,7 +252,7 @@ def test_refusals(model: cd.CompiledModel) -> None:
     soft = top(constraints="penalty")
     with pytest.raises(ModelError, match="compile with constraints='multipliers'"):
         soft.simulate(0.1, x0=spinning(model), method="GeneralizedAlpha")
-    few = top(functions=["rhs", "qdot", "close_position", "close_velocity"])
+    few = top("few", functions=["rhs", "qdot", "close_position", "close_velocity"])
     with pytest.raises(ModelError, match="needs the function 'balance'"):
         few.simulate(0.1, x0=spinning(model), method="GeneralizedAlpha")
 
@@ -272,3 +272,34 @@ def test_multipliers_are_kept(model: cd.CompiledModel, tmp_path: Any) -> None:
     for name, history in found.items():
         assert history.shape == motion.t.shape
         np.testing.assert_array_equal(loaded.multipliers[name], history)
+
+
+def test_stepper_and_checkpoint(model: cd.CompiledModel) -> None:
+    stepper = model.stepper(x0=spinning(model), method="GeneralizedAlpha", rtol=1e-6)
+    stepper.step(0.01)
+    saved = stepper.save()
+    first = stepper.step(0.01)
+    stepper.restore(saved)
+    np.testing.assert_array_equal(stepper.step(0.01), first)
+    exact = model.simulate([0, 0.02], x0=spinning(model), rtol=1e-12).x[-1]
+    # relative to speeds of 150 rad/s
+    assert np.abs(first - exact).max() < 150 * 1e-4
+
+
+def test_events_end_segments() -> None:
+    """Sticking is a constraint that comes and goes."""
+    scene = cd.Model("oscillator")
+    block = scene.body("block", mass=2)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, block)
+    scene.force("spring", cd.TorsionSpring("x", stiffness=50))
+    scene.force("rail", cd.Friction("x", coulomb=4.0))
+    model = cd.compile(scene)
+    motion = model.simulate(4.0, q={"x": 1.0}, method="GeneralizedAlpha", rtol=1e-8)
+    # every half cycle takes 2 x 4 / 50 of the amplitude, until the spring is too weak
+    half = np.pi * np.sqrt(2 / 50)
+    stops = [event.t for event in motion.events if event.name == "rail.stop"][1:]
+    assert stops == pytest.approx(half * np.arange(1, 7), abs=1e-4)
+    assert motion["x"][-1] == pytest.approx(1.0 - 6 * 0.16, abs=1e-5)
+    assert motion["x.u"][-1] == pytest.approx(0.0, abs=1e-12)
+    # what holds it there is what the spring pulls
+    assert motion.multipliers["rail.stick"][-1] == pytest.approx(50 * motion["x"][-1], abs=1e-6)

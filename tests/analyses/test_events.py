@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.integrators import INTEGRATORS
+from cardan.runtime import toolchain
 from cardan.runtime.trajectory import Trajectory, load
 
 G = 9.81
@@ -178,7 +181,7 @@ MISTAKES: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"a": (("z", 1.0), "mrk")}, cd.ModelError, "Did you mean 'mark'"),
     ({"a": (("z", 1.0), "mark", "left")}, cd.ModelError, "'left' is none of end, mark, down"),
     ({"a": lambda t: t}, ValueError, r"the function of 'a' must take \(t, x\)"),
-    ({"a": lambda t, x: "soon"}, ValueError, r"f\(t, x\) of 'a' gave no number"),
+    ({"a": lambda t, x: "soon"}, ValueError, "the function of 'a' gave 'soon', which is no number"),
     ({"floor.lower": ("z", 1.0)}, cd.ModelError, "the model has an event 'floor.lower'"),
 ]
 
@@ -207,6 +210,80 @@ def test_an_unknown_internal_state(ball: cd.CompiledModel) -> None:
         ball.simulate(1.0, z={"motor.fore": 1.0})
     with pytest.raises(cd.ModelError, match="given twice"):
         ball.simulate(1.0, x0=[1, 0, 0], z={"motor.force": 1.0})
+
+
+def test_the_same_without_a_compiler(
+    ball: cd.CompiledModel,
+    servo: cd.CompiledModel,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    runs: list[tuple[cd.CompiledModel, dict[str, Any]]] = [
+        (ball, {"q": START, "inputs": {"push": 1.0}, "events": {"top": ("z", 0.1)}}),
+        (ball, {"q": START, "inputs": {"push": 0.5}, "z": {"motor.force": 1.0}}),
+        (servo, {}),
+    ]
+    compiled = [model.simulate(1.5, **given, **FINE) for model, given in runs]
+    models = [pickle.dumps(model) for model, _ in runs]
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    for (_, given), text, fast in zip(runs, models, compiled, strict=True):
+        bare = pickle.loads(text)
+        with warnings.catch_warnings():
+            # it says once that there is no compiler
+            warnings.simplefilter("ignore", cd.BuildWarning)
+            motion = bare.simulate(1.5, **given, **FINE)
+        assert "in NumPy" in motion.conduct.settings
+        assert motion.status == fast.status
+        assert [e.name for e in motion.events] == [e.name for e in fast.events]
+        times = [[e.t for e in some.events] for some in (motion, fast)]
+        np.testing.assert_allclose(*times, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(motion.x[-1], fast.x[-1], rtol=0, atol=1e-8)
+        np.testing.assert_allclose(motion.s[-1], fast.s[-1], rtol=0, atol=1e-8)
+
+
+# by every method: bound of times and of states between rows
+BOUNDS = {
+    **dict.fromkeys(("DOP853", "RK45", "RKMK853", "RKMK45", "Radau", "Rosenbrock"), 1e-6),
+    **dict.fromkeys(("RK4", "RKMK4"), 1e-9),
+    # order 2
+    **dict.fromkeys(("GeneralizedAlpha", "HHT"), 3e-4),
+}
+
+
+@pytest.fixture(scope="module")
+def turning() -> tuple[cd.CompiledModel, Trajectory]:
+    """A rod that hits a stop, with a body that tumbles at its end; and its motion."""
+    scene = cd.Model("turning", gravity=(0, 0, -G))
+    rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.01, 0.02, 0.015))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, rod)
+    top = scene.body("top", mass=0.2, inertia=(0.01, 0.02, 0.015))
+    scene.joint("ball", cd.Spherical(), rod.at(0, 0, -1), top)
+    scene.force("wall", cd.Stop("hinge", lower=-0.3, restitution=0.8))
+    model = cd.compile(scene)
+    return model, model.simulate(2.5, **TURN, rtol=1e-12, atol=1e-12)
+
+
+TURN: dict[str, Any] = {"q": {"hinge": 1.0}, "u": {"ball": [0.2, 5.0, -0.3]}}
+
+
+@pytest.mark.parametrize("method", BOUNDS)
+def test_by_every_method(method: str, turning: tuple[cd.CompiledModel, Trajectory]) -> None:
+    model, wanted = turning
+    fixed = not INTEGRATORS[method].adaptive
+    how: dict[str, Any] = {"step": 1e-3} if fixed else {"rtol": 1e-8, "atol": 1e-9}
+    motion = model.simulate(2.5, method=method, **TURN, **how)
+    assert [e.name for e in motion.events] == [e.name for e in wanted.events]
+    assert len(motion.events) >= 2
+    times = [[e.t for e in some.events] for some in (motion, wanted)]
+    np.testing.assert_allclose(*times, rtol=0, atol=BOUNDS[method])
+    # apart from the moments around an impact
+    inside = np.linspace(0, 2.5, 300)
+    inside = inside[np.abs(inside[:, None] - times[1]).min(axis=1) > 1e-3]
+    np.testing.assert_allclose(
+        motion.at(inside), wanted.at(inside), rtol=0, atol=10 * BOUNDS[method]
+    )
 
 
 def test_reports_of_models_with_states_and_modes(ball: cd.CompiledModel) -> None:

@@ -81,6 +81,17 @@ def test_stiffness_is_measured(spring: cd.CompiledModel) -> None:
     assert not spring.with_parameters(k=100.0).stiffness(x).implicit_pays(10.0, 1e-5)
 
 
+def test_auto_sees_vibrations_that_rest(spring: cd.CompiledModel) -> None:
+    motion = spring.simulate([0, 10.0], q=slow(1e9), rtol=1e-5)
+    assert motion.statistics["steps"] < 300
+    assert motion.statistics["factorizations"] > 0
+    assert "stability limited the steps of DOP853" in str(motion)
+    # a spring that vibrates is followed by explicit steps, as it takes the fewest
+    excited = spring.with_parameters(k=1e7).simulate([0, 2.0], q={"swing": ANGLE}, rtol=1e-5)
+    assert excited.statistics["steps"] > 1000
+    assert excited.statistics["factorizations"] == 0
+
+
 def test_nothing_moves() -> None:
     scene = cd.Model("idle", gravity=(0, 0, 0))
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))

@@ -57,6 +57,10 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
+    ("cardan.runtime.compiled", "CompiledModel.report"): frozenset(
+        {"cardan.analyses.precision_runs"}
+    ),
+    ("cardan.analyses.precision", "Precision.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.runtime.compiled", "CompiledModel.resume"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.analyses.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
@@ -101,6 +105,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "reading",
             "running",
             "varying",
+            "report_page",
             "sheet",
             "sheet_page",
         }

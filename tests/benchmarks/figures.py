@@ -62,6 +62,7 @@ def figures(found: Found) -> list[Figure]:
         *batch(found),
         *derivatives(found),
         *circuits(found),
+        *ensembles(found),
         *building(found),
         *accuracy(found),
         Figure("peers that took part", len(PEERS), len(present()), "", least=True),
@@ -142,6 +143,12 @@ def circuits(found: Found) -> Iterator[Figure]:
         solved = found.formulas.get(case)
         name = f"closed, {title}, by formulas"
         yield Figure(name, 0.5, 1e6 * solved[0].least if solved else None, "us")
+
+
+def ensembles(found: Found) -> Iterator[Figure]:
+    alone, lanes = found.ensembles.get("panda", (None, None))
+    gain = alone / lanes if alone and lanes else None
+    yield Figure("ensemble of Panda, runs per time, of our loop in C", 5, gain, least=True)
 
 
 def building(found: Found) -> Iterator[Figure]:

@@ -14,6 +14,7 @@ from typing import Any
 
 import cardan as cd
 from benchmarks.cases import CASES, DERIVATIVES, FORWARD, LONG, MASS, Case
+from benchmarks.ensembles import beside
 from cardan.errors import CardanError
 from cardan.peers.comparison import BATCH, LANES, LOOP, OURS, Comparison, compare, drawn
 from cardan.peers.contest import Time, contest
@@ -25,6 +26,7 @@ from cardan.pipeline import STANDARD
 BUILDING = Path(__file__).with_name("building.py")
 COUNTS = Path(__file__).parents[1] / "golden" / "counts.json"
 SECONDS = 300
+ENSEMBLES = ("panda",)
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,7 @@ class Found:
         lanes: States that a batch does at once.
         formulas: Closed case -> seconds of a call and of a state in a batch, its circuits solved
             by formulas.
+        ensembles: Case -> seconds of a run among many: one by one, in lanes.
     """
 
     comparisons: dict[str, Comparison]
@@ -48,6 +51,7 @@ class Found:
     peak: Peak
     lanes: int
     formulas: dict[str, tuple[Time, Time]] = field(default_factory=dict)
+    ensembles: dict[str, tuple[float, float]] = field(default_factory=dict)
 
 
 def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
@@ -117,6 +121,7 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     buildings: dict[str, dict[str, Any]] = {}
     lacking: dict[str, str] = {}
     by_formulas: dict[str, tuple[Time, Time]] = {}
+    many: dict[str, tuple[float, float]] = {}
     peaks, lanes = [peak()], 1
     for case in CASES:
         if quick and not case.quick:
@@ -127,6 +132,9 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
             solved = formulas(case, rounds) if case.closed else None
             if solved is not None:
                 by_formulas[case.name] = solved
+            if case.name in ENSEMBLES:
+                show(f"{case.title}: ensemble")
+                many[case.name] = beside(case, rounds)
             show(f"{case.title}: building")
             buildings[case.name] = building([case.name], SECONDS)
         except (CardanError, FileNotFoundError, TimeoutError, RuntimeError) as problem:
@@ -140,4 +148,4 @@ def run(quick: bool, rounds: int, show: Callable[[str], None]) -> Found:
     peaks.append(peak())
     best = max(peaks, key=lambda found: found.vector)
     counts = json.loads(COUNTS.read_text("utf-8"))
-    return Found(comparisons, buildings, counts, lacking, best, lanes, by_formulas)
+    return Found(comparisons, buildings, counts, lacking, best, lanes, by_formulas, many)

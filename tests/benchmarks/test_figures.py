@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from benchmarks.figures import MULTIPLE, Figure, figures, multiple, ratio
 from benchmarks.measure import Found
 from benchmarks.page import left_out, markdown, sections
@@ -32,6 +34,15 @@ def test_every_line_is_there_and_says_what_was_not_measured() -> None:
     assert lines["Panda, forward dynamics, batch, per state"] == ("≤ 24 ns", "20 ns", "reached")
     # 1,100 operations and six sines with cosines, in 20 ns of a processor that does 120 per ns
     assert lines["Panda, forward dynamics, batch, of the peak"][1:] == ("58.3 %", "reached")
+
+
+def test_an_ensemble_is_measured_against_our_own_loop() -> None:
+    lines = {figure.name: figure for figure in figures(found())}
+    name = "ensemble of Panda, runs per time, of our loop in C"
+    assert lines[name].value is None
+    measured = replace(found(), ensembles={"panda": (1e-4, 2.5e-5)})
+    line = next(figure for figure in figures(measured) if figure.name == name)
+    assert (line.value, line.reached) == (4.0, False)
 
 
 def test_ratio_and_error_are_those_of_the_rows() -> None:

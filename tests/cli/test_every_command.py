@@ -22,6 +22,7 @@ WORKING = {
     "inspect": (ARM,),
     "simulate": (ARM, "--time", "0.1"),
     "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
+    "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
     "export": (ARM, "-o", "arm_c", "--functions", "bias"),
     "doctor": (),

@@ -21,6 +21,7 @@ LEAVES = {
     "09_bicycle": ("bicycle.html",),
     "10_rolling_disk": ("rolling_disk.html",),
     "11_solar_array": ("solar_array.html",),
+    "12_ensemble": ("runs.nc",),
 }
 
 

@@ -107,6 +107,19 @@ def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     return v + 2 * np.cross(n, np.cross(n, v) + w * v)
 
 
+@EACH
+def test_events_between_the_steps(method: Integrator, tmp_path: Path) -> None:
+    options = {"rtol": 1e-10, "atol": 1e-11} if method.adaptive else {"step": 1e-4}
+    watch = {"half": lambda t, x: x[0] - 0.5}
+    motion = top(tmp_path).run(0.1, TOP_START, method=method.name, events=watch, **options)
+    known = top(tmp_path).run(0.1, TOP_START, rtol=1e-13, atol=1e-14, events=watch)
+    assert motion.status == "event"
+    assert motion.t[-1] == pytest.approx(known.t[-1], abs=1e-10)
+    # the last step ends at the event, and what is inside it is of its own polynomial
+    times = np.linspace(0.9, 0.999, 50) * known.t[-1]
+    np.testing.assert_allclose(motion.at(times), known.at(times), rtol=0, atol=2e-8)
+
+
 def test_too_long_a_step_says_so(tmp_path: Path) -> None:
     with pytest.warns(SolveWarning, match=r"a step of 0.2 s is most of a turn.*step= shorter"):
         motion = free(tmp_path).run(1.0, [1, 0, 0, 0, 0, 30, 0], method="RKMK4", step=0.2)

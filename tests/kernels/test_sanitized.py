@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import os
 import subprocess
+from itertools import cycle
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses import record
 from cardan.runtime import cache, kernels
 from kernels.sanitized import program
 from mechanisms import ZOO
 from mechanisms.random_trees import random_tree
 
 FLAGS = ("-std=c99", "-O0", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-METHODS = ("dop853", "radau", "rosenbrock", "rk4")
+METHODS = ("dop853", "radau", "rosenbrock", "alpha", "rk4", "rk45", "midpoint")
 COUNT = 7
 SEED = 20
 DYNAMICS = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy", "power")
@@ -64,8 +66,8 @@ def compiled(*words: str, cwd: Path | None = None) -> subprocess.CompletedProces
 
 
 CASES = [
-    pytest.param(name, k % 2 == 1, METHODS[k % 4], marks=[pytest.mark.slow] * (k % 3 > 0))
-    for k, name in enumerate(drawn())
+    pytest.param(name, k % 2 == 1, method, marks=[pytest.mark.slow] * (k % 3 > 0))
+    for k, (name, method) in enumerate(zip(drawn(), cycle(METHODS), strict=False))
 ]
 
 
@@ -105,6 +107,8 @@ def test_clean_and_the_same_numbers(
         "r": np.zeros((COUNT, model.nr)),
         "udot": rng.uniform(-1, 1, u.shape),
         "tau": rng.uniform(-1, 1, u.shape),
+        "du": rng.uniform(-1, 1, u.shape),
+        "lam": np.zeros((COUNT, 0)),
         "wrench": np.zeros((COUNT, parts)),
         "z": np.zeros((COUNT, 0)),
         "s": np.zeros((COUNT, 0)),
@@ -193,3 +197,94 @@ def test_batches_stay_inside_their_arrays(lanes: int, tmp_path: Path, sanitizers
     done = built(tmp_path, [main, batch], f"-DCARDAN_LANES={lanes}", "-march=native")
     assert done is not None
     assert (done.returncode, done.stderr, done.stdout) == (0, "", "0")
+
+
+# a ball that bounces until its bounces cannot be told apart, and a mark that dips between samples
+BALL = """
+#include "run.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static int rhs(const cardan_in *in, real *out, real *work)
+{
+    (void)work;
+    out[0] = in->u[0];
+    out[1] = -9.81;
+    out[2] = in->s[0] - in->z[0];
+    return 0;
+}
+
+static int events(const cardan_in *in, real *out, real *work)
+{
+    (void)work;
+    out[0] = in->q[0];
+    out[1] = 1;
+    out[2] = 1e-7 + (in->t[0] - 0.1) * (in->t[0] - 0.1) * 40 - 2e-7;
+    return 0;
+}
+
+static int transition(const cardan_in *in, real *out, real *work)
+{
+    (void)work;
+    out[0] = in->e[0] != 0 ? -0.5 * in->u[0] : in->u[0];
+    out[1] = in->z[0];
+    out[2] = in->s[0] + (in->e[1] != 0);
+    return 0;
+}
+
+int main(void)
+{
+    static const ptrdiff_t kinds[] = {CARDAN_IMPACT, CARDAN_TICK, CARDAN_MARK};
+    cardan_tick tick = {.event = 1, .period = 0.25, .phase = 0};
+    const real end = 3;
+    cardan_run run = {0};
+    size_t length;
+    int status;
+
+    CARDAN_METHOD(&run, dop853);
+    run.rhs.function = rhs, run.events.function = events, run.transition.function = transition;
+    run.nq = run.nu = run.nz = run.ns = 1;
+    run.nx = run.n = 3;
+    run.rtol = 1e-9, run.atol = 1e-12, run.max_step = INFINITY, run.budget = 100;
+    run.stops = &end, run.stop_count = 1;
+    run.ne = 3, run.kinds = kinds, run.ticks = &tick, run.tick_count = 1;
+    run.log_capacity = 200;
+    length = cardan_run_length(&run, 1, 0);
+    real *memory = malloc(length * sizeof(real)), *log = malloc(200 * 12 * sizeof(real));
+    run.log = log;
+    cardan_run_lay(&run, memory, 1, 0);
+    run.y[0] = 1;
+    status = cardan_run_start(&run);
+    while (status == 0 || status == CARDAN_MORE || status == CARDAN_FULL) {
+        status = cardan_run_drive(&run);
+        for (ptrdiff_t k = 0; k < run.log_count; k++)
+            printf("%.12f %g %g %g\\n", log[12 * k], log[12 * k + 1], log[12 * k + 2],
+                   log[12 * k + 3]);
+        run.log_count = 0;
+        if (status == CARDAN_DONE)
+            break;
+    }
+    free(memory);
+    free(log);
+    printf("%d\\n", status);
+    return 0;
+}
+"""
+
+
+def test_events_stay_inside_their_arrays(tmp_path: Path, sanitizers: None) -> None:
+    main = tmp_path / "ball.c"
+    main.write_text(BALL)
+    done = built(tmp_path, [main, *sorted(kernels.DIRECTORY.glob("*.c"))])
+    assert done is not None
+    assert done.stderr == ""
+    *lines, status = done.stdout.split("\n")[:-1]
+    assert int(status) == record.CHATTER
+    rows = np.array([[float(word) for word in line.split()] for line in lines])
+    fall = np.sqrt(2 / 9.81)
+    bounces = fall + np.concatenate([[0.0], np.cumsum(2 * fall * 0.5 ** np.arange(1, 20))])
+    np.testing.assert_allclose(rows[rows[:, 1] > 0, 0][:20], bounces, rtol=0, atol=1e-11)
+    # samples until the bounces end, which is after 3 times the fall
+    np.testing.assert_array_equal(rows[rows[:, 2] > 0, 0], np.arange(0, 3 * fall, 0.25))
+    np.testing.assert_allclose(rows[rows[:, 3] > 0, 0], 0.1 - np.sqrt(1e-7 / 40), rtol=1e-9)

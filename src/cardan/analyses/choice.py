@@ -6,9 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ..errors import SolveError
+from .stiffness import stiffness
+from .times import Span
+
 JACOBIAN = "rhs_jacobian"
 FINE = 1e-7  # below this rtol Radau needs fewer steps than Rosenbrock
 OFTEN = 500  # stops in a run, from which on they set the length of steps
+MANY = 1000  # steps after which rates are compared
 LOOKED = 12  # looks at what limits the steps, before one judges
 MOST = 0.75  # of them that found stability
 
@@ -105,6 +110,43 @@ def limited(run: Any) -> bool:
         run: Its record.
     """
     return bool(run.looked >= LOOKED and run.limited >= MOST * run.looked)
+
+
+def reconsider(case: Case, runner: Any, over: Span, begin: Any) -> None:
+    """Look whether stability limits the steps of a run that is under way.
+
+    Args:
+        case: What its method was chosen from.
+        runner, over: The run and its span.
+        begin: Its start (nx,).
+
+    Raises:
+        Limited: it does, and there is a method that need not mind.
+    """
+    undecided = case.derived and not case.stiff
+    if undecided and (limited(runner.record) or _outpaced(runner, over, begin)):
+        raise Limited(case)
+
+
+def _outpaced(runner: Any, over: Span, begin: Any) -> bool:
+    """Whether an implicit method would need far fewer steps than a run has taken.
+
+    Vibrations at rest do not show in the steps themselves, which are as long as these allow, and
+    explicit steps keep them at the tolerance: what the start says of the motion counts too.
+    """
+    run, model, r = runner.record, runner.model, runner.views["r"]
+    done = abs(run.t - over.start) / over.length
+    if run.steps < MANY or not done:
+        return False
+    try:
+        here = stiffness(model, runner.views["y"][: model.nx], run.t, r, runner.views["s"])
+        there = stiffness(model, begin, over.start, r, model._layout.start("s"))
+    except SolveError:
+        # beside one of the states there are no accelerations, and no rates to compare
+        return False
+    calm = replace(here, present=min(here.present, there.present))
+    pays = calm.implicit_pays(over.length, runner.settings.rtol, run.steps / done)
+    return pays and abs(run.h) * here.fastest > 1
 
 
 def remark(method: str, run: Any, derived: bool) -> str:

@@ -42,8 +42,9 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
         ModelError: circuits that cannot be assembled with what is named.
     """
     manifest = model.manifest
-    if not manifest.get("multipliers") or "constraints" not in manifest["available"]:
-        # the run itself projects what it is given
+    always = [row for row in manifest.get("multipliers", ()) if not row.get("switched")]
+    if not always or "constraints" not in manifest["available"]:
+        # the run itself projects what it is given; what modes hold is not held before it begins
         return begin
     m = Mechanism(model, t, r)
     place, speed, internal = model.parts_of(begin.x)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.compiled import CompiledModel
 from . import record as abi
+from .signals import checked
 
 Array = NDArray[np.float64]
 Value = Callable[[float, Array], float]
@@ -38,6 +38,18 @@ class Watch:
     value: Value
     kind: str
     direction: str
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """How far an entry of the state is above a value."""
+
+    entry: int
+    value: float
+
+    def __call__(self, t: float, x: Array) -> float:
+        """The difference."""
+        return float(x[self.entry]) - self.value
 
 
 @dataclass(frozen=True)
@@ -163,16 +175,7 @@ def _is_crossing(given: Sequence[Any]) -> bool:
 def _value(model: CompiledModel, name: str, what: Any) -> Value:
     """f(t, x) of a function, or of a coordinate and the value it passes."""
     if callable(what):
-        try:
-            signature(what).bind(0.0, None)
-        except TypeError as problem:
-            raise ArgumentError(
-                f"events: the function of '{name}' must take (t, x), time and state: {problem}"
-            ) from None
-        except ValueError:
-            # built-in functions do not tell
-            return _checked(name, what)
-        return _checked(name, what)
+        return checked(f"events: the function of '{name}'", what)
     if isinstance(what, tuple | list) and _is_crossing(what):
         entry, value = str(what[0]), float(what[1])
         names = (*model.coordinates, *model.speeds, *model.internals)
@@ -184,21 +187,8 @@ def _value(model: CompiledModel, name: str, what: Any) -> Value:
         if not math.isfinite(value):
             raise SolveError(f"events: '{name}': '{entry}' cannot pass {value}")
         k = names.index(entry)
-        return lambda t, x: float(x[k]) - value
+        return Crossing(k, value)
     raise ArgumentError(
         f"events: '{name}' is {what!r}; give f(t, x), or a name and the value it passes such as "
         "('elbow', 0.5)"
     )
-
-
-def _checked(name: str, function: Value) -> Value:
-    """The function, whose result must be a number."""
-
-    def value(t: float, x: Array) -> float:
-        try:
-            found = float(function(t, x))
-        except (TypeError, ValueError) as problem:
-            raise ArgumentError(f"events: f(t, x) of '{name}' gave no number: {problem}") from None
-        return found
-
-    return value

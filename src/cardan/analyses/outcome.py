@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
 from ..runtime.conduct import FINISHED
 from . import record as abi
 from .plain import PlainRunner
 from .run import Runner
 from .times import Span
+
+HUGE = 1e100  # beyond this squares overflow before long
 
 
 def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str, str]:
@@ -43,13 +49,7 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
     if answer == abi.OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
-        if runner.record.culprit >= runner.n:
-            what = _happening(runner)
-            return "not_finite", f"stopped {at}: what says when {what} happens is not finite"
-        return "not_finite", (
-            f"stopped {at}: the derivative{who} is not finite. {_domain(runner)}: look at the "
-            "state motion.x[-1]"
-        )
+        return "not_finite", f"stopped {at}: {_not_finite(runner, who)}"
     if answer == abi.SIZE:
         return "too_large", (
             f"not begun: {runner.n} numbers and their output rows are more than memory can address"
@@ -58,6 +58,29 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
     return "model_failed", (
         f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
         "singular there: look at the state motion.x[-1]"
+    )
+
+
+def _not_finite(runner: Runner | PlainRunner, who: str) -> str:
+    """What is no number, and why that may be."""
+    model = runner.model
+    if runner.record.culprit >= runner.n:
+        return f"what says when {_happening(runner)} happens is not finite"
+    for name, value in zip(model.inputs, runner.views["r"].tolist(), strict=True):
+        if not math.isfinite(value):
+            return f"input '{name}' is {value} there: its function must give finite numbers"
+    names = (*model.coordinates, *model.speeds, *model.internals)
+    state = runner.views["y"][: model.nx]
+    k = int(np.abs(state).argmax())
+    if abs(state[k]) > HUGE:
+        return (
+            f"the motion grows beyond all bounds, '{names[k]}' is {state[k]:.3g}. Something feeds "
+            "it: motion.balance says where energy comes from"
+        )
+    long = "" if runner.settings.method.adaptive else ", or step= is too long"
+    return (
+        f"the derivative{who} is not finite. {_domain(runner)}{long}: look at the state "
+        "motion.x[-1]"
     )
 
 

@@ -32,6 +32,19 @@ from .signals import Signals
 Array = NDArray[np.float64]
 
 
+def check_plain(settings: Settings) -> None:
+    """Refuse what exists in C only.
+
+    Raises:
+        ModelError: the method does.
+    """
+    if settings.method.name not in METHODS:
+        raise ModelError(
+            f"method '{settings.method.name}' needs a C compiler: pip install "
+            f"'cardan[compiler]'. Without one there are {', '.join(METHODS)}"
+        )
+
+
 class PlainRunner:
     """A run from a state over segments of time; used as :class:`.run.Runner` is."""
 
@@ -48,11 +61,7 @@ class PlainRunner:
         Raises:
             ModelError: the method exists in C only.
         """
-        if settings.method.name not in METHODS:
-            raise ModelError(
-                f"method '{settings.method.name}' needs a C compiler: pip install "
-                f"'cardan[compiler]'. Without one there are {', '.join(METHODS)}"
-            )
+        check_plain(settings)
         self.model, self.settings, self.signals, self.may = model, settings, given, may
         self.functions = [model._function("rhs"), *([model._function("power")] if power else [])]
         self.powered = power

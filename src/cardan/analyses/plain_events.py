@@ -187,6 +187,7 @@ class PlainEvents:
 
     def _blame(self, i: int, answer: int) -> None:
         self.runner.record.culprit = self.runner.n + i
+        self.e[:] = 0.0
         raise Broken(answer)
 
     def _change(self) -> None:

@@ -21,6 +21,7 @@ Array = NDArray[np.float64]
 Values = Mapping[str, ArrayLike]
 DEFAULT = "DOP853"
 STEPS = 10_000  # of a fixed step without step=
+SMALLEST = 1e-100  # squares of errors over an atol below this overflow
 TIGHTEST = 2.5e-14  # below this rtol the error of a step drowns in rounding
 
 
@@ -71,6 +72,10 @@ def settings(
     for name, value in (("rtol", rtol), ("atol", atol)):
         if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
             raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
+    if rtol == 0 and atol < SMALLEST:
+        raise ModelError(
+            f"atol={atol:g}: no error is as small as that; with rtol=0 give {SMALLEST:g} or more"
+        )
     for name, option in (("step", step), ("max_step", max_step)):
         if option is not None and not (math.isfinite(option) and option > 0):
             raise ModelError(f"{name}={option:g}: it must be a positive time [s]")

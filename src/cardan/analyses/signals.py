@@ -34,6 +34,31 @@ class Pieces:
 
 
 @dataclass(frozen=True)
+class Checked:
+    """A function of the caller, whose result must be a number.
+
+    Attributes:
+        who: What it is, for messages.
+        function: f(t, x).
+    """
+
+    who: str
+    function: InputFunction
+
+    def __call__(self, t: float, x: Array) -> float:
+        """The result.
+
+        Raises:
+            ArgumentError: it is no number.
+        """
+        found = self.function(t, x)
+        try:
+            return float(found)
+        except (TypeError, ValueError):
+            raise ArgumentError(f"{self.who} gave {found!r}, which is no number") from None
+
+
+@dataclass(frozen=True)
 class Signals:
     """All inputs of a run.
 
@@ -145,7 +170,7 @@ def signals(
         k = names.index(name)
         if callable(value):
             _refuse_motion(name, names)
-            functions[k] = _function(name, value)
+            functions[k] = checked(f"inputs: the function of '{name}'", value)
         elif isinstance(value, tuple | list):
             pieces += _table(name, k, value, f"{name}.rate" in names, span)
         else:
@@ -173,18 +198,25 @@ def _refuse_motion(name: str, names: Sequence[str]) -> None:
         )
 
 
-def _function(name: str, function: InputFunction) -> InputFunction:
-    """A function that can be called with (t, x), as far as it can be told beforehand."""
+def checked(who: str, function: InputFunction) -> Checked:
+    """A function that can be called with (t, x), as far as it can be told beforehand.
+
+    Args:
+        who: What it is, for messages.
+        function: f(t, x).
+
+    Raises:
+        ArgumentError: it takes something else.
+    """
+    made = Checked(who, function)
     try:
         signature(function).bind(0.0, None)
     except TypeError as problem:
-        raise ArgumentError(
-            f"inputs: the function of '{name}' must take (t, x), time and state: {problem}"
-        ) from None
+        raise ArgumentError(f"{who} must take (t, x), time and state: {problem}") from None
     except ValueError:
         # built-in functions do not tell
-        return function
-    return function
+        return made
+    return made
 
 
 def _number(name: str, value: Any) -> float:

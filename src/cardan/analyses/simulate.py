@@ -21,12 +21,12 @@ from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
-from .choice import JACOBIAN, Case, Limited, choose, limited, remark
+from .choice import JACOBIAN, Case, Limited, choose, reconsider, remark
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, happenings
 from .integrators import INTEGRATORS
 from .outcome import explain
-from .plain import PlainRunner
+from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
 from .settings import Settings, Start, Values, blocks, settings, start
@@ -103,12 +103,14 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    case = _case(model, rtol, over, given, may) if method == "auto" else None
+    case = case_of(model, rtol, over, given, may) if method == "auto" else None
     try:
-        motion = _run(runner_of(model, _chosen(how, case), given, may), over, begin, progress, case)
+        motion = driven(
+            runner_of(model, chosen(how, case), given, may), over, begin, progress, case
+        )
     except Limited as found:
-        how = _chosen(how, found.case)
-        motion = _run(runner_of(model, how, given, may), over, begin, progress)
+        how = chosen(how, found.case)
+        motion = driven(runner_of(model, how, given, may), over, begin, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -116,7 +118,7 @@ def simulate(
     return motion
 
 
-def _case(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
+def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
     """What ``method="auto"`` chooses from."""
     periods = [float(tick["period"]) for tick in may.ticks]
     if given.functions and given.sample is not None:
@@ -130,7 +132,7 @@ def _case(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Ha
     )
 
 
-def _chosen(how: Settings, case: Case | None) -> Settings:
+def chosen(how: Settings, case: Case | None) -> Settings:
     """Settings with the method of a choice, if there is one."""
     if case is None:
         return how
@@ -157,9 +159,12 @@ def runner_of(
             )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
     called += [name for _, name in needs]
+    compiled = _integrators(model)
+    if not compiled:
+        check_plain(how)
     # side by side, as both must be compiled
     model.prepare(*called)
-    if all(model._function(name).address for name in called) and _integrators(model):
+    if all(model._function(name).address for name in called) and compiled:
         return Runner(model, how, given, power, may)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
     return PlainRunner(model, replace(how, words=words), given, power, may)
@@ -174,7 +179,7 @@ def _integrators(model: CompiledModel) -> bool:
     return True
 
 
-def _run(
+def driven(
     runner: Runner | PlainRunner,
     over: Span,
     begin: Start,
@@ -203,8 +208,8 @@ def _run(
                 logs.append(runner.drained())
                 run.count = 0
             done = abs(run.t - over.start) / over.length
-            if case is not None and case.derived and not case.stiff and limited(run) and done < 0.5:
-                raise Limited(case)
+            if case is not None and done < 0.5:
+                reconsider(case, runner, over, begin.x)
             show(min(1.0, done))
     milliseconds = 1e3 * (time.perf_counter() - clock)
     width = 1 + runner.n + run.nr + runner.model.ns + run.nlam

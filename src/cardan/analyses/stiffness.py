@@ -59,9 +59,16 @@ class Stiffness:
         """Steps that accuracy asks of an implicit method of order 5 over a time [s]."""
         return FEW + ROUGH * abs(length) * self.present / math.pow(max(rtol, 1e-15), 0.2)
 
-    def implicit_pays(self, length: float, rtol: float) -> bool:
-        """Whether an implicit method needs so many fewer steps that it is faster."""
-        return self.explicit_steps(length) > GAIN * self.implicit_steps(length, rtol)
+    def implicit_pays(self, length: float, rtol: float, steps: float | None = None) -> bool:
+        """Whether an implicit method needs so many fewer steps that it is faster.
+
+        Args:
+            length: Of the run [s].
+            rtol: Its tolerance.
+            steps: Of an explicit method; by default what stability asks.
+        """
+        explicit = self.explicit_steps(length) if steps is None else steps
+        return explicit > GAIN * self.implicit_steps(length, rtol)
 
 
 def stiffness(
@@ -74,6 +81,9 @@ def stiffness(
         x: State [q, u, z] (nx,).
         t: Time [s].
         r: Inputs (nr,), taken as constant. s: Modes (ns,).
+
+    Raises:
+        SolveError: there, or close to it, the model has no accelerations.
     """
 
     def right(y: Array) -> Array:

@@ -24,6 +24,7 @@ COMMANDS = {
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
     "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
+    "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
     "export": (".export", "C that needs no cardan, with a package for NumPy"),
     "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
@@ -40,6 +41,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
                                              many runs that differ
+  cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
   cardan bench arm.urdf                      how fast, how exact, beside other programs

@@ -16,14 +16,20 @@ DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what a run takes."""
+    run = start(parser)
+    run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-8)")
+    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-10)")
+
+
+def start(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Declare where a run starts and ends."""
     run = parser.add_argument_group("the run")
     run.add_argument("--time", metavar="SECONDS", type=positive, help="end time (default 10)")
     run.add_argument("--q", metavar="JOINT=VALUE", type=named, action="append", default=[],
                      help="initial coordinate of a joint; give it again for another")  # fmt: skip
     run.add_argument("--u", metavar="JOINT=VALUE", type=named, action="append", default=[],
                      help="initial speed of a joint")  # fmt: skip
-    run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-8)")
-    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-10)")
+    return run
 
 
 def file(*endings: str) -> Callable[[str], Path]:
@@ -72,6 +78,16 @@ def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the run: the defaults, then what the file says, then what was typed."""
     typed = {"t": options.time, "rtol": options.rtol, "atol": options.atol}
     found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
-    for block in ("q", "u"):
-        found[block] = {**found.get(block, {}), **dict(getattr(options, block))}
-    return found
+    return found | _blocks(found, options)
+
+
+def begin(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
+    """End and start of the run, whatever method takes it: t, q, u, and z where the file says so."""
+    found = {k: value for k, value in scene.settings.items() if k in ("t", "q", "u", "z")}
+    found["t"] = options.time or found.get("t", DEFAULTS["t"])
+    return found | _blocks(found, options)
+
+
+def _blocks(found: dict[str, Any], options: argparse.Namespace) -> dict[str, Any]:
+    """Initial values: what the file says, then what was typed."""
+    return {b: {**found.get(b, {}), **dict(getattr(options, b))} for b in ("q", "u")}

@@ -104,8 +104,7 @@ class Change:
     s: Matrix | None = None
 
 
-@dataclass(frozen=True)
-class Solved:
+class Solved(Protocol):
     """What an element may know of the solution of the equations of motion.
 
     Attributes:
@@ -116,6 +115,9 @@ class Solved:
 
     held: Matrix
     certainty: Scalar | None
+
+    def derivative(self, x: Scalar) -> Scalar:
+        """Time derivative of an expression along the motion."""
 
 
 class Jumped(Protocol):
@@ -128,8 +130,8 @@ class Jumped(Protocol):
     def before(self) -> Solved:
         """The solution of the equations of motion before the event."""
 
-    def derivative(self, x: Scalar, s: Matrix) -> Scalar:
-        """Time derivative of an expression before the event, were the element in other modes."""
-
     def after(self, x: Scalar) -> Scalar:
         """Value of an expression with the speeds behind the event."""
+
+    def response(self, velocity: Scalar) -> Scalar:
+        """Acceleration of a velocity per force along it, circuits and what others hold included."""

@@ -188,6 +188,16 @@ class Dynamics:
             drive + across @ self.constraints.gamma,
         )
 
+    def response(self, row: Matrix) -> Matrix:
+        """Accelerations (nu, 1) under a force along a velocity (1, nu) alone."""
+        nothing = Matrix.zeros(self.k.graph, 0)
+        if not self.k.system.closed:
+            return solve("spd", self.mass_matrix, row.T)
+        rest = Matrix.zeros(self.k.graph, row.columns)
+        mass, G = self._regular(self.mass_matrix, rest)[0], self.constraints.jacobian
+        still = Matrix.zeros(self.k.graph, G.rows)
+        return Multipliers().accelerations(Bound(mass, row.T, G, still, nothing, nothing))[0]
+
     def pushed(self, jacobian: Matrix, residual: Matrix) -> tuple[Matrix, Matrix]:
         """du (nu, 1) and impulses P with M du = Jᵀ P and J du = -residual."""
         rest, nothing = Matrix.zeros(self.k.graph, jacobian.columns), self.k.block("u", 0, 0)

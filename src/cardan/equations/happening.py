@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from ..elements.forces.force import Places
-from ..elements.internal import Impulse, Solved
+from ..elements.internal import Impulse
 from ..ir.arithmetic import Scalar, select
 from ..ir.derivative import forward
-from ..ir.graph import ONE, ZERO
+from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..topology.system import Force
@@ -40,20 +40,32 @@ class Along:
         self._rows = [row.name for row in d.constraints.rows] if d.k.system.closed else []
         self._certainty = d.pressed.certainty
 
-    def of(self, force: Force) -> Solved:
+    def of(self, force: Force) -> Own:
         """The part of one element."""
         names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
         nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
         certainty = self._certainty.get(force.name)
-        return Solved(Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
+        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
         g = self.k.graph
-        column = Matrix(g, 1, 1, [x.node])
-        slots = [g.var("u", i) for i in range(len(self.udot))]
-        slopes = [forward(g, [x.node], {slot: ONE})[0] for slot in slots]
-        return self.k.derivative(column)[0] + Matrix(g, len(slots), 1, slopes).dot(self.udot)
+        seeds = dict(self.k.time_seeds)
+        for i, node in enumerate(self.udot.nodes):
+            seeds[g.var("u", i)] = node
+        return Scalar(g, forward(g, [x.node], seeds)[0])
+
+
+class Own:
+    """What one element may know of the solution of the equations of motion."""
+
+    def __init__(self, along: Along, held: Matrix, certainty: Scalar | None) -> None:
+        self.held, self.certainty = held, certainty
+        self._along = along
+
+    def derivative(self, x: Scalar) -> Scalar:
+        """Time derivative of an expression along the motion."""
+        return self._along.derivative(x)
 
 
 def rates(d: Dynamics) -> Matrix:
@@ -84,19 +96,9 @@ class Jump:
         self.k, self._d, self._force, self._speeds = d.k, d, force, speeds
 
     @cached_property
-    def _along(self) -> Along:
-        return Along(self._d)
-
-    @property
-    def before(self) -> Solved:
+    def before(self) -> Own:
         """The solution of the equations of motion before the event."""
-        return self._along.of(self._force)
-
-    def derivative(self, x: Scalar, s: Matrix) -> Scalar:
-        """Time derivative of an expression before the event, were the element in other modes."""
-        g = self.k.graph
-        modes = {g.var("s", self._force.s + i): node for i, node in enumerate(s.nodes)}
-        return Scalar(g, rebuild(g, [self._along.derivative(x).node], modes, into=g)[1][0])
+        return Along(self._d).of(self._force)
 
     def fired(self, event: int) -> Scalar:
         """1 where this event of the element happened, else 0."""
@@ -107,6 +109,12 @@ class Jump:
         g = self.k.graph
         behind = {g.var("u", i): node for i, node in enumerate(self._speeds.nodes)}
         return Scalar(g, rebuild(g, [x.node], behind, into=g)[1][0])
+
+    def response(self, velocity: Scalar) -> Scalar:
+        """Acceleration of a velocity per force along it, circuits and what others hold included."""
+        nodes = self._d.constraints.gradient(self._force.name, velocity.node, VELOCITY)
+        row = Matrix(self.k.graph, 1, len(nodes), nodes)
+        return (row @ self._d.response(row))[0]
 
 
 def transition(d: Dynamics) -> tuple[Matrix, Matrix, Matrix]:

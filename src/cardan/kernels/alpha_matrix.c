@@ -200,7 +200,7 @@ ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h)
     return n;
 }
 
-/* The matrix (n, n) of a step h from the present state, for whom it may concern. Returns n. */
+/* The matrix (n, n) of a step h from the present state, to look at. Returns n, 0 where it fails. */
 ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix)
 {
     const cardan_alpha v = cardan_alpha_at(run);

@@ -27,6 +27,17 @@ real cardan_finest(const cardan_run *run)
     return fastest > 0 ? smallest / fastest : 1;
 }
 
+/* Of two numbers; unlike calls of the mathematical library these are inline. */
+static inline real smaller(real a, real b)
+{
+    return b < a ? b : a;
+}
+
+static inline real larger(real a, real b)
+{
+    return a < b ? b : a;
+}
+
 static real end_of(const cardan_run *run)
 {
     return run->stops[run->stop_count - 1];
@@ -35,7 +46,7 @@ static real end_of(const cardan_run *run)
 /* The smallest step that t can resolve. */
 static real least(const cardan_run *run)
 {
-    return 16 * DBL_EPSILON * fmax(fabs(run->t), fabs(end_of(run) - run->t_start));
+    return 16 * DBL_EPSILON * larger(fabs(run->t), fabs(end_of(run) - run->t_start));
 }
 
 /* Root mean square of v / scale over the state, at scales of the present state. */
@@ -92,14 +103,14 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
 {
     real stop = run->until, left = stop - run->t;
 
-    *h = copysign(fmin(fabs(run->h), run->max_step), run->h);
+    *h = copysign(smaller(fabs(run->h), run->max_step), run->h);
     if (fabs(*h) < least(run) && fabs(left) > least(run))
         return CARDAN_TOO_SMALL;
     /* the step that t can tell: roundings of many times would add up */
     *t_new = run->t + *h;
     *h = *t_new - run->t;
     /* stretch a little rather than leave a sliver before the stop */
-    if (fabs(left) <= fmax(fabs(*h) + least(run), fmin(1.01 * fabs(*h), run->max_step))) {
+    if (fabs(left) <= larger(fabs(*h) + least(run), smaller(1.01 * fabs(*h), run->max_step))) {
         *h = left;
         *t_new = stop;
     }
@@ -109,14 +120,14 @@ int cardan_trial_step(cardan_run *run, real *h, real *t_new)
 /* Next step after one of size h was good enough; a step cut at a stop does not shrink it. */
 void cardan_accept_step(cardan_run *run, real h, real error, int order)
 {
-    real factor = error > 0 ? SAFETY * pow(fmin(error, 1), -1.0 / order) : GROW;
+    real factor = error > 0 ? SAFETY * pow(smaller(error, 1), -1.0 / order) : GROW;
     real next;
 
-    factor = fmin(run->rejected ? 1 : GROW, fmax(SHRINK, factor));
+    factor = smaller(run->rejected ? 1 : GROW, larger(SHRINK, factor));
     next = fabs(h) * factor;
     if (fabs(h) < 0.99 * fabs(run->h) && factor >= 1)
-        next = fmax(next, fabs(run->h));
-    run->h = copysign(fmin(next, run->max_step), h);
+        next = larger(next, fabs(run->h));
+    run->h = copysign(smaller(next, run->max_step), h);
     run->rejected = 0;
 }
 
@@ -132,7 +143,7 @@ int cardan_reject_step(cardan_run *run, real h, real error, int order, int statu
         return status;
     run->rejections++;
     run->rejected++;
-    run->h = h * fmin(0.9, fmax(0.2, factor));
+    run->h = h * smaller(0.9, larger(0.2, factor));
     if (fabs(run->h) >= least(run))
         return 0;
     return status == 0 ? CARDAN_TOO_SMALL : status;

@@ -248,6 +248,15 @@ static int change(cardan_run *run, const cardan_board *at)
     return status;
 }
 
+/* End the run because of event i. */
+static int give_up(cardan_run *run, ptrdiff_t i, int status)
+{
+    run->culprit = run->n + i;
+    for (ptrdiff_t k = 0; k < run->ne + run->watched; k++)
+        run->e[k] = 0;
+    return status;
+}
+
 /* The events in `e` happen: note them, change what they change, see what happens then. */
 int cardan_events_apply(cardan_run *run)
 {
@@ -264,17 +273,12 @@ int cardan_events_apply(cardan_run *run)
             continue;
         run->occurred++;
         changes |= run->kinds[i] <= CARDAN_TICK;
-        if (run->kinds[i] == CARDAN_END || run->kinds[i] == CARDAN_HALT) {
+        if (run->kinds[i] == CARDAN_END || run->kinds[i] == CARDAN_HALT)
             last = run->n + i;
-        }
-        if (run->at_once > MOST_AT_ONCE) {
-            run->culprit = run->n + i;
-            return CARDAN_STORM;
-        }
-        if (run->kinds[i] != CARDAN_TICK && run->at_once == 1 && chatters(run, &at, i)) {
-            run->culprit = run->n + i;
-            return CARDAN_CHATTER;
-        }
+        if (run->at_once > MOST_AT_ONCE)
+            return give_up(run, i, CARDAN_STORM);
+        if (run->kinds[i] != CARDAN_TICK && run->at_once == 1 && chatters(run, &at, i))
+            return give_up(run, i, CARDAN_CHATTER);
         /* marked by its sign where nothing has fallen */
         at.slack[i] = at.armed[i] != 0 ? 2 * fabs(at.g[i])
                                        : -(fabs(at.g[i]) + ROUNDING * at.reach[i]);

@@ -40,6 +40,7 @@ static int differences(cardan_run *run, const room *at, problem *step)
     const ptrdiff_t size = at->size;
     int status = cardan_midpoint_residual(run, at, step, at->residual);
 
+    run->jacobians++;
     for (ptrdiff_t j = 0; j < size && status == 0; j++) {
         const real kept = at->z[j], shift = SHIFT * size_of(run, at, step, j);
         at->z[j] += shift;
@@ -54,11 +55,12 @@ static int differences(cardan_run *run, const room *at, problem *step)
 }
 
 /* The inverse by elimination with pivots. */
-static void invert(const room *at)
+static void invert(cardan_run *run, const room *at)
 {
     const ptrdiff_t size = at->size, width = 2 * size;
     real *a = at->matrix;
 
+    run->factorizations++;
     for (ptrdiff_t k = 0; k < size; k++) {
         ptrdiff_t pivot = k;
         for (ptrdiff_t i = k + 1; i < size; i++)
@@ -202,7 +204,7 @@ static int approach(cardan_run *run, const room *at, problem *step)
         status = differences(run, at, step);
         if (status != 0)
             return status;
-        invert(at);
+        invert(run, at);
         size = apply(run, at, step, at->residual);
         if (size < NEAR)
             return 0;
@@ -236,7 +238,7 @@ int cardan_midpoint_solve(cardan_run *run, const room *at, problem *step, int un
         else if (at->kept[INVERTED] == 0) {
             status = differences(run, at, step);
             if (status == 0)
-                invert(at);
+                invert(run, at);
         }
         if (status == 0)
             status = iterate(run, at, step);

@@ -102,7 +102,7 @@ def _row(numbers: Any) -> str:
     return " ".join(repr(float(x)) for x in numbers)
 
 
-def _model(mujoco: Any, scene: Scene) -> tuple[Any, Any]:
+def model_and_data(mujoco: Any, scene: Scene) -> tuple[Any, Any]:
     """Model and data with the masses of the tree."""
     model = mujoco.MjModel.from_xml_string(_text(scene))
     data = mujoco.MjData(model)
@@ -128,7 +128,7 @@ def contender(scene: Scene) -> Contender:
     """MuJoCo on a tree."""
     import mujoco
 
-    model, data = _model(mujoco, scene)
+    model, data = model_and_data(mujoco, scene)
     joints = [model.joint(f"j{body}") for body in range(len(scene.parents))]
     places = [(int(j.qposadr[0]), int(j.dofadr[0])) for j in joints]
     found = next(Path(mujoco.__file__).parent.glob("libmujoco*.so*"))

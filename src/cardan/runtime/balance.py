@@ -44,7 +44,7 @@ class Balance:
         words = [f"{self.before:.6g} J, then {self.after:.6g} J"]
         words += [f"given {self.given:.4g}"] if self.given else []
         words += [f"taken {self.taken:.4g}"] if self.taken else []
-        for label, some in (("dissipated", self.dissipated), ("in impacts", self.impacts)):
+        for label, some in (("dissipated", self.dissipated), ("lost in impacts", self.impacts)):
             words += [f"{label} {sum(some.values()):.4g}"] if some else []
         return ", ".join(words)
 

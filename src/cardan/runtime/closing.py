@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 SOUGHT, CLOSED = 1e-15, 1e-11  # residuals relative to the size: what is sought, what is enough
 MOST_STEPS = 8
+MOST_SIZES = 64  # that are remembered
 
 
 @dataclass(frozen=True)
@@ -75,12 +76,26 @@ class Closing:
 
 def size_of(model: CompiledModel) -> float:
     """Size of a mechanism [m]: the longest way between two joints of a body; 1 without any."""
+    if model._size is None:
+        model._size = _measured(model)
+    return model._size
+
+
+def _measured(model: CompiledModel) -> float:
+    """The size from the saved scene."""
     if "scene" not in model.saved:
         return 1.0
-    scene = model._evaluate_saved("scene", p=model.parameters.vector)
-    places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
-    lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
-    return float(lengths.max(initial=0.0)) or 1.0
+    known, vector = model._objects.sizes, model.parameters.vector
+    size = known.get(vector.tobytes())
+    if size is None:
+        scene = model._evaluate_saved("scene", p=vector)
+        places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
+        lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
+        size = float(lengths.max(initial=0.0)) or 1.0
+        if len(known) >= MOST_SIZES:
+            known.clear()
+        known[vector.tobytes()] = size
+    return size
 
 
 def columns_of(model: CompiledModel, size: float) -> Array:

@@ -16,7 +16,7 @@ from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
-from .layout import FUNCTIONS, NAMED, Layout
+from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction, assemble, batch
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -86,6 +86,8 @@ class CompiledModel(Analyzed):
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
         self._doubted: set[str] = set()
+        # of the mechanism with these parameters, once it is known
+        self._size: float | None = None
         self._calls = _Calls(self._function)
 
     def __repr__(self) -> str:
@@ -268,11 +270,22 @@ class CompiledModel(Analyzed):
 
         return verify(self, states=states, seed=seed)
 
-    def report(self) -> Report:
-        """Measure every function: operations, time, error against 40 digits; prints a table."""
+    def report(self, t: float | ArrayLike | None = None, **options: Any) -> Report:
+        """Measure every function: operations, time, error against 40 digits; prints a table.
+
+        Args:
+            t: With an end, or ``(start, end)`` [s], speed against error of every integrator too:
+                ``report(10, q={"elbow": 1.0}).methods``.
+            options: Of the motion, as :func:`cardan.analyses.precision_runs.precision` takes them.
+        """
         from .report import report
 
-        return report(self)
+        functions = report(self)
+        if t is None:
+            return functions
+        from ..analyses.precision_runs import compare
+
+        return compare(self, functions, t, **options)
 
     def simulate(
         self,
@@ -334,9 +347,7 @@ class CompiledModel(Analyzed):
         from .saved import digest, restore, texts
 
         self._objects.write(
-            name
-            for name in self.manifest["available"]
-            if name not in (*NAMED, "derivative", "rhs_jacobian")
+            name for name in self.manifest["available"] if name not in (*NAMED, *DEMANDED)
         )
         values = self._parameters.vector.tolist()
         files = texts(self.directory)

@@ -58,6 +58,8 @@ OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
 APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "difference")
 SMOOTH = tuple(name for name in READS if name not in APART)
 FUNCTIONS = (*READS, "derivative")
+# those that only some methods call, and many never
+DEMANDED = ("derivative", "rhs_jacobian", "balance", "balance_tangent", "move")
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
 

@@ -87,6 +87,7 @@ class Objects:
         self.reproducible = reproducible
         self.threads = threads
         self.batches: dict[str, Batch] = {}
+        self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
         self._provide = provide
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}

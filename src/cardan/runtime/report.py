@@ -24,6 +24,7 @@ from .slots import ORDER
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from ..analyses.precision import Precision
     from .compiled import CompiledModel
 
 BATCH = 1024
@@ -68,6 +69,7 @@ class Report:
         compiler: What compiled them.
         way: How Python calls them: cython or ctypes.
         note: What could not be measured, and how to change that.
+        methods: Speed against error of the integrators, where an end time was given.
     """
 
     model: str
@@ -75,6 +77,7 @@ class Report:
     compiler: str
     way: str
     note: str = ""
+    methods: Precision | None = None
 
     def table(self) -> Table:
         """As a table for the terminal."""

@@ -42,7 +42,7 @@ def summary(motion: Trajectory) -> str:
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
     inputs = {row["name"] for row in motion.manifest["inputs"]}
-    if motion.manifest.get("multipliers"):
+    if any(not row.get("switched") for row in motion.manifest.get("multipliers", ())):
         # circuits determine coordinates and speeds; inputs keep what the scene says
         lines += _values("start", "assembled", {n: v for n, v in rest.items() if n not in inputs})
         rest = {n: v for n, v in rest.items() if n in inputs}

@@ -14,6 +14,7 @@ from ..runtime.trajectory import Trajectory
 
 POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
+MARKS = "os^vD<>Pp*Xh"
 Curve = NDArray[np.float64]
 Panels = list[tuple[str, dict[str, Curve]]]
 
@@ -71,6 +72,28 @@ def plot_points(title: str, points: Curve, path: Any) -> Any:
         axis.set_ylabel(f"{'xyz'[j]} [m]")
         axis.set_aspect("equal", adjustable="datalim")
         axis.grid(alpha=0.3)
+    return _done(figure, title, path)
+
+
+def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: Any) -> Any:
+    """Draw lines through points on logarithmic axes.
+
+    Args:
+        title: Headline.
+        label, other: What is along the axes.
+        lines: Name -> (values along, values up).
+        path: Picture file, or None.
+
+    Returns:
+        The Matplotlib figure.
+    """
+    figure = _empty((9, 5.4))
+    axis = figure.subplots()
+    for k, (name, (along, up)) in enumerate(lines.items()):
+        axis.plot(along, up, MARKS[k % len(MARKS)] + "-", label=name, linewidth=1.2, markersize=4)
+    axis.set(xscale="log", yscale="log", xlabel=label, ylabel=other)
+    axis.grid(alpha=0.3)
+    axis.legend(fontsize="small", ncols=2)
     return _done(figure, title, path)
 
 

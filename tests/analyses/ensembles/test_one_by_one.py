@@ -83,3 +83,26 @@ def test_without_a_compiler(double: cd.CompiledModel, monkeypatch: pytest.Monkey
         made = bare.ensemble(0.3, q={"elbow": np.array([0.1, 0.2, 0.3])}, rtol=1e-10)
     assert made.job.build == "NumPy"
     np.testing.assert_allclose(made.final, here.final, rtol=0, atol=1e-8)
+
+
+def test_auto_looks_at_the_first_run() -> None:
+    scene = cd.Model("stiff", gravity=(0, 0, -9.81))
+    bob = scene.body("bob", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
+    scene.joint("slide", cd.Prismatic("z"), scene.ground, bob)
+    scene.force("damper", cd.Damping("slide", 1e5))
+    model = cd.compile(scene, functions=["rhs", "power", "rhs_jacobian"])
+    made = model.ensemble(10.0, q={"slide": np.linspace(0, 1, 5)})
+    assert made.job.how.method.name == "Rosenbrock"
+    assert "stability limited" in repr(made)
+    motion = model.simulate(10.0, q={"slide": 0.25})
+    np.testing.assert_array_equal(made.final[1], motion.x[-1])
+
+
+@pytest.mark.parametrize("method", ["Radau", "Rosenbrock"])
+def test_implicit_methods_with_parameters(method: str, double: cd.CompiledModel) -> None:
+    masses = np.linspace(0.5, 2, 7)
+    options = {"method": method, "q": {"elbow": 0.4}}
+    made = double.ensemble(0.5, parameters={"lower.mass": masses}, **options)
+    for i in (1, 6):
+        model = double.with_parameters({"lower.mass": masses[i]})
+        np.testing.assert_array_equal(made.final[i], model.simulate(0.5, **options).x[-1])

@@ -16,13 +16,15 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import ModelError, SolveError, SolveWarning
+from ...errors import CardanError, ModelError, SolveError, SolveWarning
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
+from ..choice import Limited
 from ..happenings import Happenings, happenings
 from ..progress import showing
 from ..sample import Plan
 from ..settings import settings
+from ..simulate import case_of, chosen
 from ..times import Span, span
 from .checkpoint import Checkpoint
 from .crew import suits, width_of
@@ -31,6 +33,7 @@ from .hands import Block, Client, Threads, interruptible
 from .job import Job, build_key, digest, histories_of
 from .reductions import reductions
 from .result import Ensemble
+from .single import motion
 from .varied import varied
 
 __all__ = ["Ensemble", "ensemble"]
@@ -91,7 +94,7 @@ def ensemble(
             several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
             runs. By default the states at output times, if ``t`` has some. Without output times
             201 of them, evenly from start to end, are taken.
-        method, rtol, atol, step, max_step: As of ``simulate``.
+        method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
         threads: By default ``$CARDAN_THREADS``, else the cores of this process.
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
         client: Computes instead of threads: of ``dask.distributed``, or an executor.
@@ -118,6 +121,7 @@ def ensemble(
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
     job = Job(model, how, given, may, over, made, kept)
+    job = _settled(job, rtol) if method == "auto" else job
     job = replace(job, width=_width(job, lanes), build=build_key(model))
     hands = Client(client) if client is not None else Threads(threads_of(threads))
     return _judged(_computed(job, hands, checkpoint, progress), check)
@@ -129,6 +133,20 @@ def _observed(over: Span, kept: bool) -> Span:
         return replace(over, times=None)
     usual = np.linspace(over.start, over.end, POINTS) if over.times is None else over.times
     return replace(over, times=usual)
+
+
+def _settled(job: Job, rtol: float) -> Job:
+    """With the method that ``simulate`` takes for the first run, for all of them."""
+    case = case_of(job.model, rtol, job.over, job.given, job.may)
+    how, first = chosen(job.how, case), job.varied.part(0, 1)
+    try:
+        motion(job.model, how, job.given, job.may, replace(job.over, times=None), first, case)
+    except Limited as found:
+        how = chosen(job.how, found.case)
+    except CardanError:
+        # it cannot begin, which is said where its turn comes
+        return replace(job, how=how)
+    return replace(job, how=how)
 
 
 def _width(job: Job, lanes: int | None) -> int:

@@ -170,6 +170,7 @@ def _summary(ensemble: Ensemble) -> str:
         f"{job.over.end:g} s",
         f"  varied: {names}",
         f"  {job.how.method.name}, {job.how.words}; {ensemble.hands}{lanes}",
+        *([f"  auto: {job.how.reason}"] if job.how.reason else []),
     ]
     width = max(map(len, ensemble.words))
     for code, count in counts.most_common():

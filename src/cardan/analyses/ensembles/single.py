@@ -10,13 +10,14 @@ from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
 from ...runtime.parameters import Parameters
 from ...runtime.trajectory import Trajectory
+from ..choice import Case
 from ..closed_start import closed_start
 from ..happenings import Happenings
 from ..plain import PlainRunner
 from ..run import Runner
 from ..settings import Settings, Start
 from ..signals import Signals
-from ..simulate import _run, runner_of
+from ..simulate import driven, runner_of
 from ..times import Span
 from .crew import NUMBERS, Ends
 from .varied import Varied
@@ -31,11 +32,13 @@ def motion(
     may: Happenings,
     over: Span,
     part: Varied,
+    case: Case | None = None,
 ) -> tuple[Trajectory, Runner | PlainRunner]:
     """The only run of a part, and what made it.
 
     Raises:
         ModelError: its circuits cannot be assembled.
+        Limited: with ``case``: another method would be chosen.
     """
     if part.own_parameters:
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
@@ -46,7 +49,7 @@ def motion(
         named = part.named("q", 0), part.named("u", 0)
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
-    return _run(runner, over, begin, False), runner
+    return driven(runner, over, begin, False, case), runner
 
 
 class Single:

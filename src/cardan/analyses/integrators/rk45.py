@@ -12,7 +12,7 @@ METHOD = Integrator(
     stages=7,
     dense_rows=4,
     adaptive=True,
-    applies="rough tolerances; many short segments between events, as what is inside costs nothing",
+    applies="many short segments, such as between samples: half the cost of a step",
     source="J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26",
     lanes=True,
 )

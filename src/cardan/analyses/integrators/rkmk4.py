@@ -13,6 +13,6 @@ METHOD = Integrator(
     dense_rows=3,
     adaptive=False,
     charted=True,
-    applies="a fixed step and bodies that spin fast: a steady spin is exact",
+    applies="as RK4, for spins that are steady in body axes: those are exact",
     source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
 )

@@ -13,6 +13,6 @@ METHOD = Integrator(
     dense_rows=7,
     adaptive=True,
     charted=True,
-    applies="as DOP853, where bodies spin fast: a steady spin costs no steps",
+    applies="as DOP853, for spins that are steady in body axes: those are exact",
     source="H. Munthe-Kaas, Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999) 115",
 )

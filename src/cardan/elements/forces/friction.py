@@ -19,8 +19,6 @@ FIELDS = ("coulomb", "static", "stribeck", "viscous", "against", "smooth", "mu",
 LOOSE = 1e-12
 # what must be left of the uniqueness of a friction force: it grows with the inverse of that
 CERTAIN = 1e-3
-# of an acceleration: friction that changes no more of it holds nothing
-IDLE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -207,10 +205,14 @@ class Friction(ForceElement):
         mode, v = at.s[0], self._speed(at)
         behind = jumped.after(v)
         along = select((behind * 0).apply("lt", behind), FORWARD, BACKWARD)
-        # coming to rest, or found at rest at the start
+        # coming to rest: it sticks where friction can take all of what accelerates it
+        response = jumped.response(v)
+        rate = jumped.before.derivative(v) + response * self._sliding(at) * self._direction(at)
+        bears = (rate.apply("abs") - response * self._most(at)).apply("le", 0.0)
+        turned = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
+        # or found sliding at the start
         moves = (v * 0).apply("lt", v.apply("abs")).apply("and", mode.apply("eq", float(UNDECIDED)))
-        rests = select(self._turns(at, jumped), -mode, STICKING)
-        stopped = select(moves, along, rests)
+        stopped = select(moves, along, select(bears, STICKING, turned))
         # sticking gives way to what pushes against it
         pushed = select(jumped.before.held[0].apply("lt", 0.0), FORWARD, BACKWARD)
         changed = select(jumped.fired(0), stopped, select(jumped.fired(1), pushed, mode))
@@ -220,15 +222,3 @@ class Friction(ForceElement):
         decided = mode.apply("eq", float(UNDECIDED)).apply("not")
         changed = select(struck.apply("and", decided), select(rest, STICKING, along), changed)
         return Change(s=Matrix.vector(at.motion.graph, [changed]))
-
-    def _turns(self, at: Places, jumped: Jumped) -> Scalar:
-        """Whether a sliding joint turns round whatever friction does, as at a dead point."""
-        graph, v = at.motion.graph, self._speed(at)
-        ways = (Matrix.vector(graph, [float(way)]) for way in (FORWARD, BACKWARD))
-        forward, backward = (jumped.derivative(v, way) for way in ways)
-        # what sticking bears counts, not what sliding does
-        sliding = at.data["mu" if self.pressed else "coulomb"][0]
-        most = at.data["static"][0] if "static" in at.data else sliding
-        felt, whole = (forward - backward).apply("abs"), (forward + backward).apply("abs")
-        idle = (felt * most).apply("lt", whole * sliding * IDLE)
-        return idle.apply("and", at.s[0].apply("eq", float(UNDECIDED)).apply("not"))

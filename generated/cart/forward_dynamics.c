@@ -1,0 +1,112 @@
+/*
+ * forward_dynamics of cart
+ * udot with M udot + h = f + tau
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: unroll, reassociate
+ *
+ * Sizes: out 2, work 0, w 4
+ * Operations per call: 21 = 12 mul, 3 add, 3 sub, 1 cos, 1 div, 1 sin
+ * Operations of prepare: 4 = 2 mul, 1 add, 1 div
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  slide [m]
+ *   q[1]  swing [rad]
+ *
+ * Input u (2): generalized speeds
+ *   u[0]  slide.u [m/s]
+ *   u[1]  swing.u [rad/s]
+ *
+ * Input r (1): inputs of the model
+ *   r[0]  push
+ *
+ * Input p (7): parameters, read by prepare_ only
+ *
+ * Input tau (2): applied generalized forces
+ *   tau[0]  slide.u.tau [N]
+ *   tau[1]  swing.u.tau [N*m]
+ *
+ * Output udot (2)
+ *   out[0]  slide.udot [m/s^2]
+ *   out[1]  swing.udot [rad/s^2]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* bob: mass, inertia */
+    const wreal m = p[0]; /* kg */
+    const wreal l = p[1]; /* m */
+    const wreal bob_mass = m * l;
+    const wreal bob_inertia_xx = l * bob_mass;
+    w[1] = bob_mass; /* bob_mass */
+
+    /* cart: base mass */
+    const wreal cart_mass = p[3]; /* kg */
+    w[2] = m + cart_mass; /* cart_base_mass */
+
+    /* M: D inverse */
+    w[3] = 1.0 / bob_inertia_xx; /* M_D_inverse_2 */
+
+    /* parameters as they are */
+    w[0] = p[2]; /* gravity.z [m/s^2] */
+}
+
+#include "lanes.h"
+
+/* udot with M udot + h = f + tau */
+CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const real *const r = in->r;
+    const wreal *const w = in->w;
+    const real *const tau = in->tau;
+    (void)work;
+
+    /* swing: cos, sin */
+    const real swing_q = q[1]; /* rad */
+    const real angle[CARDAN_PADDED(1)] = {swing_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real swing_cos = cosine[0];
+    const real swing_sin = sine[0];
+
+    /* shared by several: inertia */
+    const wreal bob_mass = w[1];
+    const real cart_inertia = bob_mass * swing_cos;
+
+    /* bob: a, f */
+    const real swing_u = u[1]; /* rad/s */
+    const wreal gravity_z = w[0]; /* m/s^2 */
+    const real bob_a_x = gravity_z * swing_sin;
+    const real bob_f_z = swing_u * swing_u * bob_mass;
+
+    /* cart: f */
+    const real cart_f_x = swing_sin * bob_f_z;
+
+    /* slide: tau, drive */
+    const real push = r[0];
+    const real slide_u_tau = tau[0]; /* N */
+    const real slide_tau = cart_f_x - push;
+    const real slide_drive = slide_u_tau - slide_tau;
+
+    /* swing: drive */
+    const real swing_u_tau = tau[1]; /* N*m */
+    const real swing_drive = swing_u_tau + bob_mass * bob_a_x;
+
+    /* M: factor, D inverse */
+    const wreal cart_base_mass = w[2];
+    const wreal M_D_inverse_2 = w[3];
+    const real M_factor = cart_inertia * M_D_inverse_2;
+    const real M_D_inverse_1 = 1.0 / (cart_base_mass - cart_inertia * M_factor);
+
+    /* slide: udot */
+    const real slide_udot = M_D_inverse_1 * (slide_drive + swing_drive * M_factor);
+    out[0] = slide_udot; /* udot: slide.udot [m/s^2] */
+
+    /* swing: udot */
+    out[1] = swing_drive * M_D_inverse_2 + M_factor * slide_udot; /* udot: swing.udot [rad/s^2] */
+    return CARDAN_OK;
+}

@@ -1,0 +1,63 @@
+/*
+ * mass_matrix of cart
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 4, work 0, w 3
+ * Operations per call: 3 = 1 cos, 1 mul, 1 neg
+ * Operations of prepare: 3 = 2 mul, 1 add
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  slide [m]
+ *   q[1]  swing [rad]
+ *
+ * Input p (7): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* bob: mass, inertia */
+    const wreal m = p[0]; /* kg */
+    const wreal l = p[1]; /* m */
+    const wreal bob_mass = m * l;
+    w[0] = bob_mass; /* bob_mass */
+    w[1] = l * bob_mass; /* bob_inertia_xx */
+
+    /* cart: base mass */
+    const wreal cart_mass = p[3]; /* kg */
+    w[2] = m + cart_mass; /* cart_base_mass */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* swing: cos */
+    const real swing_q = q[1]; /* rad */
+    const real angle[CARDAN_PADDED(1)] = {swing_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real swing_cos = cosine[0];
+
+    /* cart: composite moment */
+    const wreal bob_mass = w[0];
+    const real cart_composite_moment_z = -bob_mass * swing_cos;
+    out[1] = cart_composite_moment_z; /* M: slide.u,swing.u */
+    out[2] = cart_composite_moment_z; /* M: swing.u,slide.u */
+
+    /* results that are numbers or inputs */
+    out[0] = CARDAN_REAL(w[2]); /* M: slide.u,slide.u */
+    out[3] = CARDAN_REAL(w[1]); /* M: swing.u,swing.u */
+    return CARDAN_OK;
+}

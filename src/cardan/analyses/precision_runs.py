@@ -1,0 +1,246 @@
+"""Measure speed against error: every integrator on one motion, from rough to fine."""
+
+from __future__ import annotations
+
+import math
+import time
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import CodegenError, DerivationError, ModelError, SolveError, SolveWarning, near
+from ..runtime.compiled import CompiledModel
+from ..runtime.trajectory import Trajectory
+from .choice import JACOBIAN
+from .integrators import INTEGRATORS, Integrator
+from .precision import Point, Precision
+from .times import span
+
+if TYPE_CHECKING:
+    from ..runtime.report import Report
+
+Array = NDArray[np.float64]
+Show = Callable[[str, float], None]
+
+TOLERANCES = tuple(10.0**-k for k in range(2, 13))
+ROUGH = TOLERANCES[:7]  # of methods of order 2: more would take for ever
+STEPS = tuple(100 * 4**k for k in range(7))  # of a fixed step
+RATIO = 1e-3  # atol over rtol
+FIRST, SECOND = 1e-13, 1e-12  # tolerances of the two references
+OUTPUTS = 41  # times at which errors are looked at
+REPEATS, WORTH = 5, 50.0  # runs of which the least time counts; up to so many ms of them
+BEYOND = 3.0  # times the doubt of the reference: smaller errors tell nothing more
+
+
+class OutOfTime(Exception):
+    """A run takes longer than somebody wants to wait."""
+
+
+def precision(
+    model: CompiledModel,
+    t: float | ArrayLike,
+    methods: Sequence[str] | None = None,
+    patience: float = 5.0,
+    show: Show | None = None,
+    **start: Any,
+) -> Precision:
+    """Run every integrator that applies at tolerances from rough to fine.
+
+    Args:
+        model: The compiled model.
+        t: End, or ``(start, end)`` [s].
+        methods: Names; all integrators by default.
+        patience: Longest time for one run [s]; a method stops where it would take more.
+        show: Called with what is being run and the fraction done.
+        start: ``x0`` or ``q``, ``u``, ``z``, and ``inputs``, ``events``, as ``simulate`` takes
+            them.
+
+    Returns:
+        What was measured; Ctrl-C ends measuring and keeps what there is.
+
+    Raises:
+        ModelError: an unknown method or name. SolveError: no reference can be computed.
+    """
+    for name in methods or ():
+        if name not in INTEGRATORS:
+            raise ModelError(f"method '{name}' does not exist.{near(name, list(INTEGRATORS))}")
+    if not (math.isfinite(patience) and patience > 0):
+        raise ModelError(f"patience={patience:g}: it must be a positive time [s]")
+    over = span(t)
+    bench = Bench(model, np.linspace(over.start, over.end, OUTPUTS), patience, start)
+    chosen = {name: INTEGRATORS[name] for name in methods or INTEGRATORS}
+    points: list[Point] = []
+    left_out: dict[str, str] = {}
+    stopped = False
+    said = show or (lambda what, fraction: None)
+    said("reference", 0.0)
+    words = bench.refer()
+    try:
+        for k, (name, method) in enumerate(chosen.items()):
+            same = twin(model, method)
+            if same and same in chosen:
+                left_out[name] = f"the same as {same}: no joint here turns by a quaternion"
+                continue
+            for point, why in bench.sweep(method):
+                if why:
+                    left_out[name] = why
+                if point is not None:
+                    points.append(point)
+                    said(point.words, (k + 0.5) / len(chosen))
+    except KeyboardInterrupt:
+        stopped = True
+    ends = (over.start, over.end)
+    return Precision(model.name, ends, tuple(points), words, bench.doubt, left_out, stopped)
+
+
+def compare(
+    model: CompiledModel, functions: Report, t: float | ArrayLike, **options: Any
+) -> Report:
+    """A report of functions with speed against error of integrators; prints it.
+
+    Args:
+        model: The compiled model.
+        functions: The report so far.
+        t, options: As :func:`precision` takes them.
+    """
+    from rich.console import Console
+
+    found = precision(model, t, **options)
+    out = Console(markup=False)
+    out.print(found.table())
+    out.print(found.recommendation, soft_wrap=True)
+    return replace(functions, methods=found)
+
+
+def twin(model: CompiledModel, method: Integrator) -> str:
+    """The method that a Lie group method is where nothing turns by quaternions, "" of others."""
+    if not (method.charted and method.name.startswith("RKMK")) or model.manifest["quaternions"]:
+        return ""
+    return next(n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
+
+
+class Bench:
+    """One motion that is run again and again."""
+
+    def __init__(
+        self, model: CompiledModel, times: Array, patience: float, start: dict[str, Any]
+    ) -> None:
+        self._model, self._times, self._patience, self._start = model, times, patience, start
+        self._known: Array = np.empty(0)
+        self.doubt = 0.0
+
+    def refer(self) -> str:
+        """Compute the reference by two methods; says what it is.
+
+        Raises:
+            SolveError: no method reaches the end.
+        """
+        stiff = ["Radau"] if JACOBIAN in self._model.manifest["available"] else []
+        runs: dict[str, Trajectory] = {}
+        trouble = ""
+        for name, rtol in ((n, r) for n in ("DOP853", *stiff, "RK45") for r in (FIRST, SECOND)):
+            if len(runs) == 2 or name in runs:
+                continue
+            try:
+                # the reference may take longer than what it judges
+                motion = self._run(10, method=name, rtol=rtol, atol=RATIO * rtol)
+            except OutOfTime:
+                trouble = f"{name} at rtol {rtol:.0e} takes more than {10 * self._patience:g} s"
+                continue
+            if motion.status == "interrupted":
+                raise KeyboardInterrupt
+            if motion.success:
+                runs[name] = motion
+            else:
+                trouble = motion.message
+        if not runs:
+            raise SolveError(f"no reference: {trouble}. Take a shorter time, or more patience")
+        first, *others = runs.items()
+        self._known = first[1].q
+        if not others:
+            return f"{first[0]}, which no second method confirms: {trouble}"
+        self.doubt = self._error(others[0][1])
+        both = f"{first[0]} and {others[0][0]}"
+        return f"{both} at rtol 1e-12 and less, which differ by {self.doubt:.0e}"
+
+    def sweep(self, method: Integrator) -> Iterator[tuple[Point | None, str]]:
+        """Points of a method from rough to fine, and why it goes no further."""
+        length = abs(self._times[-1] - self._times[0])
+        values = [length / n for n in STEPS] if not method.adaptive else list(TOLERANCES)
+        if method.adaptive and method.order < 4:
+            values = list(ROUGH)
+        for value in values:
+            how = {"rtol": value, "atol": RATIO * value} if method.adaptive else {"step": value}
+            setting = next(iter(how))
+            try:
+                point = self._point(method.name, setting, value, how)
+            except (ModelError, DerivationError, CodegenError) as refused:
+                yield None, str(refused)
+                return
+            except OutOfTime:
+                yield None, f"{setting} {value:.2g} takes more than {self._patience:g} s"
+                return
+            yield point, ""
+            if 0 < point.error < BEYOND * self.doubt:
+                return
+
+    def _point(self, name: str, setting: str, value: float, how: dict[str, float]) -> Point:
+        """The least time of some runs, which are all alike.
+
+        Raises:
+            KeyboardInterrupt: somebody stopped it.
+        """
+        least, spent = math.inf, 0.0
+        for _ in range(REPEATS):
+            motion = self._run(1, method=name, **how)
+            if motion.status == "interrupted":
+                raise KeyboardInterrupt
+            milliseconds = motion.statistics["milliseconds"]
+            least, spent = min(least, milliseconds), spent + milliseconds
+            if spent > WORTH:
+                break
+        found = motion.statistics
+        looked = found.get("looked", 0)
+        return Point(
+            name,
+            setting,
+            value,
+            motion.status,
+            self._error(motion) if motion.success else math.inf,
+            least,
+            int(found["steps"]),
+            int(found["evaluations"]),
+            found.get("limited", 0) / looked if looked else 0.0,
+        )
+
+    def _run(self, patient: float, **how: Any) -> Trajectory:
+        """One run.
+
+        Raises:
+            OutOfTime: it takes more than so many times the patience.
+        """
+        until = time.perf_counter() + patient * self._patience
+
+        def watch(_: float) -> None:
+            if time.perf_counter() > until:
+                raise OutOfTime
+
+        with warnings.catch_warnings():
+            # how a run ends stands in its status
+            warnings.simplefilter("ignore", SolveWarning)
+            return self._model.simulate(self._times, progress=watch, **how, **self._start)
+
+    def _error(self, motion: Trajectory) -> float:
+        """Largest error of a coordinate; quaternions of either sign are one."""
+        if len(motion) != len(self._known):
+            return math.inf
+        found = motion.q.copy()
+        for first in self._model.manifest["quaternions"]:
+            four = slice(first, first + 4)
+            along = (found[:, four] * self._known[:, four]).sum(axis=1)
+            found[:, four] *= np.where(along < 0, -1.0, 1.0)[:, None]
+        return float(np.abs(found - self._known).max(initial=0.0))
