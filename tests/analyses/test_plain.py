@@ -152,6 +152,22 @@ def test_breakdown_is_told(bare: Any) -> None:
     assert motion.t[-1] == pytest.approx(1.0, abs=1e-3)
 
 
+def test_steps_into_a_contact_that_go_too_far_are_shortened(bare: Any) -> None:
+    scene = cd.Model("ball", gravity=(0, 0, -9.81))
+    body = scene.body("body", mass=1.0, inertia=(0.01, 0.02, 0.03))
+    scene.joint("base", cd.Free(), scene.ground, body)
+    frame = body.at(0.05, 0, 0)
+    floor = cd.Contact(frame, scene.ground, radius=0.1, stiffness=1e4, damping=0.3, mu=0.4)
+    scene.force("floor", floor)
+    compiled = cd.compile(scene)
+    given = {"q": {"base": [1, 0, 0, 0, 0, 0, 0.3]}, "u": {"base": [3, 1, -2, 0.5, 0, 0]}}
+    fine = compiled.simulate(0.25, rtol=1e-9, atol=1e-12, **given)
+    motion = bare(compiled).simulate(0.25, **given)
+    assert motion.success, motion.message
+    assert [e.name for e in motion.events] == [e.name for e in fine.events]
+    np.testing.assert_allclose(motion.x[-1], fine.x[-1], rtol=0, atol=1e-3)
+
+
 def test_methods_of_compilers_say_so(double: cd.CompiledModel, bare: Any) -> None:
     model = bare(double)
     # as in a process that never had one

@@ -98,14 +98,14 @@ def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
     """Steps of SciPy's Radau, with the Jacobian of the model."""
     from scipy.integrate import Radau
 
-    run = runner.record
+    run, tried = runner.record, _tried(runner)
 
     def right(t: float, y: Array) -> Array:
         # as the Jacobian takes quaternions
         own = y.copy()
         runner.normalize(own)
         # a step to where there is no derivative is one that goes much too far
-        return np.nan_to_num(runner.derivative(t, own), nan=FAR, posinf=FAR, neginf=-FAR)
+        return np.nan_to_num(tried(t, own), nan=FAR, posinf=FAR, neginf=-FAR)
 
     def jacobian(t: float, y: Array, *_: Any) -> Array:
         run.jacobians += 1
@@ -125,6 +125,21 @@ def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
         return np.stack([first + second + third, -second - third, -third])
 
     return adaptive(Radau, runner, stop, spread, right, jac=jacobian)
+
+
+def _tried(runner: PlainRunner) -> Callable[[float, Array], Array]:
+    """The derivative of the run, NaN where a function has no result: the step was too long."""
+
+    def right(t: float, y: Array) -> Array:
+        runner.record.model_status = 0
+        try:
+            return runner.derivative(t, y)
+        except Broken as broken:
+            if broken.answer != abi.MODEL:
+                raise
+            return np.full(runner.n, math.nan)
+
+    return right
 
 
 def _quartic(solver: Any) -> Array:
@@ -163,7 +178,7 @@ def adaptive(
     wanted = abs(run.h)
     length = abs(stop - run.t)
     solver = kind(
-        right or runner.derivative,
+        right or _tried(runner),
         run.t,
         runner.views["y"].copy(),
         stop,
@@ -179,7 +194,7 @@ def adaptive(
         solver.max_step = min(how.max_step, runner.passer.limit)
         solver.step()
         if solver.status == "failed":
-            raise Broken(abi.TOO_SMALL)
+            raise Broken(abi.MODEL if run.model_status else abi.TOO_SMALL)
         if hasattr(kind, "n_stages"):
             run.rejections += max(0, (solver.nfev - spent) // kind.n_stages - 1)
         # of two systems each time
