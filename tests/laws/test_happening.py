@@ -251,6 +251,9 @@ def test_stribeck_friction_falls_with_speed() -> None:
         (lambda: cd.Friction("x", -1.0), "coulomb is -1"),
         (lambda: cd.Friction("x", 1.0, smooth=0.0), "smooth is 0"),
         (lambda: cd.Friction("x", mu=0.0), "mu is 0"),
+        (lambda: cd.Friction("x", 2.0, static=1.0), "less than the 2 of sliding"),
+        (lambda: cd.Controller.pid("x", 1.0, kd=2.0), "kd acts on rate"),
+        (lambda: cd.Controller.pid("x", 1.0, kp=2.0, limit=-1.0), "limit is -1"),
         (lambda: cd.Friction("x", 1.0, radius=0.1), "radius goes with mu"),
         (lambda: cd.Stop("x"), "give lower or upper"),
         (lambda: cd.Stop("x", lower=1.0, upper=0.0), "must be below upper"),
@@ -364,3 +367,21 @@ def test_a_sliding_block_bounces_against_its_friction() -> None:
     assert motion.events[1].s_after.tolist() == [0, -1]
     assert motion.events[2].t == pytest.approx((2 - 2 * back) / 0.5 + back / 0.5, abs=1e-9)
     assert np.abs(motion.drift.energy).max() < 1e-12
+
+
+def test_no_run_starts_beyond_a_stop() -> None:
+    scene = slider("under", "z", G)
+    scene.force("floor", cd.Stop("x", lower=0.0, restitution=0.5))
+    model = cd.compile(scene)
+    for begin in (lambda: model.simulate(1.0, q=[-0.5]), lambda: model.stepper(q=[-0.5])):
+        with pytest.raises(cd.ModelError, match=r"'x' starts beyond its lower stop \('floor'\)"):
+            begin()
+    assert model.simulate(1.0, q=[0.0]).success
+
+
+def test_friction_of_a_bearing_needs_its_radius() -> None:
+    scene = cd.Model("bearing")
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, scene.body("a", mass=1, com=(1, 0, 0)))
+    scene.force("pin", cd.Friction("hinge", mu=0.2))
+    with pytest.raises(cd.ModelError, match="give radius="):
+        cd.derive(scene)

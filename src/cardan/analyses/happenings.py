@@ -18,6 +18,8 @@ from .signals import checked
 Array = NDArray[np.float64]
 Value = Callable[[float, Array], float]
 KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK, "end": abi.END, "mark": abi.MARK}
+# a start so little beyond a stop is at it
+BESIDE = 1e-9
 OWN = {"end": abi.HALT, "mark": abi.MARK}
 # the value falls, it rises, both
 DIRECTIONS = {"down": (1.0,), "up": (-1.0,), "both": (1.0, -1.0)}
@@ -107,6 +109,24 @@ class Happenings:
             )
 
 
+def check_start(model: CompiledModel, x: Array, t: float, r: Array) -> None:
+    """Whether a run may begin at a state.
+
+    Raises:
+        ModelError: it lies where it could not have come to, such as behind a stop.
+    """
+    rows = model.manifest.get("events", ())
+    if not any(row.get("beyond") for row in rows):
+        return
+    q, u, z = model.parts_of(x)
+    values = model.events(q, u, z=z, t=t, r=r)
+    for row, value in zip(rows, values.tolist(), strict=True):
+        if row.get("beyond") and value < -BESIDE:
+            raise ModelError(
+                f"{row['beyond']} ('{row['element']}'), by {-value:.6g}: start within its range"
+            )
+
+
 NOTHING = Happenings((), (), 0, (), ())
 
 
@@ -130,6 +150,10 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
+    if given is not None and not isinstance(given, Mapping):
+        raise ModelError(
+            f"events={given!r}: names with what to watch are wanted: events={{'a': f}}"
+        )
     watches = [_watch(model, name, what) for name, what in (given or {}).items()]
     for watch in watches:
         if watch.name in taken:

@@ -20,6 +20,7 @@ from .integrators import INTEGRATORS, Integrator
 Array = NDArray[np.float64]
 Values = Mapping[str, ArrayLike]
 DEFAULT = "DOP853"
+MOST_STEPS = 1e12
 STEPS = 10_000  # of a fixed step without step=
 SMALLEST = 1e-100  # squares of errors over an atol below this overflow
 TIGHTEST = 2.5e-14  # below this rtol the error of a step drowns in rounding
@@ -70,6 +71,10 @@ def settings(
     if chosen.given_step and step is not None:
         chosen = replace(chosen, adaptive=False)
     for name, value in (("rtol", rtol), ("atol", atol)):
+        if not isinstance(value, int | float | np.number):
+            raise ModelError(
+                f"{name}={value!r}: one number is wanted, for all entries of the state"
+            )
         if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
             raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
     if rtol == 0 and atol < SMALLEST:
@@ -98,6 +103,10 @@ def _fixed(
     if step is None and length is None:
         raise ModelError(f"{chosen.name} needs step= [s] here")
     taken = step if step is not None else (length or 0.0) / STEPS
+    if length is not None and length / taken > MOST_STEPS:
+        raise ModelError(
+            f"step={taken:g}: {length:g} s would take {length / taken:.2g} steps; give a longer one"
+        )
     origin = "" if step is not None else f", 1/{STEPS} of the span as none was given"
     return Settings(chosen, 0.0, 1.0, taken, math.inf, f"step {taken:g} s{origin}")
 

@@ -23,7 +23,7 @@ from . import record as abi
 from .alpha import GeneralizedAlpha
 from .choice import JACOBIAN, Case, Limited, choose, reconsider, remark
 from .closed_start import closed_start
-from .happenings import NOTHING, Happenings, happenings
+from .happenings import NOTHING, Happenings, check_start, happenings
 from .integrators import INTEGRATORS
 from .outcome import explain
 from .plain import PlainRunner, check_plain
@@ -103,6 +103,7 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
+    check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
     try:
         motion = driven(

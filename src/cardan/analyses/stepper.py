@@ -17,7 +17,7 @@ from ..runtime.events import Event, Happened
 from . import record as abi
 from .alpha import GeneralizedAlpha
 from .closed_start import closed_start
-from .happenings import happenings
+from .happenings import check_start, happenings
 from .outcome import explain
 from .plain import PlainRunner
 from .run import Runner, Saved
@@ -194,6 +194,7 @@ def stepper(
     given = signals(model.manifest["inputs"], inputs, None, (t, t))
     begin = start(model, x0, q, u, z)
     begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
+    check_start(model, begin.x, t, given.constants)
     runner = runner_of(model, how, given, happenings(model, events))
     runner.loosen(begin.slack)
     runner.want(None, dense=False)

@@ -108,7 +108,10 @@ def _multiplier(row: Row) -> dict[str, Any]:
 def _events(system: System) -> list[dict[str, Any]]:
     """Everything that can happen, in the order of the block e."""
     return [
-        {"name": name, "element": force.name, "kind": event.kind, "about": event.about}
+        {
+            **{"name": name, "element": force.name, "kind": event.kind, "about": event.about},
+            **({"beyond": event.beyond} if event.beyond else {}),
+        }
         for name, (force, event) in zip(blocks.event_names(system), system.events, strict=True)
     ]
 

@@ -52,6 +52,7 @@ class Event:
             times), ``"end"`` (the run is over) or ``"mark"`` (it is recorded).
         about: What happens, in words.
         period, phase: Of a tick: it happens at phase + k period [s].
+        beyond: What a start with a negative value means, in words, where no run may begin so.
     """
 
     name: str
@@ -59,6 +60,7 @@ class Event:
     about: str
     period: float = 0.0
     phase: float = 0.0
+    beyond: str = ""
 
 
 @dataclass(frozen=True)

@@ -24,29 +24,37 @@ def rod(mass: Any, length: Any, axis: str = "z") -> Moments:
         length: [m].
         axis: Along which it lies: x, y or z.
     """
-    return _around(axis, 0, mass * length**2 / 12)
+    return _around(axis, 0, mass * _square(length) / 12)
 
 
 def cylinder(mass: Any, radius: Any, length: Any, axis: str = "z") -> Moments:
     """A solid cylinder: m r^2 / 2 along, m (3 r^2 + l^2) / 12 across."""
-    return _around(axis, mass * radius**2 / 2, mass * (3 * radius**2 + length**2) / 12)
+    return _around(
+        axis, mass * _square(radius) / 2, mass * (3 * _square(radius) + _square(length)) / 12
+    )
 
 
 def tube(mass: Any, outer: Any, inner: Any, length: Any, axis: str = "z") -> Moments:
     """A hollow cylinder with outer and inner radius."""
-    squares = outer**2 + inner**2
-    return _around(axis, mass * squares / 2, mass * (3 * squares + length**2) / 12)
+    squares = _square(outer) + _square(inner)
+    return _around(axis, mass * squares / 2, mass * (3 * squares + _square(length)) / 12)
 
 
 def sphere(mass: Any, radius: Any) -> Moments:
     """A solid sphere: 2/5 m r^2."""
-    moment = 2 * mass * radius**2 / 5
+    moment = 2 * mass * _square(radius) / 5
     return moment, moment, moment
 
 
 def box(mass: Any, x: Any, y: Any, z: Any) -> Moments:
     """A solid box with edges x, y, z [m] along the axes."""
-    return mass * (y**2 + z**2) / 12, mass * (x**2 + z**2) / 12, mass * (x**2 + y**2) / 12
+    xx, yy, zz = _square(x), _square(y), _square(z)
+    return mass * (yy + zz) / 12, mass * (xx + zz) / 12, mass * (xx + yy) / 12
+
+
+def _square(length: Any) -> Any:
+    """Its square; of a whole number a measured one, lest 1 m vanish from m l^2 with its unit."""
+    return (float(length) if isinstance(length, int) else length) ** 2
 
 
 def _around(axis: str, along: Any, across: Any) -> Moments:

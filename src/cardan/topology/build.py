@@ -179,6 +179,8 @@ def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, i
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
     sliding = internals.slides(assembly.joints, joints.values())
+    if element.misfit(sliding):
+        raise ModelError(f"force '{name}' ({element.kind}): {element.misfit(sliding)}")
     with convert.graph.made_by(name, "data"):
         data = {
             key: convert.quantity(entry, _dotted(name, key), sliding)

@@ -108,10 +108,18 @@ class Controller(ForceElement):
             limit: Largest force; where it is reached the integral waits. None: none.
             sample: Time between samples [s]; None: continuous.
 
+        Raises:
+            ModelError: kd without rate, a negative limit.
+
         Source: K. J. Astrom, R. M. Murray, Feedback Systems, 2008, chapter 10.
         """
         import sympy
 
+        who = f"controller of joint '{joint}'"
+        if kd != 0 and isinstance(rate, int | float) and rate == 0:
+            raise ModelError(f"{who}: kd acts on rate; give it, such as rate=scene.u('{joint}')")
+        if isinstance(limit, int | float) and limit < 0:
+            raise ModelError(f"{who}: limit is {limit:g}; give 0 or more")
         error, integral = target - measured, sympy.Symbol("integral")
         force = kp * error + ki * integral - kd * rate
         grows = error

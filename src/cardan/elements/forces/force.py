@@ -126,6 +126,10 @@ class ForceElement(ABC):
         """That force per force of reaction across the line of the joint."""
         raise TypeError(f"{self.kind} has no force that follows from a reaction")
 
+    def misfit(self, sliding: bool) -> str:
+        """Why it does not fit a joint that slides, or one that turns; "" if it does."""
+        return ""
+
     # what it keeps itself
 
     def internals(self) -> tuple[Internal, ...]:

@@ -87,6 +87,12 @@ class Friction(ForceElement):
             raise ModelError(f"{who}: give either coulomb, a force, or mu, a coefficient")
         if self.radius is not None and self.mu is None:
             raise ModelError(f"{who}: radius goes with mu; coulomb is the torque itself")
+        slides, sticks = self.coulomb if self.mu is None else self.mu, self.static
+        if isinstance(slides, float) and isinstance(sticks, float) and sticks < slides:
+            raise ModelError(
+                f"{who}: static is {sticks:g}, less than the {slides:g} of sliding; give as much "
+                "or more"
+            )
         if self.mu == 0:
             raise ModelError(f"{who}: mu is 0; leave the friction out")
 
@@ -126,6 +132,14 @@ class Friction(ForceElement):
             return coulomb
         static = at.data["static"][0]
         return static if at.pressing is None else coulomb * (static / at.data["mu"][0])
+
+    def misfit(self, sliding: bool) -> str:
+        if self.mu is None or sliding or self.radius is not None:
+            return ""
+        return (
+            f"joint '{self.joint}' turns, and mu times a force is no torque; give radius=, that of "
+            "the bearing [m]"
+        )
 
     @property
     def pressed(self) -> bool:

@@ -86,7 +86,15 @@ class Stop(ForceElement):
         return (Mode("", FREE, labels),)
 
     def events(self) -> tuple[Event, ...]:
-        hits = (Event(name, IMPACT, f"it hits the {name} stop") for name, _ in self._sides)
+        hits = (
+            Event(
+                name,
+                IMPACT,
+                f"it hits the {name} stop",
+                beyond=f"joint '{self.joint}' starts beyond its {name} stop",
+            )
+            for name, _ in self._sides
+        )
         return (*hits, Event("release", MODE, "it leaves the stop"))
 
     def holding(self) -> tuple[tuple[str, str], ...]:
