@@ -47,6 +47,16 @@ def test_every_line_is_there_and_says_what_was_not_measured() -> None:
     assert lines["programs beside cardan that took part"] == ("≥ 5", str(5 - missing), verdict)
 
 
+def test_who_does_not_get_as_far_is_compared_where_it_gets() -> None:
+    rows = (row(ours.NAME, "RK45", 1e-3, 5e-8), row("Exudyn", "GeneralizedAlpha", 5e-3, 4e-6))
+    absent = {"MuJoCo": "soft"}
+    measured = Measured({"andrews": Outcome(PROBLEMS["andrews"], rows, 1e-13, absent)})
+    lines = {figure.name: figure.texts()[2] for figure in figures(measured)}
+    assert lines["Andrews' squeezer to 1e-07 rad, Exudyn (to 4e-06 only) of ours"] == "5"
+    assert lines["Andrews' squeezer to 1e-07 rad, CasADi of ours"] == "not measured"
+    assert not any("squeezer" in name and "MuJoCo" in name for name in lines)
+
+
 def test_only_runs_that_are_right_enough_count() -> None:
     outcome = found().outcomes["double_pendulum"]
     assert outcome.best(1e-5, (ours.NAME,)) == outcome.rows[0]

@@ -10,6 +10,8 @@ from benchmarks.motion.contest import Outcome
 from benchmarks.motion.programs import PEERS, ours, scipy_same_c
 
 OURS = (ours.NAME,)
+# error at which the squeezer is compared [rad]
+ANDREWS = 1e-7
 OTHERS = tuple(program.name for program in PEERS)
 
 
@@ -90,9 +92,18 @@ def panda(found: Measured) -> Iterator[Figure]:
 
 
 def andrews(found: Measured) -> Iterator[Figure]:
+    outcome = found.outcomes.get("andrews")
     for who in OTHERS:
         # MuJoCo has no such circuits
-        absent = found.outcomes["andrews"].absent if "andrews" in found.outcomes else {}
-        if who not in absent:
-            name = f"Andrews' squeezer to 1e-7 rad, {who} of ours"
-            yield Figure(name, 1, ratio(found, "andrews", 1e-7, (who,)), "", least=True)
+        if outcome and who in outcome.absent:
+            continue
+        errors = [r.error for r in outcome.rows if r.program == who] if outcome else []
+        # who does not get that far would take longer still
+        reached = max(ANDREWS, min(errors, default=ANDREWS))
+        theirs, mine = (
+            least(found, "andrews", reached, (who,)),
+            least(found, "andrews", ANDREWS, OURS),
+        )
+        note = f" (to {reached:.0e} only)" if reached > ANDREWS else ""
+        name = f"Andrews' squeezer to {ANDREWS:g} rad, {who}{note} of ours"
+        yield Figure(name, 1, theirs / mine if theirs and mine else None, "", least=True)

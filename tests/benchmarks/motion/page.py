@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import platform
+import textwrap
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -62,6 +63,11 @@ def left_out(found: Measured) -> Iterator[str]:
             yield f"{title}: {who} lost the motion or gave up at {where}"
 
 
+def wrapped(text: str) -> list[str]:
+    """Lines of a paragraph."""
+    return textwrap.wrap(text, 100, break_long_words=False, break_on_hyphens=False)
+
+
 def versions() -> Iterator[str]:
     """Of the packages that are here."""
     for package in PACKAGES:
@@ -89,7 +95,8 @@ def write(found: Measured, rows: Sequence[Figure], folder: Path) -> None:
         "CasADi's dynamics is the articulated-body recursion written in it (circuits: multipliers",
         "in one linear system), compiled with -O2 -march=native. SciPy and scikit-sundae call the",
         "C that cardan wrote. MuJoCo steps in its own loop in C. Exudyn has trees in minimal",
-        "coordinates and circuits of bodies in the plane.",
+        "coordinates and circuits of bodies in the plane. IDA's residual makes several calls from",
+        "Python.",
         "",
         "## Figures to reach",
         "",
@@ -102,8 +109,10 @@ def write(found: Measured, rows: Sequence[Figure], folder: Path) -> None:
             "",
             f"## {problem.title[0].upper()}{problem.title[1:]}",
             "",
-            f"{problem.text[0].upper()}{problem.text[1:]}. The end is known from {known}; another",
-            f"way to it is {outcome.doubt:.1e} {problem.unit} apart.",
+            *wrapped(
+                f"{problem.text[0].upper()}{problem.text[1:]}. The end is known from {known}; "
+                f"another way to it is {outcome.doubt:.1e} {problem.unit} apart."
+            ),
             "",
             f"![time against error](runs/{name}.svg)",
             "",

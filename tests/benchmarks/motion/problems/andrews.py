@@ -43,7 +43,7 @@ PROBLEM = Problem(
         "GeneralizedAlpha": (1e-4, 1e-6, 1e-8),
     },
     tolerances=(1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11),
-    steps=(300, 1_000, 3_000, 10_000, 70_000),
+    steps=(300, 1_000, 3_000, 10_000, 50_000),
     loads=Loads(
         constant={"beta": P["mom"]},
         springs=(

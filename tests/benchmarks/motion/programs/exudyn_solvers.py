@@ -38,6 +38,8 @@ def _settings(exu: Any, task: Task, method: str, setting: float) -> Any:
     settings.displayComputationTime = settings.displayStatistics = False
     time.generalizedAlpha.spectralRadius = 0.8
     time.newton.useModifiedNewton = True
+    # else small errors of its iterations hide those of its steps
+    time.newton.relativeTolerance, time.newton.absoluteTolerance = 1e-10, 1e-12
     if method == "DOPRI5":
         time.relativeTolerance, time.absoluteTolerance = setting, setting / 10
         time.numberOfSteps, time.minimumStepSize = 100, 1e-14
