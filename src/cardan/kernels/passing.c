@@ -23,6 +23,7 @@ static const real NEAREST = 0.01; /* radians or sizes: nearer than that no step 
 static const real APART = 0.03;  /* of the step: how far Gauss points are from the place, at least */
 static const real ENOUGH = 1e-2; /* of the tolerance: where sweeps end */
 static const real ROUNDING = 1e-14; /* relative, times the inverse cube of the distance */
+static const real GIVEN = 1e-7; /* tolerance of a step over a place where steps are given */
 static const real LOOSE = 10;    /* residuals and last coefficients, in units of the tolerance */
 
 /* Numbers that are kept: derivatives at the points, those of the last sweep, the start. */
@@ -310,6 +311,7 @@ static real nearer(real error)
 int cardan_step(cardan_run *run)
 {
     real tau, h, left, error = INFINITY, longest = run->max_step;
+    const int given = run->rtol == 0 && run->atol == 1;
     int status, near;
 
     if (!run->constraint_jacobian.function)
@@ -327,7 +329,16 @@ int cardan_step(cardan_run *run)
     near = fabs(tau) <= fmax(fabs(run->h), 0.5 * WINDOW * cardan_span(run));
     /* shorter again as long as it leads over the place, or once if it ends before */
     for (int k = 0; k < 3 && near && (fabs(h) > 1.2 * fabs(tau) || h == left); k++) {
+        /* a given step leaves the tolerance at 1: a step over a place keeps its own */
+        if (given) {
+            run->rtol = GIVEN;
+            run->atol = GIVEN;
+        }
         status = attempt(run, tau, h, &error);
+        if (given) {
+            run->rtol = 0;
+            run->atol = 1;
+        }
         if (status == CARDAN_INPUT)
             return status;
         if (status == 0 && error <= 1) {
