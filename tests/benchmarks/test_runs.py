@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -77,6 +78,23 @@ def test_tables_and_notes() -> None:
     assert "Exudyn was not measured: joint 'a' is revolute along [1, 1, 0]" in notes
     assert "Panda was not measured: its file is not here" in notes
     assert "CasADi CVODES BDF lost the motion or gave up at 0.0001" in notes
+
+
+def test_page_and_pictures(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    from benchmarks.motion import pictures
+
+    measured = found()
+    page.write(measured, figures(measured), tmp_path)
+    pictures.write(dict(measured.outcomes), tmp_path / "runs")
+    text = (tmp_path / "runs.md").read_text("utf-8")
+    assert "![time against error](runs/double_pendulum.svg)" in text
+    assert "another way to it is 1.0e-13 m apart." in text.replace("\n", " ")
+    assert "| CasADi | CVODES Adams | 1e-09 | 6 | 6 | 9.0e-10 |" in text
+    # the same bytes for the same numbers
+    first = (tmp_path / "runs" / "double_pendulum.svg").read_bytes()
+    pictures.write(dict(measured.outcomes), tmp_path / "runs")
+    assert (tmp_path / "runs" / "double_pendulum.svg").read_bytes() == first
 
 
 def test_a_contest_without_other_programs() -> None:
