@@ -106,9 +106,8 @@ def simulate(
     check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
     try:
-        motion = driven(
-            runner_of(model, chosen(how, case), given, may), over, begin, progress, case
-        )
+        runner = runner_of(model, chosen(how, case), given, may)
+        motion = driven(runner, over, begin, progress, case)
     except Limited as found:
         how = chosen(how, found.case)
         motion = driven(runner_of(model, how, given, may), over, begin, progress)
