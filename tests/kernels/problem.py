@@ -130,6 +130,7 @@ class Problem:
     kinds: tuple[str, ...] = ()
     ticks: tuple[dict[str, float], ...] = ()
     bare: bool = False
+    _size: float | None = None
     _made: dict[str, Any] = field(default_factory=dict)
 
     @property

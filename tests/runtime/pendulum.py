@@ -201,7 +201,7 @@ def manifest(names: list[str]) -> dict[str, Any]:
         "fixed": [],
         "bodies": [{"name": "bob", "parent": "ground", "parts": ["bob"]}],
         "frames": [
-            {"name": "ground", "body": None, "part": None},
+            {"name": "ground", "body": "ground", "part": None},
             {"name": "bob", "body": "bob", "part": "bob"},
             {"name": "tip", "body": "bob", "part": "bob"},
         ],
