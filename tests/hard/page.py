@@ -24,10 +24,11 @@ HEAD = """\
 # Hard cases
 
 Written by `make hard`, which runs every integrator on every case again. What is expected, a status
-and a bound of the error, stands in `tests/hard` before anything runs, and the tests hold it; errors
-and times are those of one run on one machine ({machine}). Methods of order 4 and more run at tight
-tolerances, those of order 2 at rough ones: the cases ask what can be relied on, not which is
-fastest. `cardan report FILE` compares methods on a scene of yours.
+and a bound of the error, stands in `tests/hard`, and the tests hold it; some bounds and steps were
+set anew after a first run showed what rounding or an order of 2 allows. Errors and times are those
+of one run on one machine ({machine}). Methods of order 4 and more run at tight tolerances, those of
+order 2 at rough ones: the cases ask what can be relied on, not which is fastest. `cardan report
+FILE` compares methods on a scene of yours.
 
 In the table: ✓ as expected, ✗ not, – not applicable, for a reason that stands below."""
 
