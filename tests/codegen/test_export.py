@@ -3,6 +3,7 @@
 import ctypes
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ import cardan as cd
 from cardan.codegen import companions
 from cardan.codegen.export import export
 from cardan.codegen.layout import KERNELS
+from cardan.equations.recipes import RECIPES
 from cardan.errors import CodegenError, DerivationError
 from codegen.lanes import aligned
 from codegen.models import arm
@@ -276,3 +278,24 @@ def test_packages_can_be_imported_and_hide_nothing(name: str, tmp_path: Path) ->
     scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
     folder = cd.derive(scene).export(tmp_path / "out", ["bias"])
     assert (folder / f"{name}_model.pyx").exists()
+
+
+def test_scenes_with_states_and_events(tmp_path: Path) -> None:
+    scene = cd.Model("stopped", gravity=(0, 0, -9.81))
+    scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("b", mass=2.0))
+    scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.5))
+    scene.force("motor", cd.Actuator("z", 1.0, lag=0.1, start=0.3))
+    directory = cd.derive(scene).export(tmp_path / "c", integrators=("dop853",))
+    assert {"events.c", "transition.c", "stopped.pyx"} <= {p.name for p in directory.iterdir()}
+    # files of integrators and of functions lie side by side
+    assert not {path.stem for path in KERNELS.glob("*.c")} & (set(RECIPES) - {"derivative"})
+    assert "int events(" in (directory / "events.c").read_text("utf-8")
+    assert "This model has events" in (directory / "README.md").read_text("utf-8")
+    sources = sorted(map(str, directory.glob("*.c")))
+    flags = ["-std=c99", "-O1", "-ffp-contract=on", "-DCARDAN_EXAMPLE"]
+    subprocess.run(["cc", *flags, "-o", "example", *sources, "-lm"], cwd=directory, check=True)
+    done = subprocess.run(["./example"], cwd=directory, capture_output=True, text=True, check=True)
+    # a fall of one second, past the stop, with the force of the motor
+    speed = float(re.findall(r"x\[1\] = (\S+)", done.stdout)[0])
+    pushed = (1.0 - 0.7 * 0.1 * (1 - np.exp(-10.0))) / 2.0
+    assert speed == pytest.approx(pushed - 9.81, abs=1e-9)

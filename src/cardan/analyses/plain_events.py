@@ -1,4 +1,4 @@
-"""Events of runs without a compiler: what ``kernels/events.c`` does."""
+"""Events of runs without a compiler: what ``kernels/happening.c`` does."""
 
 from __future__ import annotations
 

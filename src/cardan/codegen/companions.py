@@ -12,7 +12,7 @@ from .naming import comment
 RUN = (
     *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
-    *("events.h", "events.c", "search.c", "dips.c"),
+    *("events.h", "happening.c", "search.c", "dips.c"),
     *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
 )
 SHIFT = ("shift.h", "shift.c", "linear.h")
@@ -36,6 +36,8 @@ NEEDS = {
 }
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
+# what a run of a system with events must call, and when
+HAPPENING = ("events", "transition")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:
@@ -106,7 +108,8 @@ def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: 
 def _zeros(manifest: dict[str, Any]) -> str:
     """Length of what stands for everything that is zero."""
     parts = sum(len(body["parts"]) for body in manifest["bodies"])
-    return f"{max(len(manifest['speeds']), len(manifest['coordinates']), 6 * parts, 1)}"
+    blocks = ("speeds", "coordinates", "z", "s", "events")
+    return f"{max(6 * parts, 1, *(len(manifest.get(block, ())) for block in blocks))}"
 
 
 def _fields(inputs: Sequence[str]) -> str:
@@ -129,6 +132,9 @@ def _simulation(method: str, manifest: dict[str, Any]) -> list[str]:
         lines.append(f"    run.positions = {rows.count('position')}, run.rates = {len(rows)};")
         lines.append("    run.size = 1.0;")
     closing = "".join(f"{line}\n" for line in lines)
+    z, modes = len(manifest["z"]), len(manifest["s"])
+    more = (f" + {z}, run.nz = {z}" if z else "") + (f", run.ns = {modes}" if modes else "")
+    starts = "".join(_own_starts(manifest))
     return f"""\
 /* One second of motion from the start, printed at its end. */
 static int simulate(void)
@@ -141,7 +147,7 @@ static int simulate(void)
     prepare_rhs(cardan_default_p, w);
     CARDAN_METHOD(&run, {method});
     run.rhs.function = rhs, run.rhs.w = w, run.nr = cardan_nr;
-    run.nq = cardan_nq, run.nu = cardan_nu, run.nx = run.n = cardan_nq + cardan_nu;
+    run.nq = cardan_nq, run.nu = cardan_nu, run.nx = run.n = cardan_nq + cardan_nu{more};
     run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
     run.stops = &end, run.stop_count = 1;
 {closing}\
@@ -154,6 +160,7 @@ static int simulate(void)
         run.y[k] = cardan_default_q[k];
     for (int k = 0; k < cardan_nr; k++)
         run.r[k] = cardan_default_r[k];
+{starts}\
     int status = cardan_run_start(&run);
     if (status == CARDAN_DONE)
         status = cardan_run_drive(&run);
@@ -162,6 +169,15 @@ static int simulate(void)
     return status;
 }}
 """.splitlines()
+
+
+def _own_starts(manifest: dict[str, Any]) -> list[str]:
+    """Assignments of what elements keep, as a run starts with it."""
+    first = "cardan_nq + cardan_nu"
+    places = [f"y[{first} + {k}]" for k in range(len(manifest["z"]))]
+    places += [f"s[{k}]" for k in range(len(manifest["s"]))]
+    rows = zip(places, [*manifest["z"], *manifest["s"]], strict=True)
+    return [f"    run.{place} = {float(row['default'])!r};\n" for place, row in rows]
 
 
 def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
@@ -187,6 +203,13 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
         lines.append(
             f"| `{name}` | {', '.join(entry['inputs'])} | {_words(entry['about'])}: {shape} |"
         )
+    if manifest.get("events"):
+        lines += [
+            "",
+            "This model has events: where a number of `events` falls through zero the states",
+            "become those of `transition`. A run that calls `rhs` alone, as `example.c` does, runs",
+            "past them. Modes `s` start from the defaults in `manifest.json`.",
+        ]
     for title, key in (("q", "coordinates"), ("u", "speeds"), ("r", "inputs")):
         rows = [f"{_words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]
         lines += ["", f"**{title}** ({key}, {len(rows)}): {', '.join(rows) or 'none'}"]

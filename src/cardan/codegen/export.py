@@ -36,7 +36,8 @@ def export(
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
-            default the dynamics and the energy, of a closed system also what closes it.
+            default the dynamics and the energy, of a closed system also what closes it, of one
+            with events what happens.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
         integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``, ``"radau"``, ``"rosenbrock"``: their C
             comes along, and ``example.c`` simulates.
@@ -56,7 +57,7 @@ def export(
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
     # what keeps a closed system closed belongs to its dynamics
-    called = [name for name in companions.CLOSING if name in known]
+    called = [name for name in (*companions.CLOSING, *companions.HAPPENING) if name in known]
     if wanted or not functions:
         needed = dict.fromkeys(name for one in wanted for name in companions.NEEDS.get(one, ()))
         more = (*(("rhs",) if wanted else ()), *called, *needed)

@@ -1,4 +1,4 @@
-/* What the files about events share: events.c, search.c, dips.c. Part of cardan. */
+/* What the files about events share: happening.c, search.c, dips.c. Part of cardan. */
 #ifndef CARDAN_EVENTS_H
 #define CARDAN_EVENTS_H
 
@@ -28,7 +28,7 @@ typedef struct cardan_board {
     real *out;     /* (nx + ns) result of a transition */
 } cardan_board;
 
-/* events.c */
+/* happening.c */
 cardan_board cardan_board_of(const cardan_run *run);
 int cardan_event_values(cardan_run *run, real t, const real *y, real *g);
 real cardan_slack(const cardan_board *at, ptrdiff_t i);

@@ -266,7 +266,7 @@ real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i);
 /* implicit.c: the Jacobian of a run, for the methods that need one */
 ptrdiff_t cardan_jacobian_length(const cardan_run *run);
 int cardan_jacobian(cardan_run *run, real h, real *jacobian);
-/* events.c and dips.c */
+/* happening.c and dips.c */
 ptrdiff_t cardan_board_length(const cardan_run *run);
 void cardan_events_clock(cardan_run *run);
 int cardan_events_start(cardan_run *run);

@@ -18,7 +18,7 @@ _BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0 e"
 BLOCKS = tuple(_BLOCKS.split())
 MEANING = {
     "t": "time [s], (...)",
-    "x": "state [q, u], (..., nq + nu)",
+    "x": "state [q, u] and internal states, (..., nx)",
     "q": "coordinates, (..., nq)",
     "u": "speeds, (..., nu)",
     "udot": "derivatives of the speeds, (..., nu)",
@@ -27,9 +27,12 @@ MEANING = {
     "tau": "generalized applied forces, (..., nu); by default none",
     "wrench": "torque and force on every body, ground axes, (..., 6 per body); by default none",
     "r": "inputs, (..., nr); by default those of the model",
+    "z": "internal states of elements, (..., nz); by default those at the start",
+    "s": "modes of elements, (..., ns); by default those at the start",
+    "e": "1 for every event that happens, else 0, (..., ne)",
 }
 # what may be left out
-OPTIONS = {"r": "None", "tau": "None", "wrench": "None", "t": "0.0"}
+OPTIONS = {"r": "None", "z": "None", "s": "None", "tau": "None", "wrench": "None", "t": "0.0"}
 
 HEAD = '''\
 # cython: language_level=3
@@ -65,6 +68,7 @@ PARAMETERS = {parameters}
 BODIES = {bodies}
 
 _SIZES = {sizes}
+_STARTS = {starts}
 '''
 
 BODY = '''
@@ -93,7 +97,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
@@ -221,6 +225,9 @@ def write(manifest: dict[str, Any]) -> str:
     nq, nu = len(names["coordinates"]), len(names["speeds"])
     sizes = {"q": nq, "q0": nq, "r": len(names["inputs"]), "wrench": 6 * len(bodies)}
     sizes |= dict.fromkeys(("u", "udot", "tau", "du"), nu)
+    starts = {block: tuple(row["default"] for row in manifest[block]) for block in ("z", "s")}
+    sizes |= {block: len(values) for block, values in starts.items()}
+    sizes["e"] = len(manifest.get("events", ()))
     functions = manifest["functions"]
     externs = "\n".join(
         f'    int c_{f} "{f}"(const cardan_in *, double *, double *) noexcept\n'
@@ -234,15 +241,16 @@ def write(manifest: dict[str, Any]) -> str:
         name=manifest["name"],
         bodies=_literal(bodies),
         sizes=_literal(sizes),
+        starts=_literal(starts),
         **{key: _literal(value) for key, value in names.items()},
     )
     slots = {block: k for k, block in enumerate(BLOCKS)}
     parts = [head + f"_SLOTS = {_literal(slots)}" + BODY]
-    parts += [_function(name, entry, nq) for name, entry in functions.items()]
+    parts += [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions.items()]
     return "\n\n".join(parts)
 
 
-def _function(name: str, entry: dict[str, Any], nq: int) -> str:
+def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> str:
     """The Python function of one C function."""
     takes = _arguments(name, entry)
     # solvers call rhs(t, x)
@@ -269,7 +277,9 @@ def _function(name: str, entry: dict[str, Any], nq: int) -> str:
     if "x" in takes:
         lines += ["    x = np.asarray(x, dtype=float)"]
         at = takes.index("x")
-        blocks[at : at + 1], values[at : at + 1] = ["q", "u"], [f"x[..., :{nq}]", f"x[..., {nq}:]"]
+        rest = f"x[..., {nq}:{nq + nu}]" if nz else f"x[..., {nq}:]"
+        parts = {"q": f"x[..., :{nq}]", "u": rest} | ({"z": f"x[..., {nq + nu}:]"} if nz else {})
+        blocks[at : at + 1], values[at : at + 1] = [*parts], [*parts.values()]
     row = ", ".join(f'"{block}"' for block in blocks)
     numbers = ", ".join(str(entry[f"{k}_size"]) for k in ("output", "work", "prepared"))
     lines += [
@@ -286,7 +296,7 @@ def _arguments(name: str, entry: dict[str, Any]) -> list[str]:
     """Arguments as a compiled model takes them, as far as the C can read them."""
     from ...runtime.layout import reads
 
-    letters = [x for x in reads(name.split("__")[0], entry["of"]) if x not in ("z", "s")]
+    letters = reads(name.split("__")[0], entry["of"])
     return [x for x in letters if x not in OPTIONS or x in (*entry["inputs"], "t", "r")]
 
 
