@@ -45,7 +45,18 @@ PARAMETERS = ('K1.mass', 'K1.com.x', 'K1.inertia.xx', 'K1.inertia.yy', 'K1.inert
  'spring.b.position.x', 'spring.b.position.y', 'drive.force')
 BODIES = ('K1', 'K2', 'K3', 'K5', 'K4', 'K7', 'K6')
 
-_SIZES = {'q': 7, 'q0': 7, 'r': 0, 'wrench': 42, 'u': 7, 'udot': 7, 'tau': 7, 'du': 7}
+_SIZES = {'q': 7,
+ 'q0': 7,
+ 'r': 0,
+ 'wrench': 42,
+ 'u': 7,
+ 'udot': 7,
+ 'tau': 7,
+ 'du': 7,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -87,7 +98,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

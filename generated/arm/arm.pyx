@@ -41,7 +41,18 @@ PARAMETERS = ('gravity.z', 'column.mass', 'column.com.z', 'column.inertia.xx', '
  'shoulder.damping', 'elbow.damping')
 BODIES = ('column', 'upper_arm', 'forearm', 'hand')
 
-_SIZES = {'q': 3, 'q0': 3, 'r': 0, 'wrench': 24, 'u': 3, 'udot': 3, 'tau': 3, 'du': 3}
+_SIZES = {'q': 3,
+ 'q0': 3,
+ 'r': 0,
+ 'wrench': 24,
+ 'u': 3,
+ 'udot': 3,
+ 'tau': 3,
+ 'du': 3,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -83,7 +94,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

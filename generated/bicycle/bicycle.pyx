@@ -42,7 +42,18 @@ PARAMETERS = ('wheelbase', 'trail', 'tilt', 'rear_radius', 'front_radius', 'grav
  'front_wheel.inertia.zz')
 BODIES = ('rear_wheel', 'frame', 'fork', 'front_wheel')
 
-_SIZES = {'q': 8, 'q0': 8, 'r': 0, 'wrench': 24, 'u': 8, 'udot': 8, 'tau': 8, 'du': 8}
+_SIZES = {'q': 8,
+ 'q0': 8,
+ 'r': 0,
+ 'wrench': 24,
+ 'u': 8,
+ 'udot': 8,
+ 'tau': 8,
+ 'du': 8,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -84,7 +95,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

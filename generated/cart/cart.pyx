@@ -35,7 +35,18 @@ INPUTS = ('push',)
 PARAMETERS = ('m', 'l', 'gravity.z', 'cart.mass', 'cart.inertia.xx', 'cart.inertia.yy', 'cart.inertia.zz')
 BODIES = ('cart', 'bob')
 
-_SIZES = {'q': 2, 'q0': 2, 'r': 1, 'wrench': 12, 'u': 2, 'udot': 2, 'tau': 2, 'du': 2}
+_SIZES = {'q': 2,
+ 'q0': 2,
+ 'r': 1,
+ 'wrench': 12,
+ 'u': 2,
+ 'udot': 2,
+ 'tau': 2,
+ 'du': 2,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -77,7 +88,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

@@ -35,7 +35,18 @@ INPUTS = ()
 PARAMETERS = ('m', 'r', 'gravity.z')
 BODIES = ('coin',)
 
-_SIZES = {'q': 5, 'q0': 5, 'r': 0, 'wrench': 6, 'u': 5, 'udot': 5, 'tau': 5, 'du': 5}
+_SIZES = {'q': 5,
+ 'q0': 5,
+ 'r': 0,
+ 'wrench': 6,
+ 'u': 5,
+ 'udot': 5,
+ 'tau': 5,
+ 'du': 5,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -77,7 +88,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

@@ -43,7 +43,18 @@ PARAMETERS = ('hub.mass', 'hub.inertia.xx', 'hub.inertia.yy', 'hub.inertia.zz', 
  'spring.damping')
 BODIES = ('hub', 'panel0', 'panel1', 'panel2', 'panel3')
 
-_SIZES = {'q': 11, 'q0': 11, 'r': 0, 'wrench': 30, 'u': 10, 'udot': 10, 'tau': 10, 'du': 10}
+_SIZES = {'q': 11,
+ 'q0': 11,
+ 'r': 0,
+ 'wrench': 30,
+ 'u': 10,
+ 'udot': 10,
+ 'tau': 10,
+ 'du': 10,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -85,7 +96,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

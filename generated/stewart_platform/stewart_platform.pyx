@@ -63,7 +63,18 @@ PARAMETERS = ('gravity.z', 'hooke0.position.x', 'hooke0.position.y', 'tube0.mass
 BODIES = ('tube0', 'rod0', 'platform', 'tube1', 'rod1', 'tube2', 'rod2', 'tube3', 'rod3', 'tube4',
  'rod4', 'tube5', 'rod5')
 
-_SIZES = {'q': 22, 'q0': 22, 'r': 6, 'wrench': 78, 'u': 21, 'udot': 21, 'tau': 21, 'du': 21}
+_SIZES = {'q': 22,
+ 'q0': 22,
+ 'r': 6,
+ 'wrench': 78,
+ 'u': 21,
+ 'udot': 21,
+ 'tau': 21,
+ 'du': 21,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -105,7 +116,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}

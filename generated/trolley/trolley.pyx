@@ -37,7 +37,18 @@ PARAMETERS = ('span', 'wheel', 'radius', 'left.load', 'left.rope', 'left.size', 
  'right.size', 'gravity.z', 'trolley.mass', 'buffer.stiffness', 'buffer.rest')
 BODIES = ('trolley', 'left.ground', 'right.ground', 'left.bucket', 'right.bucket', 'wheel')
 
-_SIZES = {'q': 5, 'q0': 5, 'r': 1, 'wrench': 36, 'u': 5, 'udot': 5, 'tau': 5, 'du': 5}
+_SIZES = {'q': 5,
+ 'q0': 5,
+ 'r': 1,
+ 'wrench': 36,
+ 'u': 5,
+ 'udot': 5,
+ 'tau': 5,
+ 'du': 5,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -79,7 +90,7 @@ def _defaults(block):
         return [cardan_default_r[k] for k in range(len(INPUTS))]
     if block == "p":
         return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return np.zeros(_SIZES[block])
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
