@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -102,8 +103,9 @@ def _rotation(runner: Runner | PlainRunner) -> str:
     model, k = runner.model, runner.record.culprit
     if not 0 <= k < len(model.coordinates):
         return ""
-    owner = model.manifest["coordinates"][k]["joint"]
-    joint = next(row for row in model.manifest["joints"] if row["name"] == owner)
+    owner = model.manifest["coordinates"][k].get("joint")
+    rows = [row for row in model.manifest["joints"] if row["name"] == owner]
+    joint: dict[str, Any] = rows[0] if rows else {}
     if not (joint.get("rotation") and joint.get("domain")):
         return ""
     return (
