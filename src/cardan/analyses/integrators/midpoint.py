@@ -14,6 +14,6 @@ METHOD = Integrator(
     adaptive=False,
     charted=True,
     needs=("energy",),
-    applies="very many steps whose energy balance must hold at any step size",
+    applies="very many long steps whose energy balance must hold",
     source="O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467",
 )
