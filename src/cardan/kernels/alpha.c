@@ -57,15 +57,23 @@ static void stand_for(const cardan_alpha *v, real h)
     v->now[ALPHA_STEP] = h;
 }
 
-/* Error of the increment of a step in units of the tolerance: what h^3 udot'' / 6 is missed by. */
+/* Error of a step in units of the tolerance: of its increment, what h^3 udot'' / 6 is missed by; of
+ * its dense output, which sees what angles do inside the step. */
 static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status)
 {
     const real constant = v->beta + (v->am - v->af) / 2 - 1.0 / 6;
-    real *missed = v->room;
+    real *missed = v->room, error, inside;
+    ptrdiff_t culprit;
 
     for (ptrdiff_t i = 0; i < v->nu; i++)
         missed[i] = h * h * constant * (v->a_new[i] - v->a[i]);
-    return cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
+    error = cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
+    culprit = run->culprit;
+    inside = *status == 0 ? cardan_alpha_misfit(run, v, h, status) : 0;
+    if (!(inside <= error))
+        return inside;
+    run->culprit = culprit;
+    return error;
 }
 
 /* Enter what constraints leave into the ledger. */
@@ -224,20 +232,4 @@ int cardan_alpha_step(cardan_run *run)
             status = failed;
     }
     return status != 0 ? status : CARDAN_STOPPED;
-}
-
-/* Cubic through values and derivatives at both ends of the last step. */
-int cardan_alpha_dense(cardan_run *run)
-{
-    const ptrdiff_t n = run->n;
-    const real h = run->t - run->t_old;
-
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const real rise = run->y[i] - run->y_old[i];
-        run->spread[i] = rise;
-        run->spread[n + i] = h * run->k[i] - rise;
-        run->spread[2 * n + i] = 2 * rise - h * (run->k[i] + run->f[i]);
-    }
-    run->is_dense = 1;
-    return 0;
 }

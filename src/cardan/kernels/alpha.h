@@ -68,4 +68,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
 real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
                        real atol, int *status);
 
+/* alpha_dense.c */
+real cardan_alpha_misfit(cardan_run *run, const cardan_alpha *v, real h, int *status);
+
 #endif
