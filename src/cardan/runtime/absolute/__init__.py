@@ -1,0 +1,1 @@
+"""Models in finite-element coordinates: elements in tables, sparse matrices."""

@@ -1,0 +1,271 @@
+"""The elements of a model, loaded: balances, tangents and sums over tables."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.sparse
+from numpy.typing import NDArray
+
+from ...errors import SolveError
+from .. import lanes as lane_builds
+from ..loaded import prepare
+from ..objects import Code
+from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
+from .tables import Table, Tables
+
+Array = NDArray[np.float64]
+# elements of a group from which on lanes are compiled
+WORTH = 8
+LINE = "line"
+
+
+@dataclass(frozen=True)
+class State:
+    """What elements are asked at; blocks that are left out count as zeros.
+
+    Attributes:
+        q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
+        lam: Multipliers (m,).
+        t, r: Time [s] and inputs (nr,).
+        z, s: Internal states and modes of elements.
+    """
+
+    q: Array
+    u: Array | None = None
+    udot: Array | None = None
+    lam: Array | None = None
+    t: float = 0.0
+    r: Array | None = None
+    z: Array | None = None
+    s: Array | None = None
+
+
+class Mesh:
+    """The tables of a model with loaded functions and data.
+
+    Args:
+        tables: Places and elements.
+        codes: C name -> loaded function.
+        data: Of every group (n, k).
+        library: The kernels.
+    """
+
+    def __init__(
+        self,
+        tables: Tables,
+        codes: Mapping[str, Code],
+        data: Sequence[Array],
+        library: ctypes.CDLL,
+    ) -> None:
+        self.tables = tables
+        self.library = library
+        self._keep: list[Any] = []
+        self._codes = codes
+        self._width = lane_builds.width()
+        self._local = self._work = 0
+        groups = (Group * max(1, len(tables.groups)))()
+        for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
+            self._group(record, group, number, data[number])
+        movers = self._movers()
+        self._keep += [groups, movers]
+        self.record = MeshRecord(
+            nq=tables.nq,
+            nu=tables.nu,
+            nz=tables.nz,
+            ns=tables.ns,
+            nr=tables.nr,
+            mp=tables.mp,
+            m=tables.m,
+            places=len(tables.kind),
+            q=self._pointer(tables.q),
+            u=self._pointer(tables.u),
+            group_count=len(tables.groups),
+            mover_count=len(movers),
+            groups=ctypes.addressof(groups),
+            movers=ctypes.addressof(movers),
+            lanes=self._width,
+            work=self._work,
+            local=self._local,
+        )
+        poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
+        nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
+        self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
+        library.cardan_mesh_room.restype = ctypes.c_ssize_t
+        most = max((kind.nq + kind.nu**2 for kind in tables.kinds), default=0)
+        self._room = np.empty(max(library.cardan_mesh_room(self.reference), most + self._work))
+
+    @property
+    def reference(self) -> Any:
+        """The record, by reference."""
+        return ctypes.byref(self.record)
+
+    # loading
+
+    def _pointer(self, array: NDArray[Any] | None) -> int | None:
+        if array is None:
+            return None
+        array = np.ascontiguousarray(array)
+        self._keep.append(array)
+        return array.ctypes.data
+
+    def _group(self, record: Group, group: Table, number: int, data: Array) -> None:
+        """Fill in the record of a group."""
+        kind, tables = group.kind, self.tables
+        record.count, record.places = len(group), group.place.shape[1]
+        for name in ("nq", "nu", "nz", "ns", "mp", "m"):
+            setattr(record, name, getattr(kind, name))
+        record.place = self._pointer(group.place.astype(np.intp))
+        record.rows = self._pointer(tables.rows[number])
+        record.z, record.s = self._pointer(group.z), self._pointer(group.s)
+        parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
+        record.parts = self._pointer(parts)
+        reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+        for k, name in enumerate(FORMS):
+            if name in kind.functions:
+                self._form(record.forms[k], self._codes[kind.functions[name]], data, reads)
+
+    def _form(self, form: Form, code: Code, data: Array, reads: int) -> None:
+        """Connect a function of a kind, with the data of its elements prepared."""
+        w = prepare(code, data)
+        form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
+        form.size = int(code.entry["output_size"])
+        self._local = max(self._local, reads + form.size)
+        self._work = max(self._work, int(code.entry["work_size"]))
+        if len(data) < WORTH or self._width == 1 or code.recipe is None:
+            return
+        if self._width not in code.entry["lanes"]:
+            return
+        built = code.recipe.there(self._width, True) or code.recipe.made(self._width, True)
+        self._keep.append(built)
+        form.lanes = built.address
+        # what is missing in the last block repeats the last element
+        rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
+        blocks = w[rows].reshape(-1, self._width, w.shape[1]).transpose(0, 2, 1)
+        form.w_lanes = self._pointer(_on_lines(blocks))
+
+    def _movers(self) -> Any:
+        """Places whose coordinates are no poses, kind by kind."""
+        kinds = [(k, kind) for k, kind in enumerate(self.tables.kinds) if kind.name != "node"]
+        movers = (Movers * len(kinds))()
+        for record, (k, kind) in zip(movers, kinds, strict=True):
+            places = np.flatnonzero(self.tables.kind == k).astype(np.intp)
+            record.count, record.nq, record.nu = len(places), kind.nq, kind.nu
+            record.place = self._pointer(places)
+            for field, name in (("move", "move"), ("rates", "qdot")):
+                if name in kind.functions:
+                    code = self._codes[kind.functions[name]]
+                    setattr(record, field, code.address)
+                    w = prepare(code, np.zeros(0))
+                    setattr(record, f"w_{field}", self._pointer(w))
+                    self._work = max(self._work, int(code.entry["work_size"]))
+        return movers
+
+    # evaluation
+
+    def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
+        given = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
+        given |= {"z": at.z, "s": at.s, "r": at.r}
+        held = {name: np.ascontiguousarray(x, float) for name, x in given.items() if x is not None}
+        pointers = {name: x.ctypes.data for name, x in held.items()}
+        return StateRecord(t=at.t, **pointers), list(held.values())
+
+    def _call(self, name: str, at: State, *arguments: Any) -> None:
+        record, held = self._state(at)
+        function = getattr(self.library, f"cardan_mesh_{name}")
+        status = function(self.reference, ctypes.byref(record), *arguments, _at(self._room))
+        del held
+        if status:
+            raise SolveError(f"an element returned the status {status} in {name}")
+
+    def balance(self, at: State) -> tuple[Array, Array, Array]:
+        """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
+        tables = self.tables
+        out = np.empty(tables.nu + tables.mp + tables.m)
+        self._call("balance", at, _at(out))
+        force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
+        return force, gaps, rates
+
+    def gamma(self, at: State) -> Array:
+        """gamma (m,) with G udot = gamma."""
+        out = np.empty(self.tables.m)
+        self._call("gamma", at, _at(out))
+        return out
+
+    def total(self, form: str, size: int, at: State) -> Array:
+        """Sum (size,) of a function over the elements: ``energy``, ``momentum``, ``power``."""
+        out = np.empty(size)
+        self._call("sum", at, FORMS.index(form), ctypes.c_ssize_t(size), _at(out))
+        return out
+
+    def results(self, form: str, at: State) -> list[Array]:
+        """Of every group that has the function the results of its elements (n, size)."""
+        k = FORMS.index(form)
+        with_it = [g for g in self.tables.groups if form in g.kind.functions]
+        sizes = [int(self._codes[g.kind.functions[form]].entry["output_size"]) for g in with_it]
+        counts = [len(g) * size for g, size in zip(with_it, sizes, strict=True)]
+        out = np.empty(sum(counts))
+        self._call("results", at, k, _at(out))
+        parts = np.split(out, np.cumsum(counts)[:-1]) if counts else []
+        return [part.reshape(-1, size) for part, size in zip(parts, sizes, strict=True)]
+
+    def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
+        tables = self.tables
+        found: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
+        numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
+        results = self.results("balance_tangent", at)
+        for number, values in zip(numbers, results, strict=True):
+            group = tables.groups[number]
+            columns, lines = tables.columns(group), tables.lines(number)
+            for name, start in group.kind.parts.items():
+                rows = lines if name in "RG" else columns
+                block = values[:, start : start + rows.shape[1] * columns.shape[1]]
+                found[name].append(_entries(rows, columns, block))
+        shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
+        return {name: _assembled(found[name], shapes[name]) for name in PARTS}
+
+    def rates(self, q: Array, u: Array) -> Array:
+        """qdot (nq,)."""
+        out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
+        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, self._room)))
+        return out
+
+    def move(self, q: Array, du: Array) -> Array:
+        """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
+        out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
+        arguments = (_at(q), _at(du), _at(out), None, _at(self._room))
+        self.library.cardan_mesh_move(self.reference, *arguments)
+        return out
+
+
+def _at(array: Array) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def _on_lines(array: Array) -> Array:
+    """A contiguous copy that begins at a multiple of 64 bytes, as vectors want it."""
+    room = np.empty(array.size + 8)
+    start = (-room.ctypes.data // 8) % 8
+    copy = room[start : start + array.size].reshape(array.shape)
+    copy[...] = array
+    return copy
+
+
+def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:
+    """Row, column and value of every entry of element matrices."""
+    n, height, width = len(values), rows.shape[1], columns.shape[1]
+    i = np.broadcast_to(rows[:, :, None], (n, height, width)).reshape(-1)
+    j = np.broadcast_to(columns[:, None, :], (n, height, width)).reshape(-1)
+    return i, j, values.reshape(-1)
+
+
+def _assembled(entries: list[tuple[Any, Any, Any]], shape: tuple[int, int]) -> Any:
+    if not entries:
+        return scipy.sparse.csr_matrix(shape)
+    i, j, values = (np.concatenate(part) for part in zip(*entries, strict=True))
+    return scipy.sparse.csr_matrix((values, (i, j)), shape=shape)
