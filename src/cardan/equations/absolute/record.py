@@ -1,0 +1,286 @@
+"""What the absolute formulation hands over: places, kinds of elements, and tables of their members.
+
+Unknowns sit in places: a node has position and unit quaternion, a joint the coordinates of its own.
+Elements couple a few places and may own constraint rows. Elements of one kind share their
+functions, whose inputs ``q u udot lam p`` are local: those of the element's places in their order,
+of its rows, of its data. t and r are those of the whole scene.
+
+Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapters 1 and 7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...ir.function import Function
+from ...topology.system import System
+
+Integers: TypeAlias = NDArray[np.intp]
+Numbers: TypeAlias = NDArray[np.float64]
+
+# the place of an end that is fixed to the ground
+GROUND = -1
+
+
+@dataclass(frozen=True)
+class BlockKind:
+    """What a place holds.
+
+    Attributes:
+        name: "node", "line<k>" where q just adds up, or one made of the kind of a joint.
+        coordinates, speeds: Names of the entries of q and u behind the name of the place; "" where
+            the name of the place is all.
+        q_units, u_units: Their units.
+        defaults: Entries of q where nothing is said.
+        quaternion: Index in q of the scalar part of a unit quaternion, None without one.
+        functions: ``move`` [q, T], ``qdot``, ``difference``; none of "line<k>".
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    q_units: tuple[str, ...]
+    u_units: tuple[str, ...]
+    defaults: tuple[float, ...]
+    quaternion: int | None = None
+    functions: Mapping[str, Function] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return len(self.coordinates)
+
+    @property
+    def nu(self) -> int:
+        """Number of speeds."""
+        return len(self.speeds)
+
+
+@dataclass(frozen=True)
+class Places:
+    """The places of a scene, and where their entries start in the q and u of the scene.
+
+    Attributes:
+        names: Of every place: that of a body or of a joint.
+        kinds: The kinds there are.
+        kind: Index in ``kinds`` of every place (n,).
+    """
+
+    names: Sequence[str] = field(repr=False)
+    kinds: tuple[BlockKind, ...]
+    kind: Integers = field(repr=False, compare=False)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    @cached_property
+    def q(self) -> Integers:
+        """First entry of every place in q, then nq (n + 1,)."""
+        return self._starts([kind.nq for kind in self.kinds])
+
+    @cached_property
+    def u(self) -> Integers:
+        """First entry of every place in u, then nu (n + 1,)."""
+        return self._starts([kind.nu for kind in self.kinds])
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates of the scene."""
+        return int(self.q[-1])
+
+    @property
+    def nu(self) -> int:
+        """Number of speeds of the scene."""
+        return int(self.u[-1])
+
+    def _starts(self, sizes: Sequence[int]) -> Integers:
+        counts = np.array([0, *sizes], dtype=np.intp)[1:][self.kind]
+        return np.concatenate(([0], np.cumsum(counts))).astype(np.intp)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of element: what its members share.
+
+    Attributes:
+        name: A C identifier; the C name of a function is ``<kind>__<function>``.
+        blocks: Of its places, in the order of its local q and u.
+        rows: (name, unit) of its constraint rows behind the name of the member; those of positions
+            come first.
+        mp: Number of rows of position level.
+        data: Names of the entries of p.
+        functions: Those it has, by name:
+            ``balance`` [b (nu), g (mp), rates G u + g_t (m)], b = M udot + h - f - Gᵀ lam;
+            ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu)] those that are not zero;
+            ``gamma`` (m) with G udot = gamma; ``energy`` [kinetic, potential]; ``momentum`` (6)
+            about the origin of the ground; ``power`` (1) of what has no potential; ``zdot`` of
+            its internal states; ``reaction`` (6): wrench of parent on child at the child joint
+            frame in its axes; ``outputs``: see :attr:`Group.outputs`.
+        internals, modes: Names of its z and s behind the name of the member.
+        source: Literature.
+    """
+
+    name: str
+    blocks: tuple[BlockKind, ...]
+    rows: tuple[tuple[str, str], ...]
+    mp: int
+    data: tuple[str, ...]
+    functions: Mapping[str, Function] = field(repr=False, compare=False)
+    source: str = ""
+    internals: tuple[str, ...] = ()
+    modes: tuple[str, ...] = ()
+
+    @property
+    def m(self) -> int:
+        """Number of constraint rows."""
+        return len(self.rows)
+
+    @property
+    def nq(self) -> int:
+        """Number of local coordinates."""
+        return sum(block.nq for block in self.blocks)
+
+    @property
+    def nu(self) -> int:
+        """Number of local speeds."""
+        return sum(block.nu for block in self.blocks)
+
+    def c_name(self, function: str) -> str:
+        """C name of one of its functions."""
+        return f"{self.name}__{function}"
+
+
+@dataclass(frozen=True)
+class Group:
+    """The members of one kind, as a table.
+
+    The data of member e are [common(p) (k1), own[e]] or [common(p)[e] (k1), own[e]].
+
+    Attributes:
+        kind: What they share.
+        members: Their names.
+        places: Indices of their places (n, number of blocks).
+        rows: First of their rows among the multipliers of the scene (n,).
+        common: Parameters p of the scene -> one output ``data``, (k1,) for all members or (n, k1);
+            None without such data.
+        own: Data that are numbers once and for all (n, k2).
+        z, s: First internal state and mode of each member (n,); None where the kind has none.
+        outputs: Indices in the outputs of the scene of what the function ``outputs`` gives (n, k);
+            contributions of several members to one output add up. None without the function.
+    """
+
+    kind: Kind
+    members: Sequence[str] = field(repr=False)
+    places: Integers = field(repr=False, compare=False)
+    rows: Integers = field(repr=False, compare=False)
+    common: Function | None = field(default=None, repr=False, compare=False)
+    own: Numbers | None = field(default=None, repr=False, compare=False)
+    z: Integers | None = field(default=None, repr=False, compare=False)
+    s: Integers | None = field(default=None, repr=False, compare=False)
+    outputs: Integers | None = field(default=None, repr=False, compare=False)
+
+    def __len__(self) -> int:
+        return len(self.members)
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Where the frames of a scene are fixed, in the order of ``System.frames``.
+
+    Attributes:
+        place: Index of the node, GROUND for the ground (n,).
+        poses: Parameters p -> outputs ``rotation`` (n, 9), R from frame axes to those of the node,
+            and ``position`` (n, 3) from its origin in its axes.
+    """
+
+    place: Integers = field(repr=False, compare=False)
+    poses: Function = field(repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class Absolute:
+    """Equations of motion in absolute coordinates, element by element.
+
+    Made by :func:`cardan.derive` with ``coordinates="absolute"``. The whole system is
+    M udot + h = f + Gᵀ lam with G udot = gamma: sums over all members of all groups.
+
+    Attributes:
+        system: The system graph they belong to.
+        places: Where coordinates and speeds live.
+        groups: The elements.
+        frames: Where the frames of the scene are fixed.
+        joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
+        states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
+            circuits are closed there has its constraints kept here.
+        results: (name, unit) of the outputs of the scene.
+    """
+
+    system: System = field(repr=False)
+    places: Places
+    groups: tuple[Group, ...] = field(repr=False)
+    frames: Frames = field(repr=False)
+    joints: Mapping[str, tuple[int, int]] = field(repr=False)
+    states: Function = field(repr=False)
+    results: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of q: those of the relative formulation for joints; ``<body>.px`` of nodes."""
+        return self._entries("coordinates", "")
+
+    @cached_property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+        return self._entries("speeds", ".u")
+
+    @cached_property
+    def multipliers(self) -> tuple[str, ...]:
+        """Names of lam: of the rows of all members, group by group."""
+        return tuple(
+            f"{member}.{row}" if row else member
+            for group in self.groups
+            for member in group.members
+            for row, _ in group.kind.rows
+        )
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of p."""
+        return tuple(parameter.name for parameter in self.system.parameters)
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of r."""
+        return tuple(entry.name for entry in self.system.inputs)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return tuple(name for name, _ in self.results)
+
+    @property
+    def kinds(self) -> tuple[Kind, ...]:
+        """The kinds of elements, once each."""
+        return tuple({group.kind.name: group.kind for group in self.groups}.values())
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Literature behind the formulation and the elements."""
+        source = " ".join((__doc__ or "").split("Source:")[-1].split())
+        found = (kind.source for kind in self.kinds)
+        return tuple(dict.fromkeys(text for text in (source, *found) if text))
+
+    def _entries(self, letter: str, mark: str) -> tuple[str, ...]:
+        """Names of the entries of all places, in order."""
+        parts = [getattr(kind, letter) for kind in self.places.kinds]
+        return tuple(
+            f"{name}{mark}.{part}" if part else f"{name}{mark}"
+            for name, kind in zip(self.places.names, self.places.kind, strict=True)
+            for part in parts[kind]
+        )
