@@ -25,7 +25,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "rhs rhs_w power power_w"),
     (POINTER, "energy energy_w rhs_jacobian rhs_jacobian_w"),
     (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
-    (POINTER, "options"),
+    (POINTER, "mesh options"),
     (POINTER, "inputs signals quaternions"),
     (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),

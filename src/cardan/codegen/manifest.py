@@ -64,16 +64,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         ],
         **({"events": _events(system), "ticks": _ticks(system)} if system.events else {}),
         "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
-        "parameters": [
-            {
-                "name": p.name,
-                "unit": p.unit,
-                "default": p.value,
-                "kind": "free",
-                "declared": p.declared,
-            }
-            for p in system.parameters
-        ],
+        "parameters": parameter_rows(system),
         "structural": dict(system.structural),
         "multipliers": [_multiplier(row) for row in equations.constraint_rows],
         "cuts": [_cut(equations, cut) for cut in system.closing],
@@ -98,6 +89,20 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         # what holds such a system together is that its constraints give way
         data["projected"] = False
     return Base(data, lambda: _saved(equations))
+
+
+def parameter_rows(system: System) -> list[dict[str, Any]]:
+    """What the manifest says about every entry of p."""
+    return [
+        {
+            "name": p.name,
+            "unit": p.unit,
+            "default": p.value,
+            "kind": "free",
+            "declared": p.declared,
+        }
+        for p in system.parameters
+    ]
 
 
 def _multiplier(row: Row) -> dict[str, Any]:

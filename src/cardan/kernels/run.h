@@ -94,6 +94,7 @@ struct cardan_run {
                                     q, G (rates, nu) */
     cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
     cardan_call qdot;
+    const struct cardan_mesh *mesh; /* elements in tables, NULL: functions know the whole model */
     const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;

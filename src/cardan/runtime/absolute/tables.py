@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -64,17 +64,22 @@ class Table:
         kind: What they share.
         place: (n, places) which places each couples.
         first: (n,) first of its rows, numbered group by group as they come.
-        common: C-free name of the saved Function p -> data, "" without.
+        common: Name of the saved Function p -> data, "" without.
         own: (n, k) data that are numbers.
-        z, s: (n,) first internal state and mode.
+        members: Their names.
+        z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
+        outputs, powers: (n, k) entries of the scene's to which they contribute.
     """
 
     kind: Kind
     place: Integers
     common: str = ""
     own: Array | None = None
+    members: Sequence[str] = ()
     z: Integers | None = None
     s: Integers | None = None
+    outputs: Integers | None = None
+    powers: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.place)
@@ -88,13 +93,15 @@ class Tables:
         kinds: Of places.
         kind: (places,) index of the kind of every place.
         groups: The elements.
-        nr: Inputs of the scene.
+        nr, nz, ns: Inputs, internal states and modes of the scene.
     """
 
     kinds: tuple[PlaceKind, ...]
     kind: Integers
     groups: tuple[Table, ...]
     nr: int
+    nz: int = 0
+    ns: int = 0
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
@@ -119,16 +126,6 @@ class Tables:
     def nu(self) -> int:
         """Number of speeds."""
         return int(self.u[-1])
-
-    @property
-    def nz(self) -> int:
-        """Number of internal states."""
-        return sum(len(group) * group.kind.nz for group in self.groups)
-
-    @property
-    def ns(self) -> int:
-        """Number of modes."""
-        return sum(len(group) * group.kind.ns for group in self.groups)
 
     @property
     def mp(self) -> int:
