@@ -17,6 +17,7 @@ from ..model.frame import Frame as UserFrame
 from ..model.frame import Place
 from ..model.model import Model
 from . import motion
+from .circuits import circuit
 from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
@@ -263,7 +264,8 @@ class Assembly:
         carrier: int | None = None,
     ) -> None:
         """What closes a circuit between two frames."""
-        base, path = self._circuit(*(self.frames[frame].body for frame in frames))
+        ends = (self.frames[frame].body for frame in frames)
+        base, path = circuit([body.parent for body in self.bodies], *ends)
         cut = Cut(
             name=closing.joint.name,
             element=element,
@@ -277,20 +279,6 @@ class Assembly:
             carrier=carrier,
         )
         self.cuts.append(cut)
-
-    def _circuit(self, parent: int, child: int) -> tuple[int, tuple[tuple[int, int], ...]]:
-        """Where the branches to two bodies part, and the joints from there, with their signs."""
-        path: list[tuple[int, int]] = []
-        one, other = parent, child
-        while one != other:
-            # bodies are numbered regularly: the higher number cannot be inboard of the other
-            if one > other:
-                path.append((one, -1))
-                one = self.bodies[one].parent
-            else:
-                path.append((other, 1))
-                other = self.bodies[other].parent
-        return one, tuple(sorted(path))
 
     def _label_place(self, joint: str, place: Placement) -> None:
         """Names for readers of the C: where a joint sits on the parent body."""

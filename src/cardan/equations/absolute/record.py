@@ -119,10 +119,9 @@ class Kind:
             ``balance`` [b (nu), g (mp), rates G u + g_t (m)], b = M udot + h - f - Gᵀ lam;
             ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu)] those that are not zero;
             ``gamma`` (m) with G udot = gamma; ``energy`` [kinetic, potential]; ``momentum`` (6)
-            about the origin of the ground; ``power`` (1) of what has no potential; ``zdot`` of
-            its internal states; ``reaction`` (6): wrench of parent on child at the child joint
-            frame in its axes; ``outputs``: see :attr:`Group.outputs`.
-        internals, modes: Names of its z and s behind the name of the member.
+            about the origin of the ground; ``zdot`` of its internal states; ``reaction`` (6):
+            wrench of parent on child at the child joint frame in its axes; ``outputs`` and
+            ``power``: see :attr:`Group.outputs`. What is zero throughout is left out.
         source: Literature.
     """
 
@@ -133,8 +132,6 @@ class Kind:
     data: tuple[str, ...]
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
-    internals: tuple[str, ...] = ()
-    modes: tuple[str, ...] = ()
 
     @property
     def m(self) -> int:
@@ -170,9 +167,11 @@ class Group:
         common: Parameters p of the scene -> one output ``data``, (k1,) for all members or (n, k1);
             None without such data.
         own: Data that are numbers once and for all (n, k2).
-        z, s: First internal state and mode of each member (n,); None where the kind has none.
-        outputs: Indices in the outputs of the scene of what the function ``outputs`` gives (n, k);
-            contributions of several members to one output add up. None without the function.
+        z, s: Entries of the scene's internal states and modes that are its local z and s (n, k);
+            None where it reads none. ``zdot`` is that of the first of z.
+        outputs, powers: Entries of the scene's outputs and powers to which the functions of that
+            name contribute (n, k); contributions of several members to one entry add up. None
+            without the function.
     """
 
     kind: Kind
@@ -184,6 +183,7 @@ class Group:
     z: Integers | None = field(default=None, repr=False, compare=False)
     s: Integers | None = field(default=None, repr=False, compare=False)
     outputs: Integers | None = field(default=None, repr=False, compare=False)
+    powers: Integers | None = field(default=None, repr=False, compare=False)
 
     def __len__(self) -> int:
         return len(self.members)
@@ -219,6 +219,7 @@ class Absolute:
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
             circuits are closed there has its constraints kept here.
         results: (name, unit) of the outputs of the scene.
+        powers: Names of the sources of power: elements, ``<joint>.motion``, ``<relation>.motion``.
     """
 
     system: System = field(repr=False)
@@ -228,6 +229,7 @@ class Absolute:
     joints: Mapping[str, tuple[int, int]] = field(repr=False)
     states: Function = field(repr=False)
     results: tuple[tuple[str, str], ...] = ()
+    powers: tuple[str, ...] = ()
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:
