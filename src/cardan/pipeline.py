@@ -11,13 +11,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__, topology
-from .codegen import generate, layout, manifest
+from .codegen import generate, layout, manifest, mesh
+from .equations.absolute.lowering import lowered
+from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
 from .equations.choice import chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
-from .errors import BuildError, DerivationError, SolveWarning
+from .errors import BuildError, DerivationError, SolveWarning, near
 from .runtime import folder as cache
+from .runtime.absolute import evaluated as elements
 from .runtime.compiled import CompiledModel
 
 if TYPE_CHECKING:
@@ -66,21 +69,27 @@ STANDARD = (
 )
 
 
+# how a scene may be told; "auto": absolute where it has beams
+COORDINATES = ("auto", "relative", "absolute")
+
+
 def derive(
     scene: Model,
-    coordinates: str = "relative",
+    coordinates: str = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
-) -> Equations:
+) -> Equations | Absolute:
     """Equations of motion of a scene.
 
     Args:
         scene: The model.
-        coordinates: ``"relative"``: joint coordinates over the spanning tree.
+        coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``:
+            poses of bodies and nodes, element by element, with all joints as constraints;
+            ``"auto"``: absolute where the scene has beams.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
@@ -105,12 +114,16 @@ def derive(
         ModelError, TopologyError: the scene is at fault.
         DerivationError: no such method, or it does not take this system.
     """
-    if coordinates != "relative":
-        raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
+    if coordinates not in COORDINATES:
+        raise DerivationError(
+            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
+        )
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    if coordinates == "absolute":
+        return _absolute(system, method, speeds, constraints)
     if system.closures:
         system = with_branches(system)
     chosen: tuple[Named, ...] = ()
@@ -121,7 +134,7 @@ def derive(
 
 
 def compile(
-    scene: Model | Equations,
+    scene: Model | Equations | Absolute,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
     *,
@@ -163,6 +176,8 @@ def compile(
         constraints=constraints,
         branches=branches,
     )
+    if isinstance(equations, Absolute):
+        return _compiled_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -223,14 +238,46 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
         warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
-def _derived(scene: Model | Equations, **options: Any) -> Equations:
+def _absolute(
+    system: System,
+    method: str,
+    speeds: Mapping[str, Any] | None,
+    constraints: str | Treatment,
+) -> Absolute:
+    """A system in absolute coordinates.
+
+    Raises:
+        DerivationError: options of relative coordinates.
+    """
+    if method != "auto" or speeds or constraints not in ("auto", "multipliers"):
+        raise DerivationError(
+            "method=, speeds= and constraints= are choices of relative coordinates; in absolute "
+            "ones every joint is a constraint with multipliers"
+        )
+    return lowered(system)
+
+
+def _compiled_elements(
+    equations: Absolute, directory: str | Path | None, threads: int | None
+) -> CompiledModel:
+    """The model of equations element by element: C of its kinds of elements, and tables."""
+    folder = Path(directory) if directory is not None else _workspace(equations, None)
+    try:
+        mesh.write(folder, equations, elements.FUNCTIONS)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    cache.used(folder)
+    return CompiledModel(folder, threads=threads)
+
+
+def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations | Absolute:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, Equations):
+    if not isinstance(scene, Equations | Absolute):
         return derive(scene, **given)
     if given:
         raise DerivationError(
@@ -239,17 +286,14 @@ def _derived(scene: Model | Equations, **options: Any) -> Equations:
     return scene
 
 
-def fingerprint(equations: Equations, loops: bool | None = None) -> str:
+def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
     digest = hashlib.sha256()
     for part in (
         __version__,
         _compiler_state(),
-        equations.method,
-        equations.rewrites,
-        equations.chosen,
-        equations.treatment,
+        *_choices(equations),
         loops,
         system.graph.nodes,
         system.graph.tables,
@@ -262,6 +306,13 @@ def fingerprint(equations: Equations, loops: bool | None = None) -> str:
     return digest.hexdigest()
 
 
+def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
+    """How equations were derived, besides the system."""
+    if isinstance(equations, Absolute):
+        return "absolute", mesh.numbers(equations)
+    return equations.method, equations.rewrites, equations.chosen, equations.treatment
+
+
 @lru_cache(maxsize=1)
 def _compiler_state() -> list[tuple[str, int, int]]:
     """Size and time of change of every file of this package: an edited compiler starts anew."""
@@ -270,7 +321,7 @@ def _compiler_state() -> list[tuple[str, int, int]]:
     return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
-def _workspace(equations: Equations, loops: bool | None) -> Path:
+def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
 

@@ -199,6 +199,9 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
         ModelError: the model is not one for it.
     """
     alpha, index = Alpha(*method.options[:4]), int(method.options[4])
+    if "mesh" in model.manifest:
+        # matrices are assembled where the elements are
+        method = replace(method, needs=("balance", "move", "qdot"))
     if any(row["joint"] is None for row in model.manifest["speeds"]):
         raise ModelError(
             f"method '{method.name}' moves along the speeds of the joints, and those of model "

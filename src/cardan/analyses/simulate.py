@@ -129,6 +129,7 @@ def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: 
         length=over.length,
         derived=JACOBIAN in model.manifest["available"],
         asked=bool(given.functions),
+        elements="mesh" in model.manifest,
     )
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import zipfile
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +14,9 @@ from .. import __version__
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
+from . import layout
 from .manifest import ABI, SCHEMA, Base, parameter_rows
+from .writing import generate
 
 FILE = "mesh.npz"
 PARTS = ("K", "C", "M", "R", "G")
@@ -60,7 +64,6 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
-        "projected": False,
         "scene": {"parents": [], "kinds": [], "rotations": [], "forces": [], "unknown": []},
         "mesh": {
             "places": [_place(kind) for kind in places.kinds],
@@ -95,12 +98,33 @@ def numbers(absolute: Absolute) -> bytes:
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
-            values = getattr(group, name)
+            values = getattr(group, name, None)
             if values is not None:
                 tables[f"{name}_{k}"] = values
     room = io.BytesIO()
-    np.savez(room, **tables)
+    with zipfile.ZipFile(room, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, table in tables.items():
+            # without a date: the same tables are the same bytes
+            with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, np.ascontiguousarray(table), allow_pickle=False)
     return room.getvalue()
+
+
+def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
+    """Write a model: manifest, tables, and the C of every kind of element.
+
+    Args:
+        folder: Made if it does not exist.
+        absolute: The equations.
+        available: Names of the functions of the whole model.
+    """
+    layout.write_model(folder, base(absolute, available))
+    layout.add_bytes(folder, FILE, numbers(absolute))
+    missing = [f for f in functions(absolute) if not layout.has_function(folder, f.name)]
+    name = absolute.system.name
+    made = [(generate(f, model=name, notes=[], of=None), f) for f in missing]
+    if made:
+        layout.add_functions(folder, made)
 
 
 def _place(kind: BlockKind) -> dict[str, Any]:
@@ -120,8 +144,8 @@ def _kind(kind: Kind) -> dict[str, Any]:
         "nu": kind.nu,
         "m": kind.m,
         "mp": kind.mp,
-        "nz": len(kind.internals),
-        "ns": len(kind.modes),
+        "nz": len(getattr(kind, "internals", ())),
+        "ns": len(getattr(kind, "modes", ())),
         "functions": {name: f.name for name, f in kind.functions.items()},
         "parts": _parts(kind.functions),
     }

@@ -4,6 +4,9 @@
  */
 #include "mesh_calls.h"
 
+/* what resists a motion without inertia while circuits are closed */
+static const real LIGHT = 1e-6;
+
 static const cardan_mesh *mesh_of(const cardan_in *in)
 {
     return (const cardan_mesh *)(const void *)in->w;
@@ -45,20 +48,19 @@ int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
     return status;
 }
 
-/* qdot, then udot with M udot + h = f + Gᵀ lam, G udot = gamma. */
-int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
+/* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */
+int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
+                              real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
     cardan_mesh_system system = {0};
-    const ptrdiff_t size = cardan_mesh_lay(mesh, work, &system);
-    real *missing = work + size, *gamma = missing + mesh->nu + mesh->mp + mesh->m;
-    cardan_state at = state_of(in);
-    int assembled, status = cardan_mesh_rates(mesh, in->q, in->u, out, system.work);
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
+    cardan_state at = *asked;
+    int assembled, status;
 
     at.udot = at.lam = NULL;
-    if (status == 0)
-        status = cardan_mesh_balance(mesh, &at, missing, system.work);
+    status = cardan_mesh_balance(mesh, &at, missing, system.work);
     if (status == 0)
         status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
     if (status == 0)
@@ -66,12 +68,84 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
     if (status != 0)
         return status;
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        system.right[i] = -missing[i];
+        system.right[i] = (tau ? tau[i] : 0) - missing[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system.right[mesh->unknown[k]] = gamma[k];
     status = cardan_mesh_solve(mesh, &system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        out[mesh->nq + i] = system.found[i];
+        out[i] = system.found[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = -system.found[mesh->unknown[k]];
+    return status;
+}
+
+int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
+
+    if (status == 0)
+        status = cardan_mesh_accelerations(mesh, &at, NULL, found, work);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[mesh->nq + i] = found[i];
+    return status;
+}
+
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little. */
+static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *open,
+                        ptrdiff_t rows, cardan_mesh_system *system)
+{
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    int status = cardan_mesh_matrix(mesh, at, &parts, system);
+
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        if (system->a[mesh->diagonal[i]] == 0)
+            system->a[mesh->diagonal[i]] = LIGHT;
+    status = cardan_mesh_refactor(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = 0;
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = k < rows ? -open[k] : 0;
+    return status != 0 ? status : cardan_mesh_solve(mesh, system);
+}
+
+/* q (nq) a step nearer to closing all circuits, then what was open (mp). */
+int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system), *open = missing + mesh->nu;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->mp; k++)
+        out[mesh->nq + k] = open[k];
+    if (status == 0)
+        status = closing_step(mesh, &at, open, mesh->mp, &system);
+    return status != 0 ? status
+                       : cardan_mesh_move(mesh, in->q, system.found, out, NULL, system.work);
+}
+
+/* u (nu) that the constraints allow, then what the given ones missed (m). */
+int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *rates = missing + mesh->nu + mesh->mp;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = rates[k];
+    if (status == 0)
+        status = closing_step(mesh, &at, rates, mesh->m, &system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[i] = in->u[i] + system.found[i];
     return status;
 }
 
@@ -80,5 +154,5 @@ ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
 {
     cardan_mesh_system system;
 
-    return cardan_mesh_lay(mesh, NULL, &system) + mesh->nu + mesh->mp + 2 * mesh->m;
+    return cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
 }

@@ -69,8 +69,12 @@ int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
     const int status = cardan_mesh_matrix(mesh, at, parts, system);
 
     *assembled = status == 0;
-    if (status != 0)
-        return status;
+    return status != 0 ? status : cardan_mesh_refactor(mesh, system);
+}
+
+/* Factor the matrix as it stands. */
+int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system)
+{
     weigh(mesh, system);
     return cardan_sparse_factor(mesh->plan, system->a, &system->factors) == 0 ? 0
                                                                              : CARDAN_UNSOLVED;

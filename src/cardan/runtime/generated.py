@@ -21,6 +21,10 @@ class Source(ABC):
     def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
         """Load functions into ``model._functions``; nobody gets one before it is checked."""
 
+    @abstractmethod
+    def mesh(self, model: CompiledModel) -> int:
+        """Address of the tables of elements in C, 0 where functions know the whole model."""
+
 
 @final
 class Generated(Source):
@@ -51,3 +55,7 @@ class Generated(Source):
                 loaded.pop(key, None)
             objects.forget(fresh.values())
             raise
+
+    def mesh(self, model: CompiledModel) -> int:
+        """None."""
+        return 0

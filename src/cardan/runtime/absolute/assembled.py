@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
 # functions that runs call from C: closures over the mesh
-CLOSURES = ("rhs", "qdot", "balance", "energy", "power", "move")
+CLOSURES = ("rhs", "qdot", "balance", "energy", "move", "close_position", "close_velocity")
 
 
 @final
@@ -48,6 +48,10 @@ class Assembled(Source):
                     f"There are: {known}"
                 )
             model._functions[name, of] = self._function(model, name, of)
+
+    def mesh(self, model: CompiledModel) -> int:
+        """Address of the tables."""
+        return ctypes.addressof(self.results(model).mesh.record)
 
     def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
         results, arguments = self.results(model), model._layout.reads(name, of)
@@ -75,7 +79,7 @@ class Assembled(Source):
     ) -> Code:
         address = results.mesh.closure(name) if name in CLOSURES else 0
         entry: dict[str, Any] = {
-            "work_size": results.mesh.work_of(name) if address else 0,
+            "work_size": results.mesh.work if address else 0,
             "output_size": prod(shape),
             "outputs": [{"name": name, "shape": list(shape), "entries": list(entries)}],
             "operations": {},

@@ -36,6 +36,8 @@ FUNCTIONS = (
     "constraint_rates",
     "constraint_jacobian",
     "multipliers",
+    "close_position",
+    "close_velocity",
     "balance",
     "move",
     "integrate",
@@ -87,6 +89,8 @@ class Results:
             "constraint_jacobian": (m, nu),
             "multipliers": (m,),
             "balance": (nu + mp + m,),
+            "close_position": (nq + mp,),
+            "close_velocity": (nu + m,),
             "move": (nq,),
             "integrate": (nq,),
         }
@@ -121,12 +125,8 @@ class Results:
 
     def _solved(self, given: Given) -> tuple[Array, Array]:
         """udot and multipliers under the forces of the scene and tau."""
-        at = self._at(given)
-        force, _, _ = self.mesh.balance(at)
-        if "tau" in given:
-            force = force - given["tau"][: self.tables.nu]
-        tangent = self.mesh.tangent(at)
-        return self.mesh.accelerations(tangent["M"], tangent["G"], -force, self.mesh.gamma(at))
+        tau = given["tau"][: self.tables.nu] if "tau" in given else None
+        return self.mesh.accelerations(self._at(given), tau)
 
     def forward_dynamics(self, given: Given) -> Array:
         return self._solved(given)[0]
@@ -164,6 +164,12 @@ class Results:
         G: scipy.sparse.csr_matrix = self.mesh.tangent(self._at(given))["G"]
         full: Array = G.toarray()
         return full
+
+    def close_position(self, given: Given) -> Array:
+        return self.mesh.call("close_position", self._at(given), self.tables.nq + self.tables.mp)
+
+    def close_velocity(self, given: Given) -> Array:
+        return self.mesh.call("close_velocity", self._at(given), self.tables.nu + self.tables.m)
 
     # motion
 

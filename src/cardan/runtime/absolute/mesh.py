@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,13 @@ from numpy.typing import NDArray
 
 from ...errors import SolveError
 from .. import lanes as lane_builds
+from ..abi_ctypes import FUNCTION
 from ..loaded import prepare
 from ..objects import Code
+from ..slots import ORDER
+from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
+from .solver import plan_record
 from .tables import Table, Tables
 
 Array = NDArray[np.float64]
@@ -68,7 +73,7 @@ class Mesh:
         self._codes = codes
         self._width = lane_builds.width()
         self._local = self._work = 0
-        groups = (Group * max(1, len(tables.groups)))()
+        self._groups = groups = (Group * max(1, len(tables.groups)))()
         for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
             self._group(record, group, number, data[number])
         movers = self._movers()
@@ -92,6 +97,7 @@ class Mesh:
             work=self._work,
             local=self._local,
         )
+        self._sparse()
         poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
         nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
         self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
@@ -165,6 +171,70 @@ class Mesh:
                     self._work = max(self._work, int(code.entry["work_size"]))
         return movers
 
+    def _sparse(self) -> None:
+        """Plan the matrices, and say where elements stand in them."""
+        tables, record = self.tables, self.record
+        places = len(tables.kind)
+        having = [len(g) if g.kind.m else 0 for g in tables.groups]
+        starts = places + np.concatenate(([0], np.cumsum(having)))
+        sizes = [np.diff(tables.u)]
+        cliques = []
+        for group, count, start in zip(tables.groups, having, starts, strict=False):
+            sizes.append(np.full(count, group.kind.m))
+            own = (start + np.arange(count))[:, None]
+            cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
+        total = np.concatenate(sizes)
+        poses = [kind.name == "node" for kind in tables.kinds]
+        massless = np.zeros(len(total), bool)
+        massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
+        self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
+        matrix, unknown = self.plan.pattern, np.empty(tables.m, dtype=np.intp)
+        for number, (group, count, start) in enumerate(
+            zip(tables.groups, having, starts, strict=False)
+        ):
+            lines = tables.lines(number)
+            if count:
+                own = matrix.first[start : start + count, None] + np.arange(group.kind.m)
+                unknown[lines] = own
+            stride = matrix.stride[cliques[number]].astype(np.intp)
+            spots = np.concatenate([matrix.places[number], stride[:, :, None]], axis=2)
+            self._groups[number].spots = self._pointer(spots.astype(np.intp))
+        told = plan_record(self.plan)
+        self._keep.append(told)
+        record.plan = ctypes.addressof(told)
+        record.unknown, record.diagonal = self._pointer(unknown), self._pointer(self._diagonal())
+        record.widest = max((g.kind.nu for g in tables.groups), default=0)
+
+    def _diagonal(self) -> NDArray[np.intp]:
+        """Where the diagonal entry of every speed stands in the values of a matrix."""
+        matrix = self.plan.pattern
+        own = np.flatnonzero(matrix.rows == matrix.column)[: len(self.tables.kind)]
+        sizes = matrix.sizes[: len(self.tables.kind)].astype(np.intp)
+        inside = np.arange(self.tables.nu) - np.repeat(self.tables.u[:-1], sizes)
+        start = np.repeat(matrix.value[own].astype(np.intp), sizes)
+        step = np.repeat(matrix.stride[: len(sizes)].astype(np.intp) + 1, sizes)
+        return start + inside * step
+
+    def closure(self, name: str) -> int:
+        """Address of the C function of the whole mesh."""
+        function = getattr(self.library, f"cardan_mesh_call_{name}")
+        return ctypes.cast(function, ctypes.c_void_p).value or 0
+
+    @cached_property
+    def work(self) -> int:
+        """Numbers of work memory that functions of the whole mesh need."""
+        function = self.library.cardan_mesh_call_work
+        function.restype = ctypes.c_ssize_t
+        return int(function(self.reference))
+
+    def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
+        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
+        memory, out = np.empty(self.work), np.empty(self.tables.nu + self.tables.m)
+        more = None if tau is None else _at(np.ascontiguousarray(tau))
+        self._call("accelerations", at, more, _at(out), room=memory)
+        udot, lam = np.split(out, [self.tables.nu])
+        return udot, lam
+
     # evaluation
 
     def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
@@ -174,10 +244,11 @@ class Mesh:
         pointers = {name: x.ctypes.data for name, x in held.items()}
         return StateRecord(t=at.t, **pointers), list(held.values())
 
-    def _call(self, name: str, at: State, *arguments: Any) -> None:
+    def _call(self, name: str, at: State, *arguments: Any, room: Array | None = None) -> None:
         record, held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
-        status = function(self.reference, ctypes.byref(record), *arguments, _at(self._room))
+        memory = self._room if room is None else room
+        status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
         del held
         if status:
             raise SolveError(f"an element returned the status {status} in {name}")
@@ -189,6 +260,20 @@ class Mesh:
         self._call("balance", at, _at(out))
         force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
         return force, gaps, rates
+
+    def call(self, name: str, at: State, size: int) -> Array:
+        """A function of the whole mesh with the interface of generated ones."""
+        record, held = self._state(at)
+        blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
+        time = np.array([at.t])
+        blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
+        given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
+        out, memory = np.empty(size), np.empty(self.work)
+        status = FUNCTION(self.closure(name))(ctypes.addressof(given), *map(_at, (out, memory)))
+        del held
+        if status:
+            raise SolveError(f"{name} has no solution (status {status})")
+        return out
 
     def gamma(self, at: State) -> Array:
         """gamma (m,) with G udot = gamma."""
