@@ -149,6 +149,18 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
     return status;
 }
 
+/* The values (plan->values) of shares[0] K + shares[1] C + shares[2] M with its constraints. */
+int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
+                       real *a, real *work)
+{
+    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL};
+    cardan_mesh_system system = {0};
+
+    (void)cardan_mesh_lay(mesh, work, &system);
+    system.a = a;
+    return cardan_mesh_matrix(mesh, at, &parts, &system);
+}
+
 /* Numbers of work memory that each of these needs, at most. */
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
 {

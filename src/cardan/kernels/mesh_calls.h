@@ -6,6 +6,8 @@
 
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work);
+int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
+                       real *a, real *work);
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_move(const cardan_in *in, real *out, real *work);

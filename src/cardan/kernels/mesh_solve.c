@@ -7,6 +7,8 @@
 
 /* backward error of a solution that is enough, and how often one is improved */
 static const real ENOUGH = 1e-13;
+/* what resists a speed, of what resists most: below that it is rounding */
+static const real ROUNDING = 1e-14;
 enum { IMPROVE = 4 };
 
 static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
@@ -43,22 +45,24 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
 
 /* Units: the root of the inverse of what resists a speed; rows in those of the least of it.
  *
- * What nothing resists counts like the least that does.
+ * What nothing resists, or rounding, counts like the least that does.
  */
 static void weigh(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
-    real least = INFINITY;
+    real largest = 0, least = INFINITY;
 
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        largest = fmax(largest, fabs(system->a[mesh->diagonal[i]]));
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
         const real own = fabs(system->a[mesh->diagonal[i]]);
-        system->units[i] = own;
-        if (own > 0)
+        if (own > ROUNDING * largest)
             least = fmin(least, own);
     }
     if (!(least < INFINITY))
         least = 1;
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        system->rows[i] = system->units[i] = 1 / sqrt(fmax(least, system->units[i]));
+        system->rows[i] = system->units[i] =
+            1 / sqrt(fmax(least, fabs(system->a[mesh->diagonal[i]])));
     for (ptrdiff_t k = mesh->nu; k < mesh->plan->n; k++)
         system->rows[k] = system->units[k] = sqrt(least);
 }

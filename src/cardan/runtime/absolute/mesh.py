@@ -314,6 +314,12 @@ class Mesh:
         shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
         return {name: _assembled(found[name], shapes[name]) for name in PARTS}
 
+    def values(self, at: State, shares: tuple[float, float, float]) -> Array:
+        """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
+        out, memory = np.empty(self.plan.pattern.values), np.empty(self.work)
+        self._call("values", at, _at(np.array(shares, float)), _at(out), room=memory)
+        return out
+
     def rates(self, q: Array, u: Array) -> Array:
         """qdot (nq,)."""
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
