@@ -8,15 +8,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import __version__, topology
 from .codegen import generate, layout, manifest
+from .equations.absolute.lowering import lowered
+from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
 from .equations.choice import chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
-from .errors import BuildError, DerivationError, SolveWarning
+from .errors import BuildError, DerivationError, SolveWarning, near
 from .runtime import folder as cache
 from .runtime.compiled import CompiledModel
 
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from .model import Model
     from .topology.system import Named, System
 
+COORDINATES = ("auto", "relative", "absolute")
 # what compile() may be asked for unless functions= says otherwise
 STANDARD = (
     "rhs",
@@ -66,21 +69,44 @@ STANDARD = (
 )
 
 
+@overload
 def derive(
     scene: Model,
-    coordinates: str = "relative",
+    coordinates: Literal["auto", "relative"] = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
-) -> Equations:
+) -> Equations: ...
+
+
+@overload
+def derive(
+    scene: Model,
+    coordinates: Literal["absolute"],
+    *,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+) -> Absolute: ...
+
+
+def derive(
+    scene: Model,
+    coordinates: str = "auto",
+    method: str = "auto",
+    speeds: Mapping[str, Any] | None = None,
+    rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    constraints: str | Treatment = "auto",
+    branches: Mapping[str, str] | None = None,
+) -> Equations | Absolute:
     """Equations of motion of a scene.
 
     Args:
         scene: The model.
-        coordinates: ``"relative"``: joint coordinates over the spanning tree.
+        coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
+            body has six of its own and joints hold them, element by element; ``"auto"``: relative.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
@@ -99,14 +125,22 @@ def derive(
             default what is nearest to the initial values of its joints.
 
     Returns:
-        The record that says everything else: matrices, counts, functions.
+        The record that says everything else: matrices, counts, functions; in absolute coordinates
+        the kinds of elements, their members and functions.
 
     Raises:
         ModelError, TopologyError: the scene is at fault.
         DerivationError: no such method, or it does not take this system.
     """
-    if coordinates != "relative":
-        raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
+    if coordinates not in COORDINATES:
+        raise DerivationError(
+            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
+        )
+    if coordinates == "absolute":
+        given: dict[str, object] = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        given["method"] = None if method == "auto" else method
+        given["constraints"] = None if constraints == "auto" else constraints
+        return _absolute(scene, specialize, [name for name, x in given.items() if x is not None])
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
@@ -120,8 +154,22 @@ def derive(
     return replace(found, free=topology.build(scene)) if specialize else found
 
 
+def _absolute(scene: Model, specialize: Any, given: Sequence[str]) -> Absolute:
+    """Equations in absolute coordinates.
+
+    Raises:
+        DerivationError: options of joint coordinates.
+    """
+    if given:
+        raise DerivationError(
+            f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
+            "out, or take coordinates='relative'"
+        )
+    return lowered(topology.build(scene, specialize))
+
+
 def compile(
-    scene: Model | Equations,
+    scene: Model | Equations | Absolute,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
     *,
@@ -223,20 +271,25 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
         warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
-def _derived(scene: Model | Equations, **options: Any) -> Equations:
+def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, Equations):
-        return derive(scene, **given)
-    if given:
+    made = isinstance(scene, (Equations, Absolute))
+    found = scene if isinstance(scene, (Equations, Absolute)) else derive(scene, **given)
+    if isinstance(found, Absolute):
+        raise DerivationError(
+            f"'{found.system.name}': equations in absolute coordinates are derived, but not "
+            "compiled. Use coordinates='relative'"
+        )
+    if made and given:
         raise DerivationError(
             f"{', '.join(given)}: the equations are derived already; give it to derive()"
         )
-    return scene
+    return found
 
 
 def fingerprint(equations: Equations, loops: bool | None = None) -> str:

@@ -31,6 +31,8 @@ def lowered(system: System) -> Absolute:
     places = Places([scene.name(key) for key in scene.places], kinds, numbers)
     at = {key: k for k, key in enumerate(scene.places)}
     found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
+    # elements that do nothing are left out
+    found = [(kind, members) for kind, members in found if kind.functions]
     units = {entry.name: entry.unit for entry in system.outputs}
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
