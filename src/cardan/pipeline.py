@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import __version__, topology
 from .codegen import generate, layout, manifest, mesh
@@ -20,13 +20,14 @@ from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
 from .errors import BuildError, DerivationError, SolveWarning, near
 from .runtime import folder as cache
-from .runtime.absolute import evaluated as elements
+from .runtime.absolute.evaluated import FUNCTIONS as OF_ELEMENTS
 from .runtime.compiled import CompiledModel
 
 if TYPE_CHECKING:
     from .model import Model
     from .topology.system import Named, System
 
+COORDINATES = ("auto", "relative", "absolute")
 # what compile() may be asked for unless functions= says otherwise
 STANDARD = (
     "rhs",
@@ -69,8 +70,26 @@ STANDARD = (
 )
 
 
-# how a scene may be told; "auto": absolute where it has beams
-COORDINATES = ("auto", "relative", "absolute")
+@overload
+def derive(
+    scene: Model,
+    coordinates: Literal["auto", "relative"] = "auto",
+    method: str = "auto",
+    speeds: Mapping[str, Any] | None = None,
+    rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    constraints: str | Treatment = "auto",
+    branches: Mapping[str, str] | None = None,
+) -> Equations: ...
+
+
+@overload
+def derive(
+    scene: Model,
+    coordinates: Literal["absolute"],
+    *,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+) -> Absolute: ...
 
 
 def derive(
@@ -87,9 +106,8 @@ def derive(
 
     Args:
         scene: The model.
-        coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``:
-            poses of bodies and nodes, element by element, with all joints as constraints;
-            ``"auto"``: absolute where the scene has beams.
+        coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
+            body has six of its own and joints hold them, element by element; ``"auto"``: relative.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
@@ -108,7 +126,8 @@ def derive(
             default what is nearest to the initial values of its joints.
 
     Returns:
-        The record that says everything else: matrices, counts, functions.
+        The record that says everything else: matrices, counts, functions; in absolute coordinates
+        the kinds of elements, their members and functions.
 
     Raises:
         ModelError, TopologyError: the scene is at fault.
@@ -118,12 +137,15 @@ def derive(
         raise DerivationError(
             f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
         )
+    if coordinates == "absolute":
+        given: dict[str, object] = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        given["method"] = None if method == "auto" else method
+        given["constraints"] = None if constraints == "auto" else constraints
+        return _absolute(scene, specialize, [name for name, x in given.items() if x is not None])
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
-    if coordinates == "absolute":
-        return _absolute(system, method, speeds, constraints)
     if system.closures:
         system = with_branches(system)
     chosen: tuple[Named, ...] = ()
@@ -131,6 +153,20 @@ def derive(
         chosen, method = topology.named_speeds(scene, system, speeds), "kane"
     found = chosen_by(system, method, chosen, rewrites, treatment(constraints))
     return replace(found, free=topology.build(scene)) if specialize else found
+
+
+def _absolute(scene: Model, specialize: Any, given: Sequence[str]) -> Absolute:
+    """Equations in absolute coordinates.
+
+    Raises:
+        DerivationError: options of joint coordinates.
+    """
+    if given:
+        raise DerivationError(
+            f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
+            "out, or take coordinates='relative'"
+        )
+    return lowered(topology.build(scene, specialize))
 
 
 def compile(
@@ -177,7 +213,7 @@ def compile(
         branches=branches,
     )
     if isinstance(equations, Absolute):
-        return _compiled_elements(equations, directory, threads)
+        return _of_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -238,34 +274,18 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
         warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
-def _absolute(
-    system: System,
-    method: str,
-    speeds: Mapping[str, Any] | None,
-    constraints: str | Treatment,
-) -> Absolute:
-    """A system in absolute coordinates.
-
-    Raises:
-        DerivationError: options of relative coordinates.
-    """
-    if method != "auto" or speeds or constraints not in ("auto", "multipliers"):
-        raise DerivationError(
-            "method=, speeds= and constraints= are choices of relative coordinates; in absolute "
-            "ones every joint is a constraint with multipliers"
-        )
-    return lowered(system)
-
-
-def _compiled_elements(
+def _of_elements(
     equations: Absolute, directory: str | Path | None, threads: int | None
 ) -> CompiledModel:
-    """The model of equations element by element: C of its kinds of elements, and tables."""
+    """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
     try:
-        mesh.write(folder, equations, elements.FUNCTIONS)
+        mesh.write(folder, equations, OF_ELEMENTS)
     except OSError as error:
-        raise _unwritable(folder, error) from error
+        if directory is not None:
+            raise _unwritable(folder, error) from error
+        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
+        mesh.write(folder, equations, OF_ELEMENTS)
     cache.used(folder)
     return CompiledModel(folder, threads=threads)
 
@@ -277,7 +297,7 @@ def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations |
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, Equations | Absolute):
+    if not isinstance(scene, (Equations, Absolute)):
         return derive(scene, **given)
     if given:
         raise DerivationError(

@@ -98,7 +98,7 @@ def numbers(absolute: Absolute) -> bytes:
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
-            values = getattr(group, name, None)
+            values = getattr(group, name)
             if values is not None:
                 tables[f"{name}_{k}"] = values
     room = io.BytesIO()
@@ -144,8 +144,8 @@ def _kind(kind: Kind) -> dict[str, Any]:
         "nu": kind.nu,
         "m": kind.m,
         "mp": kind.mp,
-        "nz": len(getattr(kind, "internals", ())),
-        "ns": len(getattr(kind, "modes", ())),
+        "nz": len(kind.internals),
+        "ns": len(kind.modes),
         "functions": {name: f.name for name, f in kind.functions.items()},
         "parts": _parts(kind.functions),
     }

@@ -15,8 +15,8 @@ from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
-from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
 from .generated import Generated, Source
+from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
 from .loaded import LoadedFunction
 from .objects import Key, Objects, Provide
 from .parameters import Parameters

@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from cardan.equations.absolute.lowering import lowered
 from cardan.equations.absolute.record import Absolute
+from cardan.equations.blocks import defaults
 from cardan.ir.interpreter import evaluate
 from equations.absolute.reference import Reference
 from laws.cases import values
@@ -33,7 +34,9 @@ class Both:
 
     def call(self, function: str, of: str | None = None, **given: Any) -> dict[str, Any]:
         """A function of the relative formulation at one state."""
-        blocks = values(self.relative, t=[TIME], **given)
+        start = defaults(self.relative.system)
+        states = {"z": start["z"], "s": start["s"]}
+        blocks = values(self.relative, t=[TIME], **(states | given))
         return evaluate(self.relative.function(function, of), blocks, "numpy")
 
     def at(self, q: Array, u: Array) -> State:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from cardan.equations.absolute.record import Absolute, Group
+from cardan.equations.blocks import defaults
 from cardan.ir.interpreter import evaluate
 
 Array = np.ndarray
@@ -49,6 +50,12 @@ class Reference:
     def inputs(self) -> Array:
         given = [entry.default for entry in self.scene.system.inputs]
         return np.array(given if self.r is None else self.r)
+
+    @property
+    def states(self) -> tuple[Array, Array]:
+        """z and s."""
+        start = defaults(self.scene.system)
+        return (start["z"] if self.z is None else self.z, start["s"] if self.s is None else self.s)
 
     def data(self, group: Group) -> Array:
         """p of every member (n, k)."""
@@ -89,8 +96,8 @@ class Reference:
             "p": self.data(group),
             "udot": udot[at],
             "lam": lam[self.rows(group)],
-            "z": none if group.z is None else self.z[group.z],
-            "s": none if group.s is None else self.s[group.s],
+            "z": none if group.z is None else self.states[0][group.z],
+            "s": none if group.s is None else self.states[1][group.s],
         }
         made = group.kind.functions[function]
         found = evaluate(made, values, "numpy")

@@ -168,7 +168,7 @@ class _Builder:
         self.k, self.d = context.k, context.d
 
     def made(self) -> dict[str, tuple[Output, ...]]:
-        """Those that are not zero throughout."""
+        """Those that are not zero throughout; outputs are there whatever they are."""
         found = {
             "balance": self._balance(),
             "balance_tangent": self._tangent(),
@@ -183,7 +183,7 @@ class _Builder:
         return {
             name: results
             for name, results in found.items()
-            if any(node != ZERO for output in results for node in output.nodes)
+            if any(node != ZERO or name == "outputs" for o in results for node in o.nodes)
         }
 
     def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:

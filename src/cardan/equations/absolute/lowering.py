@@ -31,7 +31,8 @@ def lowered(system: System) -> Absolute:
     places = Places([scene.name(key) for key in scene.places], kinds, numbers)
     at = {key: k for k, key in enumerate(scene.places)}
     found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
-    units = {entry.name: entry.unit for entry in system.outputs}
+    # elements that do nothing are left out
+    found = [(kind, members) for kind, members in found if kind.functions]
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
     groups, row = list[Group](), 0
@@ -51,7 +52,7 @@ def lowered(system: System) -> Absolute:
         frames=_frames(scene, at),
         joints=joints,
         states=states(scene),
-        results=tuple((name, units.get(name) or _force_unit(system, name)) for name in results),
+        results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
     )
 
@@ -179,7 +180,10 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
     return Frames(np.array(place, dtype=np.intp), poses)
 
 
-def _force_unit(system: System, name: str) -> str:
-    """Unit of a driving force ``<joint>.force``."""
+def _unit(system: System, name: str) -> str:
+    """Unit of an output, or of a driving force ``<joint>.force``."""
+    for entry in system.outputs:
+        if entry.name == name:
+            return entry.unit
     joint = next(j for j in system.joints if f"{j.name}.force" == name)
     return "N" if joint.element.speeds[0].unit == "m/s" else "N*m"

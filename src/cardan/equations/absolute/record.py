@@ -13,13 +13,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...topology.system import System
+from ..counts import Counts
+from ..record import Equations
+from .overview import overview
 
 Integers: TypeAlias = NDArray[np.intp]
 Numbers: TypeAlias = NDArray[np.float64]
@@ -270,6 +274,50 @@ class Absolute:
     def kinds(self) -> tuple[Kind, ...]:
         """The kinds of elements, once each."""
         return tuple({group.kind.name: group.kind for group in self.groups}.values())
+
+    def function(self, kind: str, name: str) -> Function:
+        """A function of a kind of element as expressions.
+
+        Args:
+            kind: Such as ``"revolute"``; see :attr:`kinds`.
+            name: Such as ``"balance"``.
+
+        Raises:
+            DerivationError: there is no such kind, or it has no such function.
+        """
+        known = {own.name: own for own in self.kinds}
+        if kind not in known:
+            listed = near(kind, known).replace(" Known:", " Kinds:")
+            raise DerivationError(f"kind of element '{kind}' does not exist.{listed}")
+        functions = known[kind].functions
+        if name not in functions:
+            raise DerivationError(
+                f"elements of kind '{kind}' have no function '{name}'.{near(name, functions)}"
+            )
+        return functions[name]
+
+    @cached_property
+    def operations(self) -> dict[str, Counts]:
+        """Operators of the balance and its tangent by C name, for one member at every call."""
+        return {
+            kind.c_name(name): Counts(kind.functions[name])
+            for kind in self.kinds
+            for name in ("balance", "balance_tangent")
+            if name in kind.functions
+        }
+
+    def __str__(self) -> str:
+        return overview(self)
+
+    def __getattr__(self, name: str) -> NoReturn:
+        # what joint coordinates offer is named with the call that gives it
+        if name.startswith("_") or not hasattr(Equations, name):
+            raise AttributeError(f"'Absolute' object has no attribute '{name}'")
+        raise DerivationError(
+            f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
+            f"elements have functions, see .kinds. Joint coordinates have it: "
+            f"derive(scene, coordinates='relative').{name}"
+        )
 
     @property
     def sources(self) -> tuple[str, ...]:

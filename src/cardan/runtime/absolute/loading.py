@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -81,5 +80,3 @@ def load(model: CompiledModel) -> Mesh:
     codes = {s: model._objects.keep(s) if c.fresh else c for s, c in codes.items()}
     data = [data_of(model, group) for group in found.groups]
     return Mesh(found, codes, data, model._kernels())
-
-

@@ -50,7 +50,9 @@ def together(pattern: Pattern) -> tuple[Longs, Longs]:
     number = np.full(nb, -1)
     number[speed] = vertices
     rank = np.full(nb, -1)
-    rank[names] = _ranks(elimination(graph(len(names), number[rows[among]], number[columns[among]])))
+    rank[names] = _ranks(
+        elimination(graph(len(names), number[rows[among]], number[columns[among]]))
+    )
     # with the order known, everything finds its place
     home = np.where(node, np.arange(nb), -1)
     light = light & ~node

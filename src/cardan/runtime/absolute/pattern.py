@@ -160,7 +160,7 @@ def _blocks(group: int, clique: ArrayLike, nb: int) -> Longs:
     blocks = np.asarray(clique, np.int64)
     if blocks.ndim != 2:
         raise ArgumentError(f"cliques of group {group}: shape {blocks.shape} instead of (n, k)")
-    if blocks.size and not (0 <= blocks.min() and blocks.max() < nb):
+    if blocks.size and not (blocks.min() >= 0 and blocks.max() < nb):
         raise ArgumentError(
             f"cliques of group {group}: blocks {blocks.min()} to {blocks.max()}, there are {nb}"
         )
