@@ -298,7 +298,8 @@ def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations |
     """
     given = {name: x for name, x in options.items() if x is not None}
     if not isinstance(scene, (Equations, Absolute)):
-        return derive(scene, **given)
+        found: Equations | Absolute = derive(scene, **given)
+        return found
     if given:
         raise DerivationError(
             f"{', '.join(given)}: the equations are derived already; give it to derive()"

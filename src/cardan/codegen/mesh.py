@@ -192,7 +192,7 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
     """Rows of the places, which histories and initial values know by name."""
     places = absolute.places
     known = {joint.name: joint for joint in absolute.system.joints}
-    rows = []
+    rows: list[dict[str, Any]] = []
     for k, (name, kind_of) in enumerate(zip(places.names, places.kind, strict=True)):
         kind, joint = places.kinds[kind_of], known.get(name)
         quaternion = kind.quaternion

@@ -63,9 +63,9 @@ class Closing:
         """The functions of the model that project."""
         if not self.rows:
             return ()
-        names = ("close_position", "close_velocity", "constraint_jacobian")
-        names = names if self.watched else names[:2]
-        return names if self.positions else names[1:]
+        watch = ("constraint_jacobian",) if self.watched else ()
+        close = ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+        return (*close, *watch)
 
     def ledger(self, numbers: Array) -> Ledger | None:
         """The ledger of a run from its numbers (4 (positions + rates),)."""

@@ -60,8 +60,8 @@ class Assembled(Source):
         address = code.address
         # runs hand the address of the record on as prepared parameters
         record = results.mesh.record
-        raw = (ctypes.c_char * ctypes.sizeof(record)).from_address(ctypes.addressof(record))
-        w = np.frombuffer(raw, dtype=np.float64)
+        count = ctypes.sizeof(record) // 8
+        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
         caller = Caller(
             f"{name}('{of}')" if of else name,
             address,

@@ -219,6 +219,7 @@ class Results:
         having = [group for group in self.tables.groups if form in group.kind.functions]
         for group, rows in zip(having, self.mesh.results(form, at), strict=True):
             which = group.outputs if form == "outputs" else group.powers
+            assert which is not None
             np.add.at(total, which, rows)
         return total
 

@@ -138,7 +138,7 @@ class Tables:
 
     @cached_property
     def rows(self) -> tuple[Integers, ...]:
-        """Of every group (n, 2): first row of positions, first of the others, which follow those."""
+        """Of every group (n, 2): first row of positions, first of the others behind those."""
         found, position, other = [], 0, self.mp
         for group in self.groups:
             kind, each = group.kind, np.arange(len(group), dtype=np.intp)
