@@ -67,7 +67,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
         "scene": {"parents": [], "kinds": [], "rotations": [], "forces": [], "unknown": []},
         "mesh": {
             "places": [_place(kind) for kind in places.kinds],
-            "kinds": [_kind(kind) for kind in absolute.kinds],
+            "kinds": [_kind(kind, absolute.groups) for kind in absolute.kinds],
             "groups": [_group(group) for group in absolute.groups],
             "frames": "frames__data",
             "states": absolute.states.name,
@@ -137,15 +137,16 @@ def _place(kind: BlockKind) -> dict[str, Any]:
     }
 
 
-def _kind(kind: Kind) -> dict[str, Any]:
+def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
+    group = next(group for group in groups if group.kind.name == kind.name)
     return {
         "name": kind.name,
         "nq": kind.nq,
         "nu": kind.nu,
         "m": kind.m,
         "mp": kind.mp,
-        "nz": len(kind.internals),
-        "ns": len(kind.modes),
+        "nz": 0 if group.z is None else group.z.shape[1],
+        "ns": 0 if group.s is None else group.s.shape[1],
         "functions": {name: f.name for name, f in kind.functions.items()},
         "parts": _parts(kind.functions),
     }

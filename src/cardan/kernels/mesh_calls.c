@@ -83,6 +83,7 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = mesh_of(in);
     const cardan_state at = state_of(in);
+    /* behind what is worked with */
     real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
     int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
 
@@ -165,6 +166,13 @@ int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const re
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
 {
     cardan_mesh_system system;
+    ptrdiff_t most = mesh->work;
 
-    return cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
+    /* q and T of a place */
+    for (ptrdiff_t k = 0; k < mesh->mover_count; k++) {
+        const cardan_movers *movers = &mesh->movers[k];
+        if (most < mesh->work + movers->nq + movers->nu * movers->nu)
+            most = mesh->work + movers->nq + movers->nu * movers->nu;
+    }
+    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
 }

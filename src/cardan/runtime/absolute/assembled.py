@@ -50,7 +50,8 @@ class Assembled(Source):
             model._functions[name, of] = self._function(model, name, of)
 
     def mesh(self, model: CompiledModel) -> int:
-        """Address of the tables."""
+        """Address of the tables, with what methods ask of elements themselves."""
+        self.results(model).mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(self.results(model).mesh.record)
 
     def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from ...errors import ModelError
 from ..calling import Array
+from ..objects import Code
 from .mesh import Mesh
 from .tables import Kind, PlaceKind, Table, Tables
 
@@ -73,10 +75,13 @@ def data_of(model: CompiledModel, group: Table) -> Array:
 def load(model: CompiledModel) -> Mesh:
     """The elements of a model at its parameters, ready to be asked."""
     found = tables(model.manifest, model.directory)
-    symbols = [c for group in found.groups for c in group.kind.functions.values()]
-    symbols += [c for kind in found.kinds for c in kind.functions.values()]
-    symbols = list(dict.fromkeys(symbols))
-    codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
-    codes = {s: model._objects.keep(s) if c.fresh else c for s, c in codes.items()}
+    objects = model._objects
+
+    def codes(symbols: Sequence[str]) -> dict[str, Code]:
+        """Functions of elements, several compiled at once."""
+        wanted = list(dict.fromkeys(symbols))
+        loaded = zip(wanted, objects.load(wanted), strict=True)
+        return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
+
     data = [data_of(model, group) for group in found.groups]
-    return Mesh(found, codes, data, model._kernels())
+    return Mesh(found, model.manifest["functions"], codes, data, model._kernels())

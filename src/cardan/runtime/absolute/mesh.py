@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -21,12 +20,25 @@ from ..slots import ORDER
 from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .solver import plan_record
-from .tables import Table, Tables
+from .tables import Kind, Table, Tables
 
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
 WORTH = 8
-LINE = "line"
+# what functions of the whole mesh ask of the elements
+SOLVED = ("balance", "balance_tangent", "gamma")
+NEEDED = {
+    "balance": ("balance",),
+    "gamma": ("gamma",),
+    "accelerations": SOLVED,
+    "rhs": SOLVED,
+    "values": ("balance_tangent",),
+    "close_position": ("balance", "balance_tangent"),
+    "close_velocity": ("balance", "balance_tangent"),
+    "energy": ("energy",),
+    "qdot": (),
+    "move": (),
+}
 
 
 @dataclass(frozen=True)
@@ -55,7 +67,8 @@ class Mesh:
 
     Args:
         tables: Places and elements.
-        codes: C name -> loaded function.
+        entries: C name -> what the manifest says about a function.
+        load: C names -> loaded functions.
         data: Of every group (n, k).
         library: The kernels.
     """
@@ -63,19 +76,22 @@ class Mesh:
     def __init__(
         self,
         tables: Tables,
-        codes: Mapping[str, Code],
+        entries: Mapping[str, Mapping[str, Any]],
+        load: Callable[[Sequence[str]], Mapping[str, Code]],
         data: Sequence[Array],
         library: ctypes.CDLL,
     ) -> None:
         self.tables = tables
         self.library = library
         self._keep: list[Any] = []
-        self._codes = codes
+        self._load = load
+        self._data = data
+        self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
+        self._connected: set[str] = set()
         self._width = lane_builds.width()
-        self._local = self._work = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
         for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
-            self._group(record, group, number, data[number])
+            self._group(record, group, number)
         movers = self._movers()
         self._keep += [groups, movers]
         self.record = MeshRecord(
@@ -94,16 +110,15 @@ class Mesh:
             groups=ctypes.addressof(groups),
             movers=ctypes.addressof(movers),
             lanes=self._width,
-            work=self._work,
-            local=self._local,
+            work=max((int(e["work_size"]) for e in entries.values()), default=0),
+            local=max((_local(group.kind, entries) for group in tables.groups), default=0),
         )
         self._sparse()
         poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
         nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
         self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
-        most = max((kind.nq + kind.nu**2 for kind in tables.kinds), default=0)
-        self._room = np.empty(max(library.cardan_mesh_room(self.reference), most + self._work))
+        library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
 
     @property
     def reference(self) -> Any:
@@ -119,7 +134,7 @@ class Mesh:
         self._keep.append(array)
         return array.ctypes.data
 
-    def _group(self, record: Group, group: Table, number: int, data: Array) -> None:
+    def _group(self, record: Group, group: Table, number: int) -> None:
         """Fill in the record of a group."""
         kind, tables = group.kind, self.tables
         record.count, record.places = len(group), group.place.shape[1]
@@ -130,18 +145,27 @@ class Mesh:
         record.z, record.s = self._pointer(group.z), self._pointer(group.s)
         parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
         record.parts = self._pointer(parts)
-        reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
-        for k, name in enumerate(FORMS):
-            if name in kind.functions:
-                self._form(record.forms[k], self._codes[kind.functions[name]], data, reads)
 
-    def _form(self, form: Form, code: Code, data: Array, reads: int) -> None:
+    def connect(self, *forms: str) -> None:
+        """Load functions of all elements that are not there yet; those of one call side by side."""
+        missing = [name for name in forms if name not in self._connected]
+        if not missing:
+            return
+        groups = self.tables.groups
+        having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
+        self._codes |= self._load([group.kind.functions[name] for group, name in having])
+        for record, group, data in zip(self._groups, groups, self._data, strict=False):
+            for name in missing:
+                if name in group.kind.functions:
+                    form = record.forms[FORMS.index(name)]
+                    self._form(form, self._codes[group.kind.functions[name]], data)
+        self._connected.update(missing)
+
+    def _form(self, form: Form, code: Code, data: Array) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry["output_size"])
-        self._local = max(self._local, reads + form.size)
-        self._work = max(self._work, int(code.entry["work_size"]))
         if len(data) < WORTH or self._width == 1 or code.recipe is None:
             return
         if self._width not in code.entry["lanes"]:
@@ -168,7 +192,6 @@ class Mesh:
                     setattr(record, field, code.address)
                     w = prepare(code, np.zeros(0))
                     setattr(record, f"w_{field}", self._pointer(w))
-                    self._work = max(self._work, int(code.entry["work_size"]))
         return movers
 
     def _sparse(self) -> None:
@@ -217,21 +240,20 @@ class Mesh:
 
     def closure(self, name: str) -> int:
         """Address of the C function of the whole mesh."""
+        self.connect(*NEEDED[name])
         function = getattr(self.library, f"cardan_mesh_call_{name}")
         return ctypes.cast(function, ctypes.c_void_p).value or 0
 
-    @cached_property
+    @property
     def work(self) -> int:
         """Numbers of work memory that functions of the whole mesh need."""
-        function = self.library.cardan_mesh_call_work
-        function.restype = ctypes.c_ssize_t
-        return int(function(self.reference))
+        return int(self.library.cardan_mesh_call_work(self.reference))
 
     def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
         """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
-        memory, out = np.empty(self.work), np.empty(self.tables.nu + self.tables.m)
+        out = np.empty(self.tables.nu + self.tables.m)
         more = None if tau is None else _at(np.ascontiguousarray(tau))
-        self._call("accelerations", at, more, _at(out), room=memory)
+        self._call("accelerations", at, more, _at(out))
         udot, lam = np.split(out, [self.tables.nu])
         return udot, lam
 
@@ -244,10 +266,11 @@ class Mesh:
         pointers = {name: x.ctypes.data for name, x in held.items()}
         return StateRecord(t=at.t, **pointers), list(held.values())
 
-    def _call(self, name: str, at: State, *arguments: Any, room: Array | None = None) -> None:
+    def _call(self, name: str, at: State, *arguments: Any) -> None:
+        self.connect(*NEEDED.get(name, ()))
         record, held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
-        memory = self._room if room is None else room
+        memory = np.empty(self.work)
         status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
         del held
         if status:
@@ -284,11 +307,13 @@ class Mesh:
     def total(self, form: str, size: int, at: State) -> Array:
         """Sum (size,) of a function over the elements: ``energy``, ``momentum``, ``power``."""
         out = np.empty(size)
+        self.connect(form)
         self._call("sum", at, FORMS.index(form), ctypes.c_ssize_t(size), _at(out))
         return out
 
     def results(self, form: str, at: State) -> list[Array]:
         """Of every group that has the function the results of its elements (n, size)."""
+        self.connect(form)
         k = FORMS.index(form)
         with_it = [g for g in self.tables.groups if form in g.kind.functions]
         sizes = [int(self._codes[g.kind.functions[form]].entry["output_size"]) for g in with_it]
@@ -316,22 +341,31 @@ class Mesh:
 
     def values(self, at: State, shares: tuple[float, float, float]) -> Array:
         """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
-        out, memory = np.empty(self.plan.pattern.values), np.empty(self.work)
-        self._call("values", at, _at(np.array(shares, float)), _at(out), room=memory)
+        out, given = np.empty(self.plan.pattern.values), np.array(shares, float)
+        self._call("values", at, _at(given), _at(out))
         return out
 
     def rates(self, q: Array, u: Array) -> Array:
         """qdot (nq,)."""
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
-        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, self._room)))
+        memory = np.empty(self.work)
+        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, memory)))
         return out
 
     def move(self, q: Array, du: Array) -> Array:
         """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
         out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
-        arguments = (_at(q), _at(du), _at(out), None, _at(self._room))
+        memory = np.empty(self.work)
+        arguments = (_at(q), _at(du), _at(out), None, _at(memory))
         self.library.cardan_mesh_move(self.reference, *arguments)
         return out
+
+
+def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
+    """Numbers that an element reads, and gives at most."""
+    reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
+    return reads + max(sizes, default=0)
 
 
 def _at(array: Array) -> ctypes.c_void_p:
