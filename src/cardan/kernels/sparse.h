@@ -49,7 +49,6 @@ typedef struct cardan_sparse {
     ptrdiff_t supernodes;
     ptrdiff_t factors;    /* numbers of the factors */
     ptrdiff_t widest;     /* unknowns of the largest supernode */
-    ptrdiff_t tallest;    /* unknowns of the longest row block of a, or of U */
     /* the matrix */
     const int32_t *first;  /* blocks + 1: the first unknown of a block */
     const int32_t *row;    /* blocks + 1: where its list begins in `column` */
@@ -87,7 +86,7 @@ typedef struct cardan_sparse_factors {
     int32_t count;         /* asks for the signs of eigenvalues of a symmetric matrix */
     int32_t weak;          /* how many pivots were replaced */
     int32_t singular;      /* the unknown of which nothing is known, or -1 */
-    int32_t positive;      /* eigenvalues by their signs, of the replaced matrix */
+    int32_t positive;      /* eigenvalues by their signs; the others are zero to rounding */
     int32_t negative;
 } cardan_sparse_factors;
 
@@ -115,6 +114,15 @@ void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const do
 double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_factors *f,
                             const double *a, const double *b, double enough, ptrdiff_t steps,
                             double *x, double *room);
+
+/* y, in order of elimination and in units, becomes the solution for the right-hand side y. */
+void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_factors *f, int turned,
+                              double *y);
+
+/* Count the signs of the eigenvalues of a symmetric D (n x n) of a panel in f. work: n numbers, up
+ * to which diagonals are zero, and n n others. */
+void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
+                         cardan_sparse_factors *f);
 
 /* The logarithm of |det a|; its sign, 1 or -1. Replaced pivots count as they are. */
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
