@@ -67,13 +67,17 @@ static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
 }
 
 /* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
-static int replace(const cardan_sparse *plan, ptrdiff_t k, double *pivot, cardan_sparse_factors *f)
+static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row,
+                   cardan_sparse_factors *f)
 {
-    const int multiplier = plan->multiplier[k];
-    const double scale = f->scale[k];
-    const double small = REPLACEMENT * scale;
-    const double wanted = multiplier || *pivot < 0 ? -small : small;
+    const ptrdiff_t own = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
+    double *pivot = row + own, scale = f->scale[k], small, wanted;
 
+    /* where its panel holds nothing but zeros, what lies beside it gives the size */
+    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
+        scale = fmax(fabs(row[n + j]), fabs(row[plan->turned[s] + j]));
+    small = REPLACEMENT * scale;
+    wanted = plan->multiplier[k] || *pivot < 0 ? -small : small;
     if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
         f->singular = plan->order[k];
         return CARDAN_SINGULAR;
@@ -114,7 +118,7 @@ static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
         }
         if (!(most > noise)) {
             pivot = k;
-            if (replace(plan, place, row + k, f))
+            if (replace(plan, s, place, row, f))
                 return CARDAN_SINGULAR;
         }
         f->pivot[place] = (int32_t)pivot;

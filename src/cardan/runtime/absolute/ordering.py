@@ -1,9 +1,10 @@
 """In which order the blocks of a sparse matrix are eliminated, and which are eliminated together.
 
 Multipliers have no diagonal of their own: each is eliminated together with speeds its rows hold, so
-that pivots are found among the rows at hand. Rows that hold all motion of a node go with the first
-of their nodes to be eliminated, one set per node, as in the recursion over a tree of bodies; all
-others go with the last, when what is left of the earlier ones stands on their diagonal.
+that pivots are found among the rows at hand. Rows that hold all motion of a node go with that node,
+one set per node, as a joint goes with its body in a tree: the two are regular whatever else the node
+has. All others go with the last of their nodes, when what is left of the earlier ones stands on
+their diagonal.
 
 Source: J. A. George, J. W. Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981
 (minimum degree); X. S. Li, An overview of SuperLU, ACM TOMS 31 (2005).
@@ -16,7 +17,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array, csc_array, csr_array, diags_array
-from scipy.sparse.csgraph import connected_components, depth_first_order
+from scipy.sparse.csgraph import (
+    connected_components,
+    depth_first_order,
+    maximum_bipartite_matching,
+)
 from scipy.sparse.linalg import splu
 
 from .pattern import Longs, Pattern
@@ -86,20 +91,12 @@ def _settle(pattern: Pattern, rank: Longs, home: Longs) -> None:
     by_rank[rank[rank >= 0]] = np.flatnonzero(rank >= 0)
     last = by_rank[at]
     home[multiplier] = last[multiplier]
-    # rows that hold all motion of a node directly
+    # rows that hold all motion of a node directly: one set per node, as many as can be
     direct = touched & (home[columns] == columns) & (sizes[rows] >= sizes[columns])
-    pairs = np.stack([rank[columns[direct]], rows[direct]], 1)
-    pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-    free = np.zeros(len(sizes), bool)
-    free[rows[direct]] = True
-    starts = np.flatnonzero(np.diff(pairs[:, 0], prepend=-1))
-    for held in np.split(pairs, starts[1:]) if len(pairs) else ():
-        node = by_rank[held[0, 0]]
-        mine = [row for row in held[:, 1] if free[row]]
-        due = [row for row in mine if last[row] == node]
-        taken = due or sorted(mine, key=lambda row: (at[row], row))[:1]
-        for row in taken:
-            free[row], home[row] = False, node
+    offer = np.ones(int(direct.sum()))
+    offers = coo_array((offer, (rows[direct], columns[direct])), (len(sizes),) * 2).tocsr()
+    taken = maximum_bipartite_matching(offers, perm_type="column")
+    home[taken >= 0] = taken[taken >= 0]
 
 
 def graph(n: int, i: Longs, j: Longs) -> csr_array:
