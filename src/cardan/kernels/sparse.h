@@ -115,6 +115,12 @@ double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_facto
                             const double *a, const double *b, double enough, ptrdiff_t steps,
                             double *x, double *room);
 
+/* How much of the right-hand side b the replaced pivots carry in the solution x: nearly nothing where
+ * the matrix is regular, or singular but consistent; about 1 where there is no solution. The unknown
+ * that carries most is left in `unknown`, -1 if none does. */
+double cardan_sparse_carried(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                             const double *b, const double *x, int32_t *unknown);
+
 /* y, in order of elimination and in units, becomes the solution for the right-hand side y. */
 void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_factors *f, int turned,
                               double *y);

@@ -10,7 +10,7 @@
 #include "cardan.h"
 #include <stddef.h>
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
 typedef double cardan_eight __attribute__((vector_size(64), aligned(8), may_alias));
 typedef double cardan_four __attribute__((vector_size(32), aligned(8), may_alias));
 typedef double cardan_two __attribute__((vector_size(16), aligned(8), may_alias));
@@ -57,7 +57,7 @@ static inline void cardan_minus(ptrdiff_t n, double factor, const double *x, dou
 {
     ptrdiff_t j = 0;
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
     for (; j + 4 <= n; j += 4)
         *(cardan_four *)(y + j) -= factor * *(const cardan_four *)(x + j);
     if (j + 2 <= n) {
@@ -75,7 +75,7 @@ static inline double cardan_dot(ptrdiff_t n, const double *x, const double *y)
     double sum = 0;
     ptrdiff_t j = 0;
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
     cardan_two pair = {0};
     if (n >= 4) {
         cardan_four total = *(const cardan_four *)x * *(const cardan_four *)y;
@@ -118,7 +118,7 @@ static inline double cardan_dot(ptrdiff_t n, const double *x, const double *y)
         *(vector *)c -= sum;                                                                       \
     }
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
 CARDAN_TILES(cardan_six_eight, cardan_one_eight, cardan_eight)
 CARDAN_TILES(cardan_six_four, cardan_one_four, cardan_four)
 CARDAN_TILES(cardan_six_two, cardan_one_two, cardan_two)
@@ -127,7 +127,7 @@ typedef double cardan_single_number;
 CARDAN_TILES(cardan_six_single, cardan_one_single, cardan_single_number)
 #endif
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
 /* Columns j up to where no vector of this many fits any more. */
 #define CARDAN_STRIP(width, six, one)                                                              \
     for (; j + (width) <= columns; j += (width)) {                                                 \
@@ -146,7 +146,7 @@ static inline void cardan_product(ptrdiff_t rows, ptrdiff_t columns, ptrdiff_t n
 {
     ptrdiff_t j = 0;
 
-#ifdef __GNUC__
+#if CARDAN_PACK > 1
     CARDAN_STRIP(8, cardan_six_eight, cardan_one_eight)
     CARDAN_STRIP(4, cardan_six_four, cardan_one_four)
     CARDAN_STRIP(2, cardan_six_two, cardan_one_two)

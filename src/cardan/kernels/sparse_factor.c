@@ -66,6 +66,23 @@ static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
     cardan_sparse_signs(n, panel, plan->width[s], noise, f);
 }
 
+/* The row that is empty like column k: others are needed as pivots of columns to come. */
+static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double *panel,
+                          ptrdiff_t width)
+{
+    ptrdiff_t found = k;
+    double least = -1;
+
+    for (ptrdiff_t i = k; i < n; i++) {
+        double most = 0;
+        for (ptrdiff_t j = k; j < all; j++)
+            most = fmax(most, fabs(panel[i * width + j]));
+        if (least < 0 || most < least)
+            least = most, found = i;
+    }
+    return found;
+}
+
 /* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
 static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row,
                    cardan_sparse_factors *f)
@@ -117,8 +134,8 @@ static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
                 most = size, pivot = i;
         }
         if (!(most > noise)) {
-            pivot = k;
-            if (replace(plan, s, place, row, f))
+            pivot = emptiest(k, n, all, panel, width);
+            if (replace(plan, s, place, panel + pivot * width, f))
                 return CARDAN_SINGULAR;
         }
         f->pivot[place] = (int32_t)pivot;

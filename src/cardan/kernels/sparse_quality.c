@@ -77,6 +77,23 @@ double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_facto
     return error;
 }
 
+double cardan_sparse_carried(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                             const double *b, const double *x, int32_t *unknown)
+{
+    double most = 0, size = 0;
+
+    *unknown = -1;
+    for (ptrdiff_t w = 0; w < f->weak; w++) {
+        const int32_t i = plan->order[f->replaced[w]];
+        const double own = fabs(f->shift[w] * x[i]) / (f->columns ? f->columns[i] : 1);
+        if (!(own <= most))
+            most = own, *unknown = i;
+    }
+    for (ptrdiff_t i = 0; i < plan->n; i++)
+        size = fmax(size, fabs(f->rows ? f->rows[i] * b[i] : b[i]));
+    return *unknown < 0 ? 0 : most / size;
+}
+
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
                                  double *sign)
 {

@@ -1,10 +1,10 @@
 """In which order the blocks of a sparse matrix are eliminated, and which are eliminated together.
 
-Multipliers have no diagonal of their own: each is eliminated together with speeds its rows hold, so
-that pivots are found among the rows at hand. Rows that hold all motion of a node go with that node,
-one set per node, as a joint goes with its body in a tree: the two are regular whatever else the node
-has. All others go with the last of their nodes, when what is left of the earlier ones stands on
-their diagonal.
+Multipliers have no diagonal of their own: each is eliminated together with speeds that its rows
+hold, so that pivots are found among the rows at hand. Rows that hold all motion of a node go with
+that node, one set per node, as a joint goes with its body in a tree: the two are regular whatever
+else the node has. All others go with the last of their nodes, when what is left of the earlier ones
+stands on their diagonal.
 
 Source: J. A. George, J. W. Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981
 (minimum degree); X. S. Li, An overview of SuperLU, ACM TOMS 31 (2005).
@@ -79,7 +79,7 @@ def _last(nb: int, rows: Longs, columns: Longs, chosen: Bools, rank: Longs) -> L
     back = np.full(int(rank.max(initial=-1)) + 2, -1)
     back[rank] = np.arange(nb)
     back[-1] = -1
-    return back[at]
+    return np.asarray(back[at], np.int64)
 
 
 def _settle(pattern: Pattern, rank: Longs, home: Longs) -> None:

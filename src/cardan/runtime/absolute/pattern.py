@@ -89,7 +89,8 @@ def ranges(start: NDArray[Any], count: NDArray[Any]) -> Longs:
     """start[0], start[0] + 1, ... (count[0] numbers), start[1], ..."""
     ends = np.cumsum(count, dtype=np.int64)
     total = int(ends[-1]) if len(ends) else 0
-    return np.arange(total) + np.repeat(np.asarray(start, np.int64) - (ends - count), count)
+    moved = np.asarray(start, np.int64) - (ends - count)
+    return np.asarray(np.arange(total) + np.repeat(moved, count), np.int64)
 
 
 def pattern(
@@ -115,38 +116,35 @@ def pattern(
     nb = len(size)
     if size.size and size.min() < 0:
         raise ArgumentError(f"block {int(size.argmin())} has {size.min()} unknowns")
-    lam, light = (_mask(name, x, nb) for name, x in
-                  (("multiplier", multiplier), ("massless", massless)))  # fmt: skip
+    lam, light = _mask("multiplier", multiplier, nb), _mask("massless", massless, nb)
     groups = [_blocks(i, clique, nb) for i, clique in enumerate(cliques)]
     # pairs of blocks as numbers, and where the pairs of every element are among them
     keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
     absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
-    diagonal = np.flatnonzero(~lam) * (nb + 1)
-    pairs = np.unique(
-        np.concatenate([diagonal, *(k[~a] for k, a in zip(keys, absent, strict=True))])
-    )
-    rows, columns = np.divmod(pairs, max(nb, 1))
-    row = np.searchsorted(rows, np.arange(nb + 1))
-    # rows of a block one behind the other, each with the columns of all its pairs
+    wanted = [key[~without] for key, without in zip(keys, absent, strict=True)]
+    pairs = np.unique(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
+    row, column, value, stride = _laid(pairs, size)
+    found = [np.full(key.shape, -1, np.int32) for key in keys]
+    for place, key, without in zip(found, wanted, absent, strict=True):
+        place[~without] = value[np.searchsorted(pairs, key)]
+    first = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
+    return Pattern(first, lam, light & ~lam, row, column, value, stride, tuple(found))
+
+
+def _laid(pairs: Longs, size: Longs) -> tuple[Ints, Ints, Ints, Ints]:
+    """Row, column, value and stride of :class:`Pattern`: rows of a block one behind the other."""
+    rows, columns = np.divmod(pairs, max(len(size), 1))
+    row = np.searchsorted(rows, np.arange(len(size) + 1))
     before = np.concatenate([[0], np.cumsum(size[columns])])
     stride = np.diff(before[row])
-    if (stride * size).sum() > LARGEST:
-        raise ArgumentError(f"a matrix of {(stride * size).sum():,} numbers is too large")
-    at = np.cumsum(stride * size) - stride * size
-    value = at[rows] + before[:-1] - before[row[rows]]
-    places = tuple(
-        np.where(
-            a, -1, value[np.minimum(np.searchsorted(pairs, k), max(len(pairs) - 1, 0))]
-        ).astype(np.int32)
-        if k.size
-        else np.zeros(k.shape, np.int32)
-        for k, a in zip(keys, absent, strict=True)
-    )
-    first = np.concatenate([[0], np.cumsum(size)])
-    row, columns, value, stride, first = (
-        x.astype(np.int32) for x in (row, columns, value, stride, first)
-    )
-    return Pattern(first, lam, light & ~lam, row, columns, value, stride, places)
+    count = stride * size
+    if count.sum() > LARGEST:
+        raise ArgumentError(f"a matrix of {count.sum():,} numbers is too large")
+    value = (np.cumsum(count) - count)[rows] + before[:-1] - before[row[rows]]
+    return (
+        row.astype(np.int32), columns.astype(np.int32), value.astype(np.int32),
+        stride.astype(np.int32),
+    )  # fmt: skip
 
 
 def _mask(name: str, given: ArrayLike | None, nb: int) -> NDArray[np.bool_]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -235,7 +235,7 @@ def _padded(count: Longs) -> Longs:
 
 
 def _heads(begin: Longs, below: Longs, place: Longs) -> NDArray[np.bool_]:
-    """Which vertices begin a supernode: those that do not meet the same ones as their forerunner."""
+    """Which vertices begin a supernode: those that do not meet what their forerunner meets."""
     counts = np.diff(begin)
     nv = len(counts)
     parent = np.full(nv, -1)
@@ -303,6 +303,3 @@ def _targets(
     touched = np.arange(panels.count)
     np.minimum.at(touched, run[:, 3], np.repeat(np.arange(panels.count), count))
     return start, to, touched
-
-
-TABLES = tuple(field.name for field in fields(Plan) if field.type == "Ints")
