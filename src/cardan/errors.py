@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
+from typing import Any
 
 
 class CardanError(Exception):
@@ -38,6 +39,17 @@ class ArgumentError(CardanError, ValueError, TypeError):
     """An argument of a function is missing, or is not of the kind or shape it must have."""
 
 
+class FunctionError(ArgumentError):
+    """A function that the caller gave raised in a run, or gave no number.
+
+    Attributes:
+        motion: What ``simulate`` had computed until then, a :class:`cardan.Trajectory`; None
+            elsewhere.
+    """
+
+    motion: Any = None
+
+
 class SolveError(CardanError, ArithmeticError):
     """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
 
@@ -61,6 +73,19 @@ def listed(word: str, given: object, example: str) -> list[str]:
     if not all(isinstance(name, str) for name in found):
         raise ModelError(f"{word}={given!r}: give a list of names, such as ['{example}']")
     return [str(name) for name in found]
+
+
+def named(word: str, given: object, example: str) -> Mapping[str, Any]:
+    """Values by name, as the user gave them; nothing of None.
+
+    Raises:
+        ModelError: it is something else.
+    """
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
+        raise ModelError(f"{word}={given!r}: give names with values, such as {word}={{{example}}}")
+    return given
 
 
 def near(name: str, known: Iterable[str]) -> str:

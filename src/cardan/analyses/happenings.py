@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, named, near
 from ..runtime.compiled import CompiledModel
 from . import record as abi
 from .signals import checked
@@ -150,11 +150,8 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
-    if given is not None and not isinstance(given, Mapping):
-        raise ModelError(
-            f"events={given!r}: names with what to watch are wanted: events={{'a': f}}"
-        )
-    watches = [_watch(model, name, what) for name, what in (given or {}).items()]
+    watched = named("events", given, "'up': ('elbow', 0.5)")
+    watches = [_watch(model, name, what) for name, what in watched.items()]
     for watch in watches:
         if watch.name in taken:
             raise ModelError(f"events: the model has an event '{watch.name}': name yours otherwise")

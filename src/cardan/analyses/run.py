@@ -316,7 +316,8 @@ class Runner:
     def check(self) -> None:
         """Raise what an input function raised."""
         if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
-            raise self.error
+            error, self.error = self.error, None
+            raise error
 
     def slices(self) -> Iterator[int]:
         """Drive to the end in slices of about 10 ms; yields the answer of each."""

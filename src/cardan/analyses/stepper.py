@@ -10,7 +10,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, near
+from ..errors import FunctionError, ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
@@ -102,7 +102,8 @@ class Stepper:
         Raises:
             ModelError: an unknown input, no time, or backward over events that change something.
             SolveError: the motion broke down; the stepper is where it still was good. Or an event
-                has ended it.
+                has ended it. FunctionError: a function of ``events=`` raised; the stepper is where
+                it was before the step.
         """
         if not (math.isfinite(dt) and dt != 0):
             raise ModelError(f"dt={dt:g}: a step takes some time [s]")
@@ -111,7 +112,14 @@ class Stepper:
         self._set(inputs or {})
         start, end = self.t, self.t + dt
         self._runner.may.forward(start, end)
-        answer = self._runner.advance(end)
+        # what the caller watches may raise behind a step: go back to before it
+        before = self._runner.save() if self._runner.may.watches else None
+        try:
+            answer = self._runner.advance(end)
+        except FunctionError:
+            if before is not None:
+                self._runner.restore(before)
+            raise
         self._log = self._runner.happened
         run = self._runner.record
         if answer == abi.EVENT:

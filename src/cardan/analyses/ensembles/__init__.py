@@ -78,14 +78,13 @@ def ensemble(
     Args:
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s].
-        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,); its names are
-            coordinates, speeds, parameters or inputs.
+        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
+            names of coordinates, speeds, parameters or inputs.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.
-        parameters: Name -> number, values (runs,) or a distribution.
-        inputs: Name -> number, array (runs,), distribution; or, for all runs alike,
-            ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
+        parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
+            alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
         events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
             done one after the other in every thread, the others in lanes.
         runs: How many, where nothing else says so.
@@ -107,7 +106,8 @@ def ensemble(
 
     Raises:
         ModelError: unknown names, nothing that differs, a checkpoint of other runs.
-        ArgumentError: shapes that do not fit. SolveError: a number that is not finite; no room for
+        ArgumentError: shapes that do not fit. FunctionError: a function of yours raised; what a
+            checkpoint has stays there. SolveError: a number that is not finite; no room for
             the checkpoint; a run that failed, with ``check``.
         BuildError: a client whose machine builds other bits.
     """
@@ -120,11 +120,32 @@ def ensemble(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
+    hands, file = _hands(client, threads), _file(checkpoint)
     job = Job(model, how, given, may, over, made, kept)
     job = _settled(job, rtol) if method == "auto" else job
     job = replace(job, width=_width(job, lanes), build=build_key(model))
-    hands = Client(client) if client is not None else Threads(threads_of(threads))
-    return _judged(_computed(job, hands, checkpoint, progress), check)
+    return _judged(_computed(job, hands, file, progress), check)
+
+
+def _hands(client: Any, threads: Any) -> Threads | Client:
+    """Who computes.
+
+    Raises:
+        ModelError: no number of threads. ArgumentError: no client.
+    """
+    whole = isinstance(threads, int | np.integer) and not isinstance(threads, bool)
+    if threads is not None and (not whole or threads < 1):
+        raise ModelError(
+            f"threads={threads!r} is no number of threads: 1, 2, ..., or leave it out for all cores"
+        )
+    return Client(client) if client is not None else Threads(threads_of(threads))
+
+
+def _file(checkpoint: Any) -> Path | None:
+    """Where finished runs are kept."""
+    if checkpoint is None or isinstance(checkpoint, str | Path):
+        return None if checkpoint is None else Path(checkpoint)
+    raise ModelError(f"checkpoint={checkpoint!r}: name a file, such as 'runs.part'")
 
 
 def _observed(over: Span, kept: bool) -> Span:
@@ -203,11 +224,13 @@ def _told(reduction: Any) -> str:
     return repr(reduction) if function is None else f"{function.__module__}.{function.__qualname__}"
 
 
-def _computed(job: Job, hands: Threads | Client, checkpoint: Any, progress: Any) -> Ensemble:
+def _computed(
+    job: Job, hands: Threads | Client, checkpoint: Path | None, progress: Any
+) -> Ensemble:
     """All blocks, those of the checkpoint first."""
     gathered, left = Gathered(job), blocks(job)
     clock = time.perf_counter()
-    file = Checkpoint(Path(checkpoint), whose(job)) if checkpoint is not None else None
+    file = Checkpoint(checkpoint, whose(job)) if checkpoint is not None else None
     with closing(file) if file else nullcontext(), interruptible() as stop:
         for piece in file.pieces() if file else ():
             gathered.add(piece)
