@@ -43,6 +43,8 @@ LARGEST = 1024  # runs of a block
 ROOM = 16e6  # bytes of its rows
 SHARES = 16  # blocks at least, where runs suffice
 ALONE = 8  # runs of a block that are done one by one in Python
+AGAIN = "and the same call goes on from there"
+CURE = f"checkpoint= (--checkpoint FILE) keeps finished runs in a file, {AGAIN}"
 
 
 def ensemble(
@@ -235,13 +237,15 @@ def _computed(
         for piece in file.pieces() if file else ():
             gathered.add(piece)
             left.remove((piece.first, piece.last))
+        restored = gathered.done
         with showing(progress, job.model.name) as show:
             for piece in hands.pieces(job, left, stop) if left else ():
                 if file and not np.isin(piece.status, UNFINISHED).any():
                     file.add(piece)
                 gathered.add(piece)
                 show(gathered.done / job.varied.runs)
-    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands))
+    kept = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
+    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
 
 
 def _judged(result: Ensemble, check: bool) -> Ensemble:
@@ -250,8 +254,11 @@ def _judged(result: Ensemble, check: bool) -> Ensemble:
     if not failed:
         return result
     first = int(np.argmin(result.finished))
-    why = result.messages.get(first, "interrupted before it began")
-    text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
+    if result.interrupted:
+        text = f"interrupted when {result.done} of {len(result)} runs were done; {result.kept}"
+    else:
+        why = result.message(first)
+        text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
     if check:
         raise SolveError(text)
     warnings.warn(text, SolveWarning, stacklevel=4)
