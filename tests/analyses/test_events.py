@@ -77,6 +77,25 @@ def test_summary_says_what_happened(ball: cd.CompiledModel) -> None:
     assert "events    none" in repr(ball.simulate(0.1, q=START))
 
 
+def test_samples_stay_out_of_the_way(servo: cd.CompiledModel) -> None:
+    motion = servo.simulate(
+        2.0, events={"half": ("x", 0.5), "soon": (lambda t, x: t - 0.07, "mark")}
+    )
+    assert [event.name for event in motion.events] == ["soon", "half"]
+    text = repr(motion)
+    assert "events    soon (mark): 0.07 s\n            half (end): " in text
+    assert f"samples   pid.sample {len(motion.ticks)} times" in text
+    assert motion.statistics["events"] == 2
+    assert motion.statistics["ticks"] == len(motion.ticks)
+    assert motion.ticks[1].kind == "tick"
+    # rows are those of steps, and between them what was held last holds
+    assert len(np.unique(motion.t)) == len(motion) == motion.statistics["steps"] + 1
+    forces = [tick.s_after[1] for tick in motion.ticks]
+    times = np.array([tick.t for tick in motion.ticks])
+    np.testing.assert_array_equal(motion.resample(times)["pid.force"], forces)
+    np.testing.assert_array_equal(motion.resample(times[:-1] + 0.02)["pid.force"], forces[:-1])
+
+
 def test_histories_by_name(ball: cd.CompiledModel) -> None:
     motion = ball.simulate(8.0, q=START, inputs={"push": 0.5}, z={"motor.force": 2.0}, **FINE)
     np.testing.assert_allclose(
@@ -131,9 +150,10 @@ def test_steppers_go_over_events(servo: cd.CompiledModel, ball: cd.CompiledModel
     ticks = 0
     while stepper.t < 1.99:
         stepper.step(0.125)
-        ticks += len(stepper.events)
+        ticks += len(stepper.ticks)
+        assert stepper.events == ()
     np.testing.assert_allclose(stepper.state, whole.x[-1], rtol=0, atol=1e-9)
-    assert ticks == len(whole.events) == 41
+    assert ticks == len(whole.ticks) == 41
     assert stepper.modes["pid.integral"] == pytest.approx(whole["pid.integral"][-1], abs=1e-9)
     falling = ball.stepper(q=START, events={"low": ("z", 0.25)}, **FINE)
     falling.step(0.1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -52,11 +53,30 @@ class Kept:
             milliseconds: What it took.
         """
         self.logs.append(self.runner.drained())
+        log = np.concatenate(self.logs)
         table = np.concatenate(self.rows) if self.rows else np.empty((0, 0))
+        spreads = np.concatenate(self.spreads) if over.times is None and self.spreads else None
         if not len(table):
-            table = self._first_row(over, begin)
-        conduct = self._conduct(begin, table, told, milliseconds)
-        return self._trajectory(table, over.times is None, conduct)
+            table, spreads = self._first_row(over, begin), None
+        happened = Happened(np.empty((0, 0)), self.runner.may.rows, log)
+        if spreads is not None:
+            table, spreads = self._without_ticks(table, spreads, happened.quiet)
+        conduct = self._conduct(begin, table, told, milliseconds, happened.count("tick"))
+        return self._trajectory(table, spreads, conduct, happened)
+
+    def _without_ticks(self, table: Array, spreads: Array, quiet: Array) -> tuple[Array, Array]:
+        """One row where only samples were taken: the state before them with the modes behind.
+
+        Args:
+            table: Rows t, y, r, s, multipliers.
+            spreads: Dense output of the step that led to each row.
+            quiet: Times of such samples.
+        """
+        modes = 1 + self.runner.n + self.runner.model.nr
+        same = (table[1:, :modes] == table[:-1, :modes]).all(axis=1) & np.isin(table[1:, 0], quiet)
+        behind = 1 + np.flatnonzero(same & (self.runner.record.nlam == 0))
+        table[behind - 1, modes:] = table[behind, modes:]
+        return np.delete(table, behind, axis=0), np.delete(spreads, behind, axis=0)
 
     def _first_row(self, over: Span, begin: Start) -> Array:
         """The start alone, for a run that broke down there."""
@@ -67,7 +87,7 @@ class Kept:
         return np.concatenate(known)[None, :]
 
     def _conduct(
-        self, begin: Start, table: Array, told: tuple[str, str], milliseconds: float
+        self, begin: Start, table: Array, told: tuple[str, str], milliseconds: float, ticks: int
     ) -> Conduct:
         runner, run, how = self.runner, self.runner.record, self.runner.settings
         counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
@@ -80,21 +100,23 @@ class Kept:
             defaulted=(*begin.defaulted, *runner.signals.defaulted),
             status=told[0],
             message=told[1],
-            statistics=counts | {"events": run.occurred, "milliseconds": milliseconds},
+            statistics=counts
+            | {"events": run.occurred - ticks, "ticks": ticks, "milliseconds": milliseconds},
             reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"])
             or how.reason,
         )
 
-    def _trajectory(self, table: Array, is_dense: bool, conduct: Conduct) -> Trajectory:
+    def _trajectory(
+        self, table: Array, spreads: Array | None, conduct: Conduct, happened: Happened
+    ) -> Trajectory:
         runner, model = self.runner, self.runner.model
         n, end = runner.n, 1 + runner.n + model.nr
         t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
         s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
         dense = None
-        if is_dense and len(t) > 1:
+        if spreads is not None and len(t) > 1:
             quaternions = tuple(model.manifest["quaternions"])
-            spreads = np.concatenate(self.spreads)[1:]
-            dense = Dense(t, y, spreads, quaternions, runner.settings.method.charted)
+            dense = Dense(t, y, spreads[1:], quaternions, runner.settings.method.charted)
         return Trajectory(
             t=t,
             x=y[:, : model.nx].copy(),
@@ -108,5 +130,5 @@ class Kept:
             inputs_at=runner.signals.recorded(t, r).at,
             ledger=runner.ledger,
             stored={"multipliers": lam.copy()} if runner.record.nlam else {},
-            happened=Happened(s.copy(), runner.may.rows, np.concatenate(self.logs)),
+            happened=replace(happened, s=s.copy()),
         )

@@ -68,8 +68,14 @@ class Stepper:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What happened in the last step."""
+        """What happened in the last step, but for samples."""
         return Happened(rows=self._runner.may.rows, log=self._log).events(self._model.nx)
+
+    @property
+    def ticks(self) -> tuple[Event, ...]:
+        """Samples of controllers in the last step."""
+        known = Happened(rows=self._runner.may.rows, log=self._log)
+        return known.events(self._model.nx, ticks=True)
 
     @property
     def inputs(self) -> dict[str, float]:

@@ -110,9 +110,7 @@ def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
         "time": float(motion.t[-1]),
         "method": motion.conduct.method,
         "steps": int(motion.statistics["steps"]),
-        "events": [
-            {"time": event.t, "name": event.name} for event in motion.events if event.kind != "tick"
-        ],
+        "events": [{"time": event.t, "name": event.name} for event in motion.events],
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
         "energy_drift": float(motion.drift[-1]),

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .calling import Array
 
@@ -63,8 +64,25 @@ class Happened:
         half = (self.log.shape[1] - start) // 2
         return self.log[:, start : start + nx], self.log[:, start + half : start + half + nx]
 
-    def events(self, nx: int) -> tuple[Event, ...]:
-        """One record per event, in the order of time."""
+    def _kind(self, kind: str) -> NDArray[np.bool_]:
+        """Where in the log an event of a kind happened (count, ne)."""
+        kinds = np.array([row["kind"] == kind for row in self.rows], dtype=bool)
+        found: NDArray[np.bool_] = (self.log[:, 1 : 1 + len(self.rows)] != 0) & kinds
+        return found
+
+    def count(self, kind: str) -> int:
+        """How many events of a kind happened."""
+        return int(self._kind(kind).sum())
+
+    @property
+    def quiet(self) -> Array:
+        """Times at which samples were taken and nothing else happened."""
+        others = (self.log[:, 1 : 1 + len(self.rows)] != 0) & ~self._kind("tick")
+        loud = others.any(axis=1)
+        return np.setdiff1d(self.times[~loud], self.times[loud])
+
+    def events(self, nx: int, ticks: bool = False) -> tuple[Event, ...]:
+        """One record per event, in the order of time: ticks alone, or everything but them."""
         start, found = 1 + len(self.rows), []
         half = (self.log.shape[1] - start) // 2
         for line in self.log:
@@ -73,6 +91,8 @@ class Happened:
             for k in np.flatnonzero(line[1:start]):
                 row = self.rows[k]
                 name, element, kind = row["name"], row["element"], row["kind"]
+                if ticks != (kind == "tick"):
+                    continue
                 found.append(Event(float(line[0]), name, element, kind, *states))
         return tuple(found)
 
