@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
-from typing import Any
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
 
 
 class CardanError(Exception):
@@ -86,6 +87,32 @@ def named(word: str, given: object, example: str) -> Mapping[str, Any]:
     if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
         raise ModelError(f"{word}={given!r}: give names with values, such as {word}={{{example}}}")
     return given
+
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def spelled(function: Callable[P, R]) -> Callable[P, R]:
+    """A function that tells misspelt arguments by the near ones.
+
+    Raises:
+        ArgumentError: on a call with a keyword that it does not have.
+    """
+    code = function.__code__
+    known = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+
+    @wraps(function)
+    def called(*given: P.args, **named: P.kwargs) -> R:
+        unknown = next((name for name in named if name not in known), None)
+        if unknown is None:
+            return function(*given, **named)
+        names = [name for name in known if name not in ("self", "model")]
+        raise ArgumentError(
+            f"{function.__name__}({unknown}=...): there is no such argument.{near(unknown, names)}"
+        )
+
+    return called
 
 
 def near(name: str, known: Iterable[str]) -> str:

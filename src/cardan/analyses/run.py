@@ -34,12 +34,20 @@ LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 @dataclass(frozen=True)
 class Saved:
-    """A checkpoint of a run: its record and memory, to the bit, and whose they are."""
+    """A checkpoint of a run.
+
+    Attributes:
+        record, memory: Of the run, to the bit.
+        owner: Whose they are.
+        ticks: When the next samples are due.
+        over: What ended it, in words; "" if it may go on.
+    """
 
     record: Any
     memory: bytes
     owner: int
     ticks: bytes = b""
+    over: str = ""
 
 
 class Runner:

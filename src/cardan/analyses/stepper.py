@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import FunctionError, ModelError, SolveError, near
+from ..errors import FunctionError, ModelError, SolveError, near, spelled
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
@@ -39,11 +40,11 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner | PlainRunner, how: Settings) -> None:
+    def __init__(self, runner: Runner | PlainRunner, how: Settings, over: str = "") -> None:
         self._runner, self._model, self._how = runner, runner.model, how
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         self._log = runner.drained()
-        self._over = ""
+        self._over = over
 
     def _start(self, begin: Array, t: float) -> None:
         runner = self._runner
@@ -152,7 +153,7 @@ class Stepper:
         Raises:
             ModelError: no such directory, or a method with choices of its own.
         """
-        saved = self._runner.save()
+        saved = replace(self._runner.save(), over=self._over)
         if path is not None:
             from .checkpoint import write
 
@@ -166,9 +167,10 @@ class Stepper:
             ModelError: it belongs to another one.
         """
         self._runner.restore(saved)
-        self._log, self._over = self._log[:0], ""
+        self._log, self._over = self._log[:0], saved.over
 
 
+@spelled
 def stepper(
     model: CompiledModel,
     *,
@@ -232,6 +234,8 @@ def resume(
     """
     from .checkpoint import read
 
+    if not isinstance(path, str | Path):
+        raise ModelError(f"resume({path!r}): name the file that stepper.save(path) wrote")
     return Stepper(*read(model, Path(path), events))
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError
+from ..errors import ArgumentError, spelled
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
@@ -287,6 +287,7 @@ class CompiledModel(Analyzed):
 
         return compare(self, functions, t, **options)
 
+    @spelled
     def simulate(
         self,
         t: float | ArrayLike,
@@ -330,6 +331,7 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
+    @spelled
     def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
         """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
         from ..analyses.stepper import resume

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import CardanError, ModelError, SolveError, SolveWarning
+from ...errors import CardanError, ModelError, SolveError, SolveWarning, spelled
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
 from ..choice import Limited
@@ -47,6 +47,7 @@ AGAIN = "and the same call goes on from there"
 CURE = f"checkpoint= (--checkpoint FILE) keeps finished runs in a file, {AGAIN}"
 
 
+@spelled
 def ensemble(
     model: CompiledModel,
     t: Any,
