@@ -59,14 +59,15 @@ class Happenings:
     """Everything that may happen in a run.
 
     Attributes:
-        rows: name, element and kind of every event: those of the model, then those watched.
+        rows: name, element and kind of every event: those of the model, then those watched; some
+            with ``decides``, see :class:`.Happened`.
         kinds: The same as numbers of the kernels (ne,).
         model: How many of them are the model's.
         ticks: Rows event, period, phase of the manifest.
         watches: What the caller watches.
     """
 
-    rows: tuple[dict[str, str], ...]
+    rows: tuple[dict[str, Any], ...]
     kinds: tuple[int, ...]
     model: int
     ticks: tuple[Mapping[str, Any], ...]
@@ -143,10 +144,7 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
         ModelError: an unknown name, kind or direction. ArgumentError: nothing to watch.
         SolveError: a value that is not finite.
     """
-    rows = [
-        {key: str(row[key]) for key in ("name", "element", "kind")}
-        for row in model.manifest.get("events", ())
-    ]
+    rows = [_row(model, row) for row in model.manifest.get("events", ())]
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
@@ -164,6 +162,15 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
             name = rows[tick["event"]]["name"]
             raise ModelError(f"'{name}' has a period of {tick['period']:g} s: it must be positive")
     return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
+
+
+def _row(model: CompiledModel, stated: Mapping[str, Any]) -> dict[str, Any]:
+    """An event of the model, as runs keep it."""
+    row = {key: stated[key] for key in ("name", "element", "kind")}
+    for mode, value in stated.get("decides", {}).items():
+        # counted from the end, as the length of what lies before the modes differs
+        row["decides"] = [model.modes.index(mode) - model.ns, value]
+    return row
 
 
 def _watch(model: CompiledModel, name: str, given: Any) -> Watch:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -60,17 +61,19 @@ class Kept:
             table, spreads = self._first_row(over, begin), None
         happened = Happened(np.empty((0, 0)), self.runner.may.rows, log)
         if spreads is not None:
-            table, spreads = self._without_ticks(table, spreads, happened.quiet)
-        conduct = self._conduct(begin, table, told, milliseconds, happened.count("tick"))
+            table, spreads = self._quiet(table, spreads, happened.quiet)
+        conduct = self._conduct(
+            begin, table, told, happened.counts | {"milliseconds": milliseconds}
+        )
         return self._trajectory(table, spreads, conduct, happened)
 
-    def _without_ticks(self, table: Array, spreads: Array, quiet: Array) -> tuple[Array, Array]:
-        """One row where only samples were taken: the state before them with the modes behind.
+    def _quiet(self, table: Array, spreads: Array, quiet: Array) -> tuple[Array, Array]:
+        """One row where modes alone changed without an event: with the modes behind.
 
         Args:
             table: Rows t, y, r, s, multipliers.
             spreads: Dense output of the step that led to each row.
-            quiet: Times of such samples.
+            quiet: When that was.
         """
         modes = 1 + self.runner.n + self.runner.model.nr
         same = (table[1:, :modes] == table[:-1, :modes]).all(axis=1) & np.isin(table[1:, 0], quiet)
@@ -87,7 +90,7 @@ class Kept:
         return np.concatenate(known)[None, :]
 
     def _conduct(
-        self, begin: Start, table: Array, told: tuple[str, str], milliseconds: float, ticks: int
+        self, begin: Start, table: Array, told: tuple[str, str], more: Mapping[str, float]
     ) -> Conduct:
         runner, run, how = self.runner, self.runner.record, self.runner.settings
         counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
@@ -100,8 +103,7 @@ class Kept:
             defaulted=(*begin.defaulted, *runner.signals.defaulted),
             status=told[0],
             message=told[1],
-            statistics=counts
-            | {"events": run.occurred - ticks, "ticks": ticks, "milliseconds": milliseconds},
+            statistics={**counts, **more},
             reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"])
             or how.reason,
         )

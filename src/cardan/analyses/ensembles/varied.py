@@ -18,6 +18,7 @@ from ..signals import Signals, signals
 
 Array = NDArray[np.float64]
 SUCH = "such as vary={'mass': [1, 2, 5]}, or a plan, vary=cd.sample.grid(mass=(1, 2, 100))"
+SOME = 1 << 14  # runs whose parameters are looked at together
 WHAT = {"q": "coordinate", "u": "speed", "z": "state", "p": "parameter", "r": "input"}
 
 
@@ -231,6 +232,8 @@ def varied(
     base |= {"p": model._parameters.vector, "r": given.constants}
     made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
     _no_rotation(model, made)
+    for first in range(0, total if made.own_parameters else 0, SOME):
+        model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
     return made, given
 
 
