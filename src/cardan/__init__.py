@@ -101,6 +101,7 @@ _PUBLIC: dict[str, str] = {
             "BuildError",
             "CompilerMissing",
             "ArgumentError",
+            "FunctionError",
             "SolveError",
             "BuildWarning",
             "SolveWarning",

@@ -133,10 +133,14 @@ def test_interrupt_keeps_what_was_computed(double: cd.CompiledModel, bare: Any) 
 
 def test_error_of_an_input_is_the_users(double: cd.CompiledModel, bare: Any) -> None:
     def torque(t: float, x: np.ndarray) -> float:
-        raise ZeroDivisionError("mine")
+        if t > 0.5:
+            raise ZeroDivisionError("mine")
+        return 0.0
 
-    with pytest.raises(ZeroDivisionError, match="mine"):
+    with pytest.raises(cd.FunctionError, match="ZeroDivisionError: mine") as told:
         bare(double).simulate(1.0, inputs={"torque": torque})
+    assert isinstance(told.value.__cause__, ZeroDivisionError)
+    assert 0 < told.value.motion.t[-1] <= 0.5
 
 
 def test_breakdown_is_told(bare: Any) -> None:

@@ -26,7 +26,7 @@ def build() -> cd.Model:
 def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
     """Largest error of the times of slipping and of the period [s], and of the place [m]."""
     slips = np.array([event.t for event in motion.events if event.name == "belt.slip"])
-    stops = np.array([event.t for event in motion.events if event.name == "belt.stop"])[1:]
+    stops = np.array([event.t for event in motion.events if event.name == "belt.stop"])
     if len(slips) != 3 or len(stops) != 3:
         return np.inf
     place = motion.at(stops[0])[0] - END_OF_SLIP

@@ -183,6 +183,6 @@ def _event(runner: Runner | PlainRunner, answer: int, at: str) -> tuple[str, str
         )
     return "chatter", (
         f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
-        "bounces of a ball that comes to rest. Let it stick below a speed, take a smooth law, or "
-        "end the run there with events="
+        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), take a "
+        "smooth law (Friction: smooth=), or end the run there with events="
     )

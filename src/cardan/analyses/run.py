@@ -35,12 +35,20 @@ LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 @dataclass(frozen=True)
 class Saved:
-    """A checkpoint of a run: its record and memory, to the bit, and whose they are."""
+    """A checkpoint of a run.
+
+    Attributes:
+        record, memory: Of the run, to the bit.
+        owner: Whose they are.
+        ticks: When the next samples are due.
+        over: What ended it, in words; "" if it may go on.
+    """
 
     record: Any
     memory: bytes
     owner: int
     ticks: bytes = b""
+    over: str = ""
 
 
 class Runner:
@@ -320,7 +328,8 @@ class Runner:
     def check(self) -> None:
         """Raise what an input function raised."""
         if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
-            raise self.error
+            error, self.error = self.error, None
+            raise error
 
     def slices(self) -> Iterator[int]:
         """Drive to the end in slices of about 10 ms; yields the answer of each."""

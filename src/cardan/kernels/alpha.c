@@ -208,6 +208,8 @@ int cardan_alpha_step(cardan_run *run)
     real h, t_new, error;
     int status = cardan_refresh(run), failed, taken;
 
+    /* a run that comes from a file has not begun here */
+    run->lam = v.lam_old;
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
     if (status == 0 && run->in_segment == 0) {

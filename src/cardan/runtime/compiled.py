@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError
+from ..errors import ArgumentError, spelled
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
@@ -271,6 +271,7 @@ class CompiledModel(Analyzed):
 
         return compare(self, functions, t, **options)
 
+    @spelled
     def simulate(
         self,
         t: float | ArrayLike,
@@ -314,6 +315,7 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
+    @spelled
     def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
         """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
         from ..analyses.stepper import resume
