@@ -1,0 +1,170 @@
+"""Linear systems with constraints, K x - Gᵀ y = a and G x = b, without units.
+
+Dense ones go through a basis of what G allows: redundant constraints and directions that nothing
+holds show as such. Sparse ones are factored as they stand.
+
+Source: M. Benzi, G. H. Golub, J. Liesen, Acta Numerica 14 (2005), sections 5 and 6 (null space).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias, final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import block_array, csc_array, csr_array, diags_array
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
+
+Array = NDArray[np.float64]
+Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+RANK = 1e-9  # singular values of G below this part of the largest hold nothing
+LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
+
+
+class Singular(ArithmeticError):
+    """The system has no unique solution; what it leaves free.
+
+    Attributes:
+        motion: A direction (n,) that nothing holds, None where it is not known.
+    """
+
+    def __init__(self, motion: Array | None = None) -> None:
+        super().__init__("singular")
+        self.motion = motion
+
+
+@dataclass(frozen=True, eq=False)
+class Lowest:
+    """The weakest directions of a stiffness on what constraints allow.
+
+    Attributes:
+        values: Eigenvalues of its symmetric part, from the lowest (k,).
+        vectors: Their directions (n, k).
+        largest: Against which they are small or not.
+    """
+
+    values: Array
+    vectors: Array
+    largest: float
+
+    @property
+    def negative(self) -> int:
+        """Directions in which it pushes away."""
+        return int(np.sum(self.values < -LOOSE * self.largest))
+
+    @property
+    def loose(self) -> Array:
+        """Directions (n, k) in which it does nothing."""
+        return self.vectors[:, np.abs(self.values) <= LOOSE * self.largest]
+
+
+class Saddle(Protocol):
+    """A way to solve systems with constraints."""
+
+    def solve(self, K: Any, G: Any, a: Array, b: Array) -> tuple[Array, Array]:
+        """x and y with K x - Gᵀ y = a and G x = b.
+
+        Raises:
+            Singular: there is no unique x.
+        """
+
+    def lowest(self, K: Any, G: Any) -> Lowest:
+        """The weakest directions of K on what G allows."""
+
+
+@final
+class Dense:
+    """LAPACK on arrays."""
+
+    def solve(self, K: Array, G: Array, a: Array, b: Array) -> tuple[Array, Array]:
+        """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers are taken."""
+        U, s, Z, V = split(G)
+        x = V @ ((U.T @ b) / s)
+        inner = Z.T @ K @ Z
+        if inner.size:
+            x = x + Z @ _regular(inner, Z.T @ (a - K @ x), Z)
+        return x, -(U @ ((V.T @ (a - K @ x)) / s))
+
+    def lowest(self, K: Array, G: Array) -> Lowest:
+        """As :meth:`Saddle.lowest`: all directions."""
+        Z = split(G)[2]
+        inner = Z.T @ K @ Z
+        if not inner.size:
+            return Lowest(np.zeros(0), np.zeros((len(K), 0)), 0.0)
+        values, vectors = np.linalg.eigh(0.5 * (inner + inner.T))
+        return Lowest(values, Z @ vectors, float(np.abs(K).max()))
+
+
+def split(G: Array) -> tuple[Array, Array, Array, Array]:
+    """U (m, k), s (k,), Z (n, n - k), V (n, k): G = U s Vᵀ, and G Z = 0."""
+    U, s, Vt = np.linalg.svd(G, full_matrices=True)
+    rank = int(np.sum(s > RANK * s.max(initial=0.0)))
+    return U[:, :rank], s[:rank], Vt[rank:].T, Vt[:rank].T
+
+
+def _regular(inner: Array, right: Array, Z: Array) -> Array:
+    """The solution of a system, refused where it is singular to rounding."""
+    U, s, Vt = np.linalg.svd(inner)
+    if not np.isfinite(s).all() or s[-1] <= LOOSE * max(s[0], 1e-300):
+        raise Singular(Z @ Vt[-1])
+    return np.asarray(Vt.T @ ((U.T @ right) / s))
+
+
+@final
+class Sparse:
+    """SuperLU on sparse matrices."""
+
+    COUNT = 6
+
+    def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
+        """As :meth:`Saddle.solve`."""
+        found = factored(K, G)(np.concatenate([a, b]))
+        if not np.isfinite(found).all():
+            raise Singular
+        return found[: len(a)], -found[len(a) :]
+
+    def lowest(self, K: Matrix, G: Matrix) -> Lowest:
+        """As :meth:`Saddle.lowest`: those next to 0."""
+        n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
+        half = csr_array(0.5 * (K + K.T))
+        values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
+        order = np.argsort(values)
+        return Lowest(values[order], vectors[:, order], largest)
+
+
+def factored(K: Matrix, G: Matrix) -> Any:
+    """Solver of [K Gᵀ; G 0] for one right-hand side.
+
+    Raises:
+        Singular: it has no unique solution.
+    """
+    m = G.shape[0]
+    whole = block_array([[K, G.T], [G, None]]) if m else K
+    try:
+        return splu(csc_array(whole)).solve
+    except RuntimeError:
+        raise Singular from None
+
+
+def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array]:
+    """Eigenvalues next to a shift, and eigenvectors, of K x = value M x on what G allows.
+
+    Args:
+        K, M: Sparse and symmetric (n, n).
+        G: What holds (m, n).
+        shift: Not an eigenvalue itself.
+        count: How many.
+    """
+    n, m = K.shape[0], G.shape[0]
+    inverse = factored(csr_array(K - shift * M), G)
+
+    def apply(x: Array) -> Array:
+        found: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
+        return found
+
+    operator = LinearOperator((n, n), matvec=apply, dtype=np.float64)
+    start = apply(np.random.default_rng(0).normal(size=n))
+    count = min(count, n - 1)
+    values, vectors = eigsh(K, count, M, sigma=shift, OPinv=operator, v0=start)
+    return np.asarray(values), np.asarray(vectors)
