@@ -112,6 +112,7 @@ class Contract(Protocol):
         size: Length against which displacements count [m].
         columns: Unit of every increment (nu,): ``size`` of lengths, 1 of angles.
         rows: Unit of every constraint (m,).
+        reach: Longest step of Newton's method that means something, without units.
         saddle: How its linear systems are solved.
     """
 
@@ -126,6 +127,7 @@ class Contract(Protocol):
     size: float
     columns: Array
     rows: Array
+    reach: float
     saddle: Saddle
 
     def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
@@ -155,8 +157,16 @@ class Contract(Protocol):
     def internal(self, at: Moment) -> Internal:
         """How internal states and forces depend on each other."""
 
-    def rates(self, at: Moment) -> Rates:
-        """Derivatives of the accelerations that follow from the forces, constraints kept."""
+    def rates(self, at: Moment, tau: Array | None = None) -> Rates:
+        """Derivatives of the accelerations that follow from the forces, constraints kept.
+
+        Args:
+            at: A moment whose accelerations are not read.
+            tau: Forces along the speeds besides those of the scene.
+        """
+
+    def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
+        """The moment with the accelerations and multipliers that follow from the forces."""
 
     def kinematics(self, at: Moment) -> Array:
         """E (nu, nu): increments change at the rate E increments + change of the speeds."""
@@ -166,6 +176,13 @@ class Contract(Protocol):
 
     def difference(self, q0: Array, q: Array) -> Array:
         """The increment (nu,) that leads from q0 to q."""
+
+    def place(self, name: str) -> tuple[int, int]:
+        """Entries in q and u of a coordinate whose speed is its derivative.
+
+        Raises:
+            ModelError: there is none.
+        """
 
     def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
         """Speeds (nu,) that the constraints allow, with given ones."""

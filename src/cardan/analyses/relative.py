@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, final
 
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError, SolveError, near
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, initial_state
+from ..runtime.initial import entries, initial_state, missing
 from .assemble import assemble
 from .consistent import speeds
 from .contract import Internal, Moment, Parameters, Rates, Tangents
@@ -20,6 +21,7 @@ from .mechanism import Mechanism
 from .saddle import Dense, Saddle
 
 Array = NDArray[np.float64]
+REACH = 1.0  # radians, or sizes of the mechanism
 
 
 @final
@@ -58,6 +60,7 @@ class Relative:
         m = Mechanism(model)
         self.positions, self.size = np.arange(m.closing.positions), m.size
         self.columns, self.rows = m.columns, m.rows
+        self.reach = REACH
         self.saddle: Saddle = Dense()
 
     @cached_property
@@ -100,19 +103,19 @@ class Relative:
         """As :meth:`Contract.consistent`."""
         return speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
 
-    def place(self, name: str) -> slice:
-        """Where the speeds of a joint or coordinate stand.
-
-        Raises:
-            ModelError: there is none.
-        """
-        own = entries(self.model.manifest, "q").get(name)
-        own_speeds = entries(self.model.manifest, "u")
-        for word in (name, f"{name}.u"):
-            if own is not None and word in own_speeds:
-                return own_speeds[word]
-        known = [n for n in entries(self.model.manifest, "q") if f"{n}.u" in own_speeds]
-        raise ModelError(f"hold: there is no coordinate '{name}'.{near(name, known)}")
+    def place(self, name: str) -> tuple[int, int]:
+        """As :meth:`Contract.place`."""
+        known = {n: (k, self.speeds.index(f"{n}.u")) for k, n in enumerate(self.coordinates)
+                 if f"{n}.u" in self.speeds}  # fmt: skip
+        if name not in known:
+            words = ""
+            if name not in entries(self.model.manifest, "q"):
+                words = missing(self.model.manifest, "q", name) + " "
+            raise ModelError(
+                f"hold: '{name}' is no coordinate that can be held. {words}"
+                f"{near(name, known).strip()}"
+            )
+        return known[name]
 
     # equations
 
@@ -147,15 +150,28 @@ class Relative:
         by_z = forces(at.q, at.u, at.udot, **self._rest(at))
         return Internal(by_z, own.along[nu:], own.by_u[nu:], own.by_z[nu:])
 
-    def rates(self, at: Moment) -> Rates:
+    def rates(self, at: Moment, tau: Array | None = None) -> Rates:
         """As :meth:`Contract.rates`."""
-        model, x = self.model, np.concatenate([at.q, at.u, at.z])
-        blocks = [b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n]
-        rest: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
-        found = model.derivative("rhs", tuple(blocks))(at.t, x, at.r, **rest)
-        known = dict(zip(blocks, (part[model.nq :] for part in found), strict=True))
-        empty = np.zeros((model.nu + model.nz, 0))
+        model = self.model
+        blocks = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
+        forward = model.derivative("forward_dynamics", blocks)
+        found = forward(at.q, at.u, tau=tau, **self._rest(at))
+        if model.nz:
+            x = np.concatenate([at.q, at.u, at.z])
+            rest: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
+            own = model.derivative("rhs", blocks)(at.t, x, at.r, **rest)
+            pairs = zip(found, own, strict=True)
+            found = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
+        known, empty = dict(zip(blocks, found, strict=True)), np.zeros((model.nu + model.nz, 0))
         return Rates(known["q"], known["u"], known.get("z", empty), known.get("r", empty))
+
+    def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
+        """As :meth:`Contract.accelerations`."""
+        rest = {"tau": tau, **self._rest(at)}
+        udot = self.model.forward_dynamics(at.q, at.u, **rest)
+        if not self.multipliers:
+            return replace(at, udot=udot)
+        return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **rest))
 
     # coordinates
 

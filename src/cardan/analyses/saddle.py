@@ -18,12 +18,13 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
-RANK = 1e-9  # singular values of G below this part of the largest hold nothing
+RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
+OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
 
 
 class Singular(ArithmeticError):
-    """The system has no unique solution; what it leaves free.
+    """The system has no solution; what it leaves free.
 
     Attributes:
         motion: A direction (n,) that nothing holds, None where it is not known.
@@ -42,11 +43,13 @@ class Lowest:
         values: Eigenvalues of its symmetric part, from the lowest (k,).
         vectors: Their directions (n, k).
         largest: Against which they are small or not.
+        skew: Largest entry of its skew part, over ``largest``.
     """
 
     values: Array
     vectors: Array
     largest: float
+    skew: float = 0.0
 
     @property
     def negative(self) -> int:
@@ -63,10 +66,10 @@ class Saddle(Protocol):
     """A way to solve systems with constraints."""
 
     def solve(self, K: Any, G: Any, a: Array, b: Array) -> tuple[Array, Array]:
-        """x and y with K x - Gᵀ y = a and G x = b.
+        """x and y with K x - Gᵀ y = a and G x = b; the smallest of several.
 
         Raises:
-            Singular: there is no unique x.
+            Singular: there is none.
         """
 
     def lowest(self, K: Any, G: Any) -> Lowest:
@@ -78,8 +81,9 @@ class Dense:
     """LAPACK on arrays."""
 
     def solve(self, K: Array, G: Array, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers are taken."""
-        U, s, Z, V = split(G)
+        """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
+        # redundant rows look independent as far as they are open
+        U, s, Z, V = split(G, max(RANK, min(ROUGH, 3 * float(np.abs(b).max(initial=0.0)))))
         x = V @ ((U.T @ b) / s)
         inner = Z.T @ K @ Z
         if inner.size:
@@ -93,22 +97,36 @@ class Dense:
         if not inner.size:
             return Lowest(np.zeros(0), np.zeros((len(K), 0)), 0.0)
         values, vectors = np.linalg.eigh(0.5 * (inner + inner.T))
-        return Lowest(values, Z @ vectors, float(np.abs(K).max()))
+        largest = float(np.abs(K).max())
+        skew = float(np.abs(inner - inner.T).max()) / max(largest, 1e-300)
+        return Lowest(values, Z @ vectors, largest, skew)
 
 
-def split(G: Array) -> tuple[Array, Array, Array, Array]:
-    """U (m, k), s (k,), Z (n, n - k), V (n, k): G = U s Vᵀ, and G Z = 0."""
+def split(G: Array, part: float = RANK) -> tuple[Array, Array, Array, Array]:
+    """U (m, k), s (k,), Z (n, n - k), V (n, k): G = U s Vᵀ, and G Z = 0.
+
+    Args:
+        G: (m, n).
+        part: Of the largest singular value, below which others count as zero.
+    """
     U, s, Vt = np.linalg.svd(G, full_matrices=True)
-    rank = int(np.sum(s > RANK * s.max(initial=0.0)))
+    rank = int(np.sum(s > part * s.max(initial=0.0)))
     return U[:, :rank], s[:rank], Vt[rank:].T, Vt[:rank].T
 
 
 def _regular(inner: Array, right: Array, Z: Array) -> Array:
-    """The solution of a system, refused where it is singular to rounding."""
+    """The smallest solution of a system; refused where it is singular and has none."""
+    if not (np.isfinite(inner).all() and np.isfinite(right).all()):
+        raise Singular
     U, s, Vt = np.linalg.svd(inner)
-    if not np.isfinite(s).all() or s[-1] <= LOOSE * max(s[0], 1e-300):
-        raise Singular(Z @ Vt[-1])
-    return np.asarray(Vt.T @ ((U.T @ right) / s))
+    firm = s > LOOSE * max(float(s[0]), 1e-300)
+    found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm])
+    left = U[:, ~firm].T @ right
+    if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
+        # along what nothing holds something pushes
+        push = Vt[~firm].T @ (Vt[~firm] @ right)
+        raise Singular(Z @ (push if np.any(push) else Vt[-1]))
+    return np.asarray(found)
 
 
 @final
@@ -130,7 +148,8 @@ class Sparse:
         half = csr_array(0.5 * (K + K.T))
         values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
         order = np.argsort(values)
-        return Lowest(values[order], vectors[:, order], largest)
+        skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
+        return Lowest(values[order], vectors[:, order], largest, skew)
 
 
 def factored(K: Matrix, G: Matrix) -> Any:

@@ -15,9 +15,11 @@ if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
     from ..analyses.ensembles import Ensemble
+    from ..analyses.equilibrium import Equilibrium
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
+    from ..analyses.static_path import StaticPath
     from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
@@ -144,6 +146,29 @@ class Analyzed(Described):
         from ..analyses.actuation import hybrid_dynamics
 
         return hybrid_dynamics(self._itself, q, u, udot, **options)
+
+    def equilibrium(self, **options: Any) -> Equilibrium:
+        """Where the model rests under its forces, next to a start.
+
+        Args:
+            options: ``q``, ``u``, ``hold``, ``inputs``, ``parameters``, ``t``, ``stable``,
+                ``check``; see :func:`cardan.analyses.equilibrium.equilibrium`.
+        """
+        from ..analyses.equilibrium import equilibrium
+
+        return equilibrium(self._itself, **options)
+
+    def statics(self, swept: Mapping[str, Any] | None = None, **options: Any) -> StaticPath:
+        """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
+
+        Args:
+            swept: Parameter or input -> (start, end) or values (n,); also as keywords.
+            options: ``steps``, ``q``, ``hold``, ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.statics.statics`.
+        """
+        from ..analyses.statics import statics
+
+        return statics(self._itself, swept, **options)
 
     def stiffness(self, x: ArrayLike, t: float = 0.0, **options: Any) -> Stiffness:
         """The fastest rate at a state against the rate of the motion: whether implicit methods pay.
