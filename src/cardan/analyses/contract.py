@@ -101,12 +101,27 @@ class Rates:
     by_r: Array
 
 
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """Derivatives of outputs.
+
+    Attributes:
+        along, by_u, by_z, by_r: Along increments, by speeds, internal states and inputs.
+    """
+
+    along: Array
+    by_u: Array
+    by_z: Array
+    by_r: Array
+
+
 class Contract(Protocol):
     """A compiled system as analyses see it.
 
     Attributes:
         name: Of the model.
         coordinates, speeds, multipliers, internals, inputs: Names of q, u, lam, z and r.
+        outputs: Names of the declared outputs.
         owners: Joint or node that every speed belongs to (nu,).
         positions: Which of the multipliers hold positions (mp,).
         size: Length against which displacements count [m].
@@ -122,6 +137,7 @@ class Contract(Protocol):
     multipliers: tuple[str, ...]
     internals: tuple[str, ...]
     inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
     owners: tuple[str, ...]
     positions: NDArray[np.intp]
     size: float
@@ -139,8 +155,16 @@ class Contract(Protocol):
             hold: Coordinates that have exactly this value.
         """
 
-    def given_inputs(self, named: Mapping[str, float] | None) -> Array:
-        """Inputs (nr,) by name, the rest at their defaults."""
+    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+        """A moving state on the constraints, as runs start from it.
+
+        Args:
+            x0: State; or q, u, z: by name or as arrays.
+            t, r, p: Time [s], inputs (nr,), parameters.
+        """
+
+    def given_inputs(self, named: Any) -> Array:
+        """Inputs (nr,) by name, the rest at their defaults; or (nr,) as they are."""
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
         """Parameters by name, checked; what :class:`Moment` takes."""
@@ -167,6 +191,16 @@ class Contract(Protocol):
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
         """The moment with the accelerations and multipliers that follow from the forces."""
+
+    @property
+    def increments(self) -> tuple[str, ...]:
+        """Name of every increment (nu,): that of its coordinate where it is one."""
+
+    def seen(self, at: Moment) -> Seen:
+        """Derivatives of the declared outputs."""
+
+    def turning(self, at: Moment) -> Array:
+        """N (nq, nu): how coordinates change with increments."""
 
     def kinematics(self, at: Moment) -> Array:
         """E (nu, nu): increments change at the rate E increments + change of the speeds."""

@@ -78,7 +78,8 @@ def first_order(
     rates = own.along @ increments + own.by_u @ speeds + own.by_z @ states
     by_r = own.by_r
     if len(held):
-        rates, by_r = (_kept(system, found, held, x) for x in (rates, by_r))
+        answer = pushed(system, at, held, found)
+        rates, by_r = (_kept(answer, held, x) for x in (rates, by_r))
     turned = system.kinematics(at) @ increments + speeds
     A = np.concatenate([turned[e], rates[:nu][v], rates[nu:]])
     B = np.concatenate([np.zeros((len(e), by_r.shape[1])), by_r[:nu][v], by_r[nu:]])
@@ -93,17 +94,22 @@ def eigenvalues(system: Contract, at: Moment, held: Sequence[int], tau: Array) -
         return None
 
 
-def _kept(system: Contract, tangents: Tangents, held: Sequence[int], rates: Array) -> Array:
+def pushed(
+    system: Contract, at: Moment, places: Sequence[int], tangents: Tangents | None = None
+) -> Array:
+    """Accelerations (nu, k) that unit forces along speeds make, constraints kept."""
+    columns, found = system.columns, tangents or system.tangents(at)
+    M = _dense(found.M) * columns * columns[:, None]
+    G = _dense(found.G) / system.rows[:, None] * columns
+    push = np.eye(len(columns))[list(places)] * columns
+    answers = [Dense().solve(M, G, row, np.zeros(len(G)))[0] for row in push]
+    return np.stack(answers, axis=1) * columns[:, None]
+
+
+def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
     """Rates (nu + nz, n) after forces that keep what is held."""
-    columns, nu = system.columns, len(system.columns)
-    M = _dense(tangents.M) * columns * columns[:, None]
-    G = _dense(tangents.G) / system.rows[:, None] * columns
-    push = np.eye(nu)[:, list(held)]
-    gap = np.zeros(len(G))
-    answers = [Dense().solve(M, G, column, gap)[0] for column in push.T]
-    answer = np.stack(answers, axis=1) * columns[:, None]
     found = rates.copy()
-    found[:nu] -= answer @ np.linalg.lstsq(answer[list(held)], rates[list(held)])[0]
+    found[: len(answer)] -= answer @ np.linalg.lstsq(answer[list(held)], rates[list(held)])[0]
     return found
 
 

@@ -10,15 +10,17 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, initial_state, missing
 from .assemble import assemble
+from .closed_start import closed_start
 from .consistent import speeds
-from .contract import Internal, Moment, Parameters, Rates, Tangents
+from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
 from .mechanism import Mechanism
 from .saddle import Dense, Saddle
+from .settings import blocks, start
 
 Array = NDArray[np.float64]
 REACH = 1.0  # radians, or sizes of the mechanism
@@ -56,6 +58,7 @@ class Relative:
         self.internals, self.inputs = model.internals, model.inputs
         rows = model.manifest.get("multipliers", ())
         self.multipliers = tuple(str(row["name"]) for row in rows)
+        self.outputs = tuple(str(row["name"]) for row in model.manifest["outputs"])
         self.owners = tuple(_owner(row) for row in model.manifest["speeds"])
         m = Mechanism(model)
         self.positions, self.size = np.arange(m.closing.positions), m.size
@@ -82,15 +85,32 @@ class Relative:
         place, rest = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
             place = assemble(model, hold, start=place, t=t, r=r).q
-        s = np.array([row["default"] or 0.0 for row in model.manifest["s"]], dtype=np.float64)
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
-        return Moment(t, place, still, still, lam, r, rest, s, p)
+        return Moment(t, place, still, still, lam, r, rest, self._modes, p)
 
-    def given_inputs(self, named: Mapping[str, float] | None) -> Array:
+    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+        """As :meth:`Contract.state`."""
+        model = self.model.with_parameters(dict(p)) if p else self.model
+        begin = closed_start(model, start(model, x0, q, u, z), *blocks(x0, q, u), t, r)
+        place, speed, rest = model.parts_of(begin.x)
+        lam = np.zeros(len(self.multipliers))
+        return Moment(t, place, speed, 0 * speed, lam, r, rest, self._modes, p)
+
+    @property
+    def _modes(self) -> Array:
+        rows = self.model.manifest["s"]
+        return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
+
+    def given_inputs(self, named: Any) -> Array:
         """As :meth:`Contract.given_inputs`."""
-        found: Array = self.model._vector("r", dict(named or {}))
+        found: Array = self.model._vector("r", {} if named is None else named)
+        if found.shape != (self.model.nr,):
+            raise ArgumentError(
+                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
+                f"{', '.join(self.inputs)}"
+            )
         if not np.isfinite(found).all():
-            raise SolveError(f"inputs {dict(named or {})}: they must be finite")
+            raise SolveError(f"inputs {named}: they must be finite")
         return found
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
@@ -153,16 +173,16 @@ class Relative:
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
         """As :meth:`Contract.rates`."""
         model = self.model
-        blocks = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
-        forward = model.derivative("forward_dynamics", blocks)
+        wrt = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
+        forward = model.derivative("forward_dynamics", wrt)
         found = forward(at.q, at.u, tau=tau, **self._rest(at))
         if model.nz:
             x = np.concatenate([at.q, at.u, at.z])
             rest: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
-            own = model.derivative("rhs", blocks)(at.t, x, at.r, **rest)
+            own = model.derivative("rhs", wrt)(at.t, x, at.r, **rest)
             pairs = zip(found, own, strict=True)
             found = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
-        known, empty = dict(zip(blocks, found, strict=True)), np.zeros((model.nu + model.nz, 0))
+        known, empty = dict(zip(wrt, found, strict=True)), np.zeros((model.nu + model.nz, 0))
         return Rates(known["q"], known["u"], known.get("z", empty), known.get("r", empty))
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
@@ -173,7 +193,38 @@ class Relative:
             return replace(at, udot=udot)
         return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **rest))
 
+    def seen(self, at: Moment) -> Seen:
+        """As :meth:`Contract.seen`."""
+        model, count = self.model, len(self.outputs)
+        sizes = {"q": model.nu, "u": model.nu, "z": model.nz, "r": model.nr}
+        found = {b: np.zeros((count, n)) for b, n in sizes.items()}
+        if count:
+            wrt = tuple(b for b, n in sizes.items() if n)
+            rows = model.derivative("outputs", wrt)(at.q, at.u, **self._rest(at))
+            found |= {b: own[:count] for b, own in zip(wrt, rows, strict=True)}
+        return Seen(found["q"], found["u"], found["z"], found["r"])
+
     # coordinates
+
+    def turning(self, at: Moment) -> Array:
+        """As :meth:`Contract.turning`."""
+        rest: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
+        basis = np.concatenate([np.zeros((1, self.model.nu)), np.eye(self.model.nu)])
+        rates = self.model.qdot(at.q, basis, **rest)
+        return np.asarray(rates[1:] - rates[0]).T
+
+    @cached_property
+    def increments(self) -> tuple[str, ...]:
+        """As the contract has them."""
+        model, found = self.model, list[str]()
+        q, u = model.split(model.random_state(0))
+        N = self.turning(Moment(0.0, q, u, u))
+        for k, name in enumerate(self.speeds):
+            own = name.replace(".u", "", 1)
+            place = self.coordinates.index(own) if own in self.coordinates else -1
+            same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
+            found.append(own if same else f"along {name}")
+        return tuple(found)
 
     def kinematics(self, at: Moment) -> Array:
         """As :meth:`Contract.kinematics`: N E = d(N u + n) - dN/dt, along increments."""

@@ -14,7 +14,7 @@ from typing import Any, Protocol, TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import block_array, csc_array, csr_array, diags_array
-from scipy.sparse.linalg import LinearOperator, eigsh, splu
+from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
@@ -187,3 +187,30 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
     count = min(count, n - 1)
     values, vectors = eigsh(K, count, M, sigma=shift, OPinv=operator, v0=start)
     return np.asarray(values), np.asarray(vectors)
+
+
+def near_quadratic(
+    K: Any, C: Any, M: Any, G: Any, shift: float, count: int
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues next to a shift, and eigenvectors, of (v^2 M + v C + K) x = 0 on what G allows.
+
+    Args:
+        K, C, M: Sparse (n, n).
+        G: What holds (m, n).
+        shift: Real, and not an eigenvalue itself.
+        count: How many.
+    """
+    n, m = K.shape[0], G.shape[0]
+    solve = factored(csr_array(K + shift * C + shift**2 * M), G)
+    more = csr_array(C + shift * M)
+
+    def apply(v: Array) -> Array:
+        first, second = np.ravel(v)[:n], np.ravel(v)[n:]
+        right = -(M @ second + more @ first)
+        x: Array = solve(np.concatenate([right, np.zeros(m)]))[:n]
+        return np.concatenate([x, first + shift * x])
+
+    operator = LinearOperator((2 * n, 2 * n), matvec=apply, dtype=np.float64)
+    start = apply(np.random.default_rng(0).normal(size=2 * n))
+    values, vectors = eigs(operator, min(count, 2 * n - 2), v0=start)
+    return shift + 1.0 / values, vectors[:n]

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from ..analyses.assembly import Assembly
     from ..analyses.ensembles import Ensemble
     from ..analyses.equilibrium import Equilibrium
+    from ..analyses.linear_model import LinearModel
+    from ..analyses.mode_shapes import Modes
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
@@ -169,6 +171,31 @@ class Analyzed(Described):
         from ..analyses.statics import statics
 
         return statics(self._itself, swept, **options)
+
+    def linearize(self, x: Any = None, **options: Any) -> LinearModel:
+        """Linear model about a state or equilibrium: ``.A .B .C .D`` with names, eigenvalues.
+
+        Args:
+            x: State (nx,) or an equilibrium; if nothing is given, that next to the start.
+            options: ``q``, ``u``, ``z``, ``inputs``, ``outputs``, ``r``, ``t``, ``parameters``;
+                see :func:`cardan.analyses.linearize.linearize`.
+        """
+        from ..analyses.linearize import linearize
+
+        return linearize(self._itself, x, **options)
+
+    def modes(self, count: int | None = None, x: Any = None, **options: Any) -> Modes:
+        """Frequencies, damping and shapes about an equilibrium or a steady motion.
+
+        Args:
+            count: How many, from the lowest frequency; all of a small system if left out.
+            x: State (nx,) or an equilibrium; if nothing is given, that next to the start.
+            options: ``q``, ``u``, ``r``, ``t``, ``parameters``, ``damped``; see
+                :func:`cardan.analyses.modes.modes`.
+        """
+        from ..analyses.modes import modes
+
+        return modes(self._itself, count, x, **options)
 
     def stiffness(self, x: ArrayLike, t: float = 0.0, **options: Any) -> Stiffness:
         """The fastest rate at a state against the rate of the motion: whether implicit methods pay.
