@@ -110,6 +110,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "health",
             "reading",
             "running",
+            "resting",
             "varying",
             "report_page",
             "sheet",

@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 WAYS = ("full", "damped", "creep")
 TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
+STEADY = 1e-8  # accelerations below this are none
 
 
 @final
@@ -154,7 +155,7 @@ def equilibrium(
     if stable and found.converged:
         found = _downhill(problem, found, load)
     result = record(model, problem, found, load)
-    if not found.converged:
+    if not result.converged:
         if check:
             raise SolveError(result.message)
         warnings.warn(result.message, SolveWarning, stacklevel=3)
@@ -193,8 +194,8 @@ def _downhill(problem: Problem, found: Search, load: Load) -> Search:
         away = np.zeros(len(found.motion))
         away[: len(standing.direction)] = standing.direction
         away *= ASIDE / np.abs(away).max()
-        beside = problem.moved(found.point, away, np.zeros(len(found.point.held) + len(
-            found.point.at.lam)))  # fmt: skip
+        still = np.zeros(len(found.point.held) + len(found.point.at.lam))
+        beside = problem.moved(found.point, away, still, load)
         found = rest(problem, beside, load, ("creep",))
         spent += found.iterations
         if not found.converged:
@@ -206,6 +207,8 @@ def record(model: Any, problem: Problem, found: Search, load: Load) -> Equilibri
     """What was found, as users see it."""
     point, system = found.point, problem.system
     nothing = Standing(None, 0, np.nan, np.zeros(0), ())
+    message = unsteady(problem, point, load) if found.converged else missed(system, found)
+    found = replace(found, converged=not message)
     standing = stand(problem, point, load) if found.converged else nothing
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
     tau = problem.held(point, load)[1]
@@ -222,20 +225,41 @@ def record(model: Any, problem: Problem, found: Search, load: Load) -> Equilibri
         least=standing.least,
         iterations=found.iterations,
         converged=found.converged,
-        message=told(standing, found) if found.converged else missed(system, found),
+        message=message or told(standing, found, bool(load.u)),
         point=point,
         load=load,
     )
 
 
-def told(standing: Standing, found: Search) -> str:
+def told(standing: Standing, found: Search, moving: bool) -> str:
     """How it stands, as a sentence."""
-    many = f"{standing.negative} direction{'s' if standing.negative != 1 else ''}"
-    kind = {True: "stable", False: "unstable", None: ""}[standing.stable]
-    kind += f" in {many}" if standing.negative else ""
-    kind = f"{kind} equilibrium".strip()
+    many = f"in {standing.negative} direction{'s' if standing.negative != 1 else ''}"
+    kind = {True: "stable ", False: "unstable ", None: ""}[standing.stable]
+    kind += "steady motion" if moving else "equilibrium"
+    if standing.negative and standing.stable is True:
+        kind += f", though forces push away {many}"
+    elif standing.negative:
+        kind += f", pushed away {many}"
     loose = "; nothing holds " + " and ".join(standing.loose) if standing.loose else ""
-    return f"{kind} after {found.iterations} iterations{loose}"
+    return f"{kind}, after {found.iterations} iterations{loose}"
+
+
+def unsteady(problem: Problem, point: Point, load: Load) -> str:
+    """Why given speeds are no steady motion; "" where they are, and at rest."""
+    if not load.u:
+        return ""
+    system, tau = problem.system, problem.held(point, load)[1]
+    moving = system.accelerations(point.at, tau)
+    left = moving.udot / system.columns
+    left[problem.held(point, load)[0]] = 0.0
+    worst = int(np.abs(left).argmax())
+    if abs(left[worst]) <= STEADY * max(1.0, float(np.abs(point.at.u / system.columns).max()) ** 2):
+        return ""
+    return (
+        f"no steady motion with these speeds: the constraints make '{system.speeds[worst]}' change "
+        f"at {moving.udot[worst]:.3g}. Give other speeds (u=), or take the motion at an instant: "
+        "model.linearize(q=, u=)"
+    )
 
 
 def missed(system: Contract, found: Search) -> str:

@@ -80,13 +80,13 @@ def _moved(
     problem: Problem, point: Point, load: Load, x: Array, y: Array, share: float, K: Matrix | None
 ) -> tuple[Point, float]:
     """The point after a step, shortened until the residual falls where K is given."""
-    whole = problem.moved(point, share * x, share * y)
+    whole = problem.moved(point, share * x, share * y, load)
     if K is None:
         return whole, share
     unit = max(float(abs(K).max()), 1e-300)
     before, first = _miss(problem, point, load, unit), (whole, share)
     for _ in range(HALVINGS):
-        found = problem.moved(point, share * x, share * y)
+        found = problem.moved(point, share * x, share * y, load)
         if _miss(problem, found, load, unit) <= (1 - 1e-4 * share) * before:
             return found, share
         share *= 0.5
@@ -122,9 +122,9 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
             return Search(point, total, False, step)
         size = _size(step)
         share = min(1.0, 0.3 * system.reach / max(size, 1e-300))
-        point = problem.moved(point, share * step, share * y)
-        downhill = below >= -1e-9 * unit or size <= TIGHT
-        if size <= 1e-6 and resistance < 1e-3 and downhill:
+        point = problem.moved(point, share * step, share * y, load)
+        near = size <= 1e-6 and resistance < 1e-3 and below >= -1e-9 * unit
+        if near or size <= TIGHT:
             found = newton(problem, point, load)
             return Search(
                 found.point,

@@ -78,7 +78,7 @@ class Problem:
         if issparse(G):
             unit = csr_array(diags_array(np.ones(G.shape[1])))
         _, y = system.saddle.solve(unit, G, -force, np.zeros(G.shape[0]))
-        return self.moved(point, np.zeros(len(force)), y)
+        return self.moved(point, np.zeros(len(force)), y, load)
 
     def under(self, point: Point, load: Load) -> Point:
         """The point under another load, with the speeds that belong to it."""
@@ -126,13 +126,14 @@ class Problem:
             return csr_array(block_array(blocks)), csr_array(block_array([[G, empty]]))
         return np.block(blocks), np.hstack([G, np.zeros((len(G), len(s.internals)))])
 
-    def moved(self, point: Point, x: Array, y: Array) -> Point:
-        """The point after a step of the unknowns."""
+    def moved(self, point: Point, x: Array, y: Array, load: Load) -> Point:
+        """The point after a step of the unknowns, with the speeds that belong to it."""
         s, at = self.system, point.at
         nu, m = len(s.columns), len(s.rows)
         q = s.integrate(at.q, x[:nu] * s.columns) if np.any(x[:nu]) else at.q
         lam = at.lam + y[:m] / s.rows
-        return Point(replace(at, q=q, z=at.z + x[nu:], lam=lam), point.held + y[m:])
+        moved = replace(at, q=q, z=at.z + x[nu:], lam=lam)
+        return Point(self._steady(moved, load), point.held + y[m:])
 
     def held(self, point: Point, load: Load) -> tuple[list[int], Array]:
         """Speeds (places) that are held, and the forces (nu,) that hold them."""

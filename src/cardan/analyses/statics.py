@@ -29,7 +29,8 @@ Array = NDArray[np.float64]
 STEPS = 10
 GOOD = 5  # iterations after which the next step may be longer
 SMALLEST = 2.0**-14
-JUMP = 0.5  # of the reach: corrections above lead to another branch
+# corrections above this part of the reach and this multiple of the step lead to another branch
+JUMP, AHEAD = 0.1, 2.0
 
 
 def statics(
@@ -137,7 +138,7 @@ def _ahead(problem: Problem, way: Loading, track: list[tuple[float, Point]], s: 
     s0, before = track[-2]
     x, y = problem.step(before, last)
     share = (s - s1) / (s1 - s0)
-    return problem.under(problem.moved(last, share * x, share * y), load)
+    return problem.under(problem.moved(last, share * x, share * y, load), load)
 
 
 def _jumped(problem: Problem, track: list[tuple[float, Point]], s: float, found: Search) -> bool:
@@ -147,7 +148,7 @@ def _jumped(problem: Problem, track: list[tuple[float, Point]], s: float, found:
     (s0, before), (s1, last) = track[-2:]
     way = problem.step(before, last)[0] * ((s - s1) / (s1 - s0))
     off = float(np.abs(problem.step(last, found.point)[0] - way).max(initial=0.0))
-    return off > JUMP * problem.system.reach
+    return off > JUMP * problem.system.reach + AHEAD * float(np.abs(way).max(initial=0.0))
 
 
 def _said(way: Loading, s: float) -> str:
@@ -162,9 +163,15 @@ def _stopped(
     asked = _said(way, 1.0)
     moving = words(system, found.motion)
     where = f", along {moving}" if moving else ""
+    ended = f"no equilibrium next to the last one beyond {_said(way, s)} (asked: {asked})"
+    if last.loose:
+        free = " and ".join(last.loose)
+        return (
+            f"{ended}: nothing holds {free} there. Begin where loads or springs hold it, or hold it "
+            "yourself: hold={'...': value}"
+        )
     return (
-        f"no equilibrium next to the last one beyond {_said(way, s)} (asked: {asked}): the "
-        f"stiffness gives way there{where} (lowest eigenvalue {last.least:.3g} J): a limit point, "
-        "a bifurcation, or the end of what the mechanism can reach. The path up to there is kept; "
-        "go on with prescribed displacements (hold={'...': (start, end)})"
+        f"{ended}: the stiffness gives way there{where} (lowest eigenvalue {last.least:.3g} J): a "
+        "limit point, a bifurcation, or the end of what the mechanism can reach. The path up to "
+        "there is kept; go on with prescribed displacements (hold={'...': (start, end)})"
     )
