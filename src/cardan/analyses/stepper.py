@@ -65,7 +65,7 @@ class Stepper:
     @property
     def modes(self) -> dict[str, float]:
         """Discrete states of elements, by name."""
-        return dict(zip(self._model.modes, self._runner.views["s"].tolist(), strict=True))
+        return dict(zip(self._model.mode_names, self._runner.views["s"].tolist(), strict=True))
 
     @property
     def events(self) -> tuple[Event, ...]:

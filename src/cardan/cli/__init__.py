@@ -26,6 +26,10 @@ COMMANDS = {
     "check": (".check", "complaints about a scene, each with its cure"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
+    "statics": (".statics", "equilibria under loads that change, and where stability ends"),
+    "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
+    "linearize": (".linearize", "the linear model with names and eigenvalues"),
     "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
@@ -44,6 +48,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
                                              many runs that differ
+  cardan modes arm.urdf --hold elbow=0.3     how it vibrates; where it rests: equilibrium, statics
   cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
