@@ -51,10 +51,11 @@ def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> No
 def massless_tips(system: System) -> list[tuple[str, str]]:
     """Bodies without any mass from there outward, with their joints; M is singular there.
 
-    What a joint that closes a circuit holds is no tip.
+    What a joint that closes a circuit holds is no tip, nor what a beam holds.
     """
     count = len(system.bodies)
     held = {system.frames[f].body for c in system.closing for f in (c.parent_frame, c.child_frame)}
+    held |= {system.frames[f].body for s in system.segments for f in (s.frame_a, s.frame_b)}
     heavy = [bool(b.mass or any(b.inertia)) or i in held for i, b in enumerate(system.bodies)]
     for k in range(count - 1, -1, -1):
         parent = system.bodies[k].parent
