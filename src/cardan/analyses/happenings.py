@@ -169,7 +169,7 @@ def _row(model: CompiledModel, stated: Mapping[str, Any]) -> dict[str, Any]:
     row = {key: stated[key] for key in ("name", "element", "kind")}
     for mode, value in stated.get("decides", {}).items():
         # counted from the end, as the length of what lies before the modes differs
-        row["decides"] = [model.modes.index(mode) - model.ns, value]
+        row["decides"] = [model.mode_names.index(mode) - model.ns, value]
     return row
 
 

@@ -110,7 +110,8 @@ class Runner:
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
         run.columns = self._pointer(columns_of(model, run.size))
-        run.mesh = model._source.mesh(model) or None
+        if "mesh" in model.manifest:
+            run.mesh = model._source.mesh(model)
 
     def loosen(self, slack: float) -> None:
         """Let residuals up to a slack, without units, count as none."""

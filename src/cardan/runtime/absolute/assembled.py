@@ -91,7 +91,7 @@ class Assembled(Source):
 
 
 class _Evaluator:
-    """A function of one state, called as generated C is; see :class:`~..interpreted.Interpreted`."""
+    """A function of one state, called as generated C is; see :class:`.Interpreted`."""
 
     def __init__(self, function: Callable[[dict[str, Array]], Array]) -> None:
         self.function = function

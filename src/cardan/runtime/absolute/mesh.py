@@ -17,9 +17,9 @@ from ..abi_ctypes import FUNCTION
 from ..loaded import prepare
 from ..objects import Code
 from ..slots import ORDER
+from .blocks import plan_record
 from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
-from .solver import plan_record
 from .tables import Kind, Table, Tables
 
 Array = NDArray[np.float64]
