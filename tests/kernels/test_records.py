@@ -36,7 +36,7 @@ def fields(header: str, name: str) -> list[tuple[str, object]]:
         if function:
             listed.append((function[1], record.POINTER))
             continue
-        declared = re.match(r"(?:(?:const|volatile) )*(\w+) (.+)", words)
+        declared = re.match(r"(?:(?:const|volatile|struct) )*(\w+) (.+)", words)
         for part in declared[2].split(",") if declared else ():
             own = part.strip().lstrip("*")
             if "*" in part:
