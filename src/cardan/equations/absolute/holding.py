@@ -12,9 +12,10 @@ from __future__ import annotations
 from functools import cached_property
 
 from ...elements.closing import closed
+from ...elements.joints.free import Free
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional, forward, gradient
-from ...ir.graph import ONE, ZERO
+from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...topology.motion import input_rates
 from ...topology.system import GROUND
@@ -23,6 +24,31 @@ from ..ends import placed
 from ..kinematics import Kinematics
 
 Seeds = dict[int, int]
+
+
+def increments(k: Kinematics) -> list[Seeds]:
+    """Changes of the poses of nodes and of joint coordinates along every speed of a small system.
+
+    Rotations change as they stand, R' = R [w], not through quaternions.
+    """
+    g, found = k.graph, list[Seeds]()
+    for i, joint in enumerate(k.system.joints):
+        if joint.u < 0:
+            continue
+        if joint.element == Free() and k.system.bodies[i].parent == GROUND:
+            R, p = k.ground_rotation[i], k.ground_position[i]
+            for unit in _axes(g):
+                found.append(dict(zip(R.nodes, (R @ unit.skew).nodes, strict=True)))
+            found += [{node: ONE} for node in p.nodes]
+            continue
+        for n in range(len(joint.element.speeds)):
+            column = forward(g, k.rates.nodes, {g.var("u", joint.u + n): ONE})
+            found.append({g.var("q", m): node for m, node in enumerate(column) if node})
+    return found
+
+
+def _axes(graph: Graph) -> list[Matrix]:
+    return [Matrix.identity(graph, 3).column(n) for n in range(3)]
 
 
 class Held:
@@ -83,27 +109,19 @@ class Held:
     @cached_property
     def seeds(self) -> list[Seeds]:
         """Changes of D, d, R_A and joint coordinates along every speed."""
-        g, found = self.graph, list[Seeds]()
-        for i, joint in enumerate(self.k.system.joints):
-            if joint.u < 0:
-                continue
-            if i in (self.parent, self.child):
-                found += [self._moved(i, axis, turns) for turns in (True, False) for axis in "xyz"]
-                continue
-            for n in range(len(joint.element.speeds)):
-                column = forward(g, self.k.rates.nodes, {g.var("u", joint.u + n): ONE})
-                found.append({g.var("q", m): node for m, node in enumerate(column) if node})
+        found = increments(self.k)
+        for body in {self.parent, self.child} - {GROUND}:
+            first = self.k.system.joints[body].u
+            found[first : first + 6] = self._moved(body)
         return found
 
-    def _moved(self, body: int, axis: str, turns: bool) -> Seeds:
-        """Changes along one speed of a node."""
-        g = self.graph
-        unit = Matrix(g, 3, 1, [ONE if axis == other else ZERO for other in "xyz"])
-        still = Matrix.zeros(g, 3)
-        turning, moving = (unit, still) if turns else (still, unit)
+    def _moved(self, body: int) -> list[Seeds]:
+        """Changes along the speeds of a node."""
+        still, axes = Matrix.zeros(self.graph, 3), _axes(self.graph)
+        speeds = [(axis, still) for axis in axes] + [(still, axis) for axis in axes]
         if body == self.parent:
-            return self._changes(turning, moving, still, still)
-        return self._changes(still, still, turning, moving)
+            return [self._changes(*own, still, still) for own in speeds]
+        return [self._changes(still, still, *own) for own in speeds]
 
     def _changes(self, w_a: Matrix, v_a: Matrix, w_b: Matrix, v_b: Matrix) -> Seeds:
         """Changes of D, d and R_A at speeds of both nodes."""

@@ -10,8 +10,9 @@ from typing import Any
 from ...elements.forces.force import ForceElement
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
-from ...ir.graph import ZERO
+from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...topology.system import System
 from .. import balance, happening, outputs
@@ -24,7 +25,7 @@ from ..functions import WRENCH
 from ..kinematics import Kinematics
 from ..record import ABI_ORDER
 from ..relative.newton_euler import driving_force, joint_forces
-from .holding import Held
+from .holding import Held, increments
 from .pieces import Piece
 from .record import BlockKind, Kind
 
@@ -201,8 +202,25 @@ class _Builder:
     def _tangent(self) -> tuple[Output, ...]:
         if not self.system.nu:
             return ()
-        found = self._held_tangent() if self.piece.joint else balance.balance_tangent(self.c)
+        if self.piece.joint:
+            found = self._held_tangent()
+        elif self.system.closed:
+            found = balance.balance_tangent(self.c)
+        else:
+            found = self._free_tangent()
         return tuple(output for output in found if any(node != ZERO for node in output.nodes))
+
+    def _free_tangent(self) -> tuple[Output, ...]:
+        """K, C and M of what binds nothing."""
+        g, nu = self.k.graph, self.system.nu
+        b = self.d.inverse(self.c.udot)
+        slots = [{g.var("u", n): ONE} for n in range(nu)]
+        K, C = (directional(g, b.nodes, along) for along in (increments(self.k), slots))
+        return (
+            Output("K", (nu, nu), tuple(column[i] for i in range(nu) for column in K)),
+            Output("C", (nu, nu), tuple(column[i] for i in range(nu) for column in C)),
+            Output("M", (nu, nu), self.d.mass_matrix.nodes),
+        )
 
     def _held_tangent(self) -> tuple[Output, ...]:
         """K, R and G of a joint: it has no mass, and what it holds no damping."""
