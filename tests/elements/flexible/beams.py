@@ -148,7 +148,7 @@ def equilibrium(
     """
     n = len(beam.q)
     free = np.setdiff1d(np.arange(6 * n), held)
-    stress = [np.zeros((n - 1, 6)) for _ in beam.parts]
+    stress = [_stress(part, beam) for part in beam.parts]
     steps: list[float] = []
     small = 1e-9 * beam.stations[-1]
     while not steps or steps[-1] > small:
@@ -170,6 +170,14 @@ def equilibrium(
         beam = beam.moved(nodes)
         steps.append(float(np.abs(du).max()))
     return Equilibrium(beam, tuple(steps))
+
+
+def _stress(part: Part, beam: Beam) -> Array:
+    """Of the middle of every element."""
+    if "mixed" not in part.functions:
+        return np.zeros((len(beam.pairs), 6))
+    found: Array = part.value("stress", q=beam.pairs)["stress"][:, :2].mean(axis=1)
+    return found
 
 
 def _response(part: Part, beam: Beam, z: Array, mixed: bool) -> tuple[Array, Array]:

@@ -97,8 +97,8 @@ class StrainElement(FlexibleElement):
     The functions ``mixed`` and ``mixed_step`` keep the stress z (6) as an unknown of Newton's
     method: from far away it then takes a few steps where it diverges without. ``mixed`` gives the
     balance [b] and [K] with the stress eliminated; when the increments du of the nodes are known,
-    ``mixed_step`` gives the new z, before the nodes are moved. z starts from zero. At the solution
-    both are ``balance`` and its tangent, and z is the stress.
+    ``mixed_step`` gives the new z, before the nodes are moved. z starts from the stress, the mean of
+    that at both ends. At the solution both are ``balance`` and its tangent, and z is the stress.
 
     Attributes:
         mixed: Whether it has them.
