@@ -145,6 +145,11 @@ def derive(
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    if system.segments:
+        raise DerivationError(
+            f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
+            "scene with beams needs coordinates='absolute'"
+        )
     if system.closures:
         system = with_branches(system)
     chosen: tuple[Named, ...] = ()

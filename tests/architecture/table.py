@@ -86,6 +86,8 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force"}),
+    "elements.sections": frozenset({"section"}),
+    "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
     "equations.treatments": frozenset({"treatment"}),

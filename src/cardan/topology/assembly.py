@@ -17,6 +17,8 @@ from ..model.frame import Frame as UserFrame
 from ..model.frame import Place
 from ..model.model import Model
 from . import motion
+from .beamed import BeamNodes
+from .beams import Beams
 from .circuits import circuit
 from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
@@ -34,9 +36,12 @@ class Assembly:
         model: The scene, rotors of drives included.
         convert: Makes expressions of what is written.
         rotors: Joint of a rotor -> the joint whose place it shares.
+        nodes: Nodes of beams, which are bodies of the scene.
     """
 
-    def __init__(self, model: Model, convert: Converter, rotors: Mapping[str, str]) -> None:
+    def __init__(
+        self, model: Model, convert: Converter, rotors: Mapping[str, str], nodes: BeamNodes
+    ) -> None:
         self.model = model
         self.graph = convert.graph
         self.convert = convert
@@ -56,7 +61,8 @@ class Assembly:
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
         self.data: dict[str, dict[str, tuple[int, int, Nodes]]] = {}
-        self.reference = Reference(convert, model)
+        self.beams = Beams(convert, nodes, self._pose)
+        self.reference = Reference(convert, model, self.beams)
         self._place_ground()
 
     def _place_ground(self) -> None:
@@ -84,11 +90,13 @@ class Assembly:
         """The joint frame on the parent body and on the child body, in their user frames."""
         if joint.name in self.rotors:
             return self.parent_side[self.rotors[joint.name]], HERE
+        if joint.name in self.beams.nodes.implicit:
+            return self.reference.floating(joint)
         with self.graph.made_by(joint.name, "placement"):
             sides = self.reference.sides(
                 joint,
-                self._local(joint.parent, joint.name),
-                self._local(joint.child, f"{joint.name}.child"),
+                self.placed(joint.parent, joint.name),
+                self.placed(joint.child, f"{joint.name}.child"),
                 lambda: self._rest(joint),
             )
         self.parent_side[joint.name] = sides[0]
@@ -113,7 +121,7 @@ class Assembly:
         rotation, position = joint.kind.pose(q, **data)
         return Placement(rotation.nodes, position.nodes)
 
-    def _local(self, place: Place, name: str) -> Placement:
+    def placed(self, place: Place, name: str) -> Placement:
         """A frame in its user body; the parameters take the name of the first who uses it."""
         if isinstance(place, UserBody):
             return HERE
@@ -125,6 +133,10 @@ class Assembly:
             found = Placement(rotation, position)
             self.local[place] = found
         return found
+
+    def _pose(self, place: Place, name: str) -> Placement:
+        """Pose of a frame in the reference configuration."""
+        return self.reference.poses[place.body].then(self.graph, self.placed(place, name))
 
     def _merge(self, branch: Branch, near_side: Placement, far_side: Placement) -> None:
         """Fix the outer body to the rigid body of the inner one."""
@@ -224,8 +236,8 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             sides = self.reference.closing(
                 joint,
-                self._local(joint.parent, joint.name),
-                self._local(joint.child, f"{joint.name}.child"),
+                self.placed(joint.parent, joint.name),
+                self.placed(joint.child, f"{joint.name}.child"),
                 lambda: self._rest(joint),
             )
             (parent, inner), (child, outer) = (
@@ -249,9 +261,9 @@ class Assembly:
 
     def _carry(self, joint: UserJoint, parent: int, near: int, place: Placement) -> int:
         """Number of a new body without mass, which a joint moves in place of its child."""
-        number, name = len(self.bodies), self._unwritten(f"{joint.name}.carried")
+        number, name = len(self.bodies), self.unwritten(f"{joint.name}.carried")
         self.bodies.append(Rigid(name, parent))
-        far = self._number(name, name, number, 0, HERE)
+        far = self.new_frame(name, name, number, 0, HERE)
         self._enter(self._moving(joint, near, far, place))
         return number
 
@@ -298,7 +310,7 @@ class Assembly:
         g, body = self.graph, branch.outer
         number, placement = self.home[body]
         rigid = self.rigid(number)
-        frame = self._number(body, body.name, number, len(rigid.parts), placement)
+        frame = self.new_frame(body, body.name, number, len(rigid.parts), placement)
         with g.made_by(body.name, "mass"):
             mass = self.convert.scalar(body.mass, f"{body.name}.mass", "kg")
             com = self.convert.vector(body.com, f"{body.name}.com", "m")
@@ -319,7 +331,7 @@ class Assembly:
             Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
         )
 
-    def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
+    def new_frame(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
         """A new frame of the system."""
         self.numbers[key] = len(self.frames)
         self.frames.append(Frame(name, body, part, placement.rotation, placement.position))
@@ -334,11 +346,11 @@ class Assembly:
                 return known
         part = self.rigid(body).index[place.body.name]
         own = isinstance(place, UserFrame) and place.named and not known
-        named = place.name if own else self._unwritten(name)
+        named = place.name if own else self.unwritten(name)
         # a joint placed by at= has a frame of its own on a body that stands for another
-        return self._number(name if known is not None else place, named, body, part, placement)
+        return self.new_frame(name if known is not None else place, named, body, part, placement)
 
-    def _unwritten(self, name: str) -> str:
+    def unwritten(self, name: str) -> str:
         """A made name, or one like it where the user gave that to something else."""
         while name in self.written:
             name += "_"
@@ -349,11 +361,11 @@ class Assembly:
         known = self.numbers.get(place)
         if known is None:
             number, home = self.home[place.body]
-            placement = home.then(self.graph, self._local(place, name))
+            placement = home.then(self.graph, self.placed(place, name))
             part = self.rigid(number).index[place.body.name]
             own = isinstance(place, UserBody) or place.named
-            named = place.name if own else self._unwritten(name)
-            known = self._number(place, named, number, part, placement)
+            named = place.name if own else self.unwritten(name)
+            known = self.new_frame(place, named, number, part, placement)
         return known
 
     def couple(self) -> None:

@@ -43,6 +43,7 @@ class Converter:
         values: Numbers by dotted name that replace those written, as far as not yet used.
         same: Dotted name -> the name under which the same number is kept.
         built_in: Which parameters are written into the equations as numbers.
+        fixing: Numbers, not expressions, are part of the form where this is set.
     """
 
     def __init__(self, model: Model, graph: Graph, built_in: BuiltIn | None = None) -> None:
@@ -52,6 +53,7 @@ class Converter:
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
         self.moving = False
+        self.fixing = False
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
         self.values = dict(model.values) | (built_in.values if built_in is not None else {})
@@ -71,7 +73,7 @@ class Converter:
         self.units[name] = unit
 
     def _parameter(self, name: str, value: float, unit: str, declared: bool = False) -> int:
-        if self.built_in is not None and self.built_in.takes(name):
+        if self.fixing or (self.built_in is not None and self.built_in.takes(name)):
             self.structural[name] = value
             return self.graph.const(value)
         self.parameters.append(Parameter(name, value, unit, declared))

@@ -1,0 +1,221 @@
+"""Scenes with beams: their nodes become bodies, and joints come in an order in which places follow.
+
+Where a node is follows from its beam, and where that is from what its ends are joined to. Joints
+are taken one after the other from the ground; where none leads on, the nodes of a beam whose ends
+have their places do, and then bodies with a pose.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field
+from heapq import heapify, heappop, heappush
+
+from ..elements.joints.cylindrical import Cylindrical
+from ..elements.joints.free import Free
+from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.planar import Planar
+from ..elements.joints.prismatic import Prismatic
+from ..elements.joints.revolute import Revolute
+from ..elements.joints.spherical import Spherical
+from ..elements.joints.universal import Universal
+from ..errors import ModelError, TopologyError
+from ..model.beam import Beam
+from ..model.body import Body
+from ..model.connections import Joint
+from ..model.model import Model
+
+# what is let go at an end -> the joint that lets it
+RELEASED: dict[frozenset[str], JointElement] = {
+    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
+    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
+    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
+    frozenset({"rx", "ry"}): Universal("x", "y"),
+    frozenset({"ry", "rz"}): Universal("y", "z"),
+    frozenset({"rx", "rz"}): Universal("x", "z"),
+    frozenset({"x", "y", "rz"}): Planar("z"),
+    frozenset({"y", "z", "rx"}): Planar("x"),
+    frozenset({"x", "z", "ry"}): Planar("y"),
+    frozenset({"rx", "ry", "rz"}): Spherical(),
+}
+
+
+@dataclass(frozen=True)
+class BeamNodes:
+    """What the build must know about added nodes.
+
+    Attributes:
+        beams: Node -> its beam.
+        implicit: Names of the joints that let a node, or a body that only beams hold, move freely.
+        releases: Names of the joints of released ends.
+    """
+
+    beams: dict[Body, Beam] = field(default_factory=dict)
+    implicit: set[str] = field(default_factory=set)
+    releases: set[str] = field(default_factory=set)
+
+
+def with_beams(model: Model) -> tuple[Model, BeamNodes]:
+    """The model with the nodes of its beams as bodies.
+
+    Returns:
+        The model itself where there are no beams, else a copy; and what was added.
+
+    Raises:
+        ModelError: a release that no joint allows.
+        TopologyError: a beam whose place does not follow from anything.
+    """
+    nodes = BeamNodes()
+    if not model.beams:
+        return model, nodes
+    extended = copy.copy(model)
+    extended.bodies = dict(model.bodies)
+    for beam in model.beams.values():
+        for body in own_nodes(beam):
+            extended.bodies[body.name] = body
+            nodes.beams[body] = beam
+    growth = _Growth(model, nodes)
+    growth.run()
+    extended.joints = growth.ordered | {
+        name: joint for name, joint in model.joints.items() if name not in growth.ordered
+    }
+    return extended, nodes
+
+
+def own_nodes(beam: Beam) -> list[Body]:
+    """The nodes of a beam that are not frames of the user."""
+    names = (f"{beam.name}.start", f"{beam.name}.end", *beam.stops)
+    found = ((name, beam.model.nodes[name]) for name in names)
+    return [place.body for name, place in found if place.name == name]
+
+
+def release(beam: Beam, role: str, released: tuple[str, ...]) -> JointElement:
+    """The joint that lets an end go in some directions.
+
+    Raises:
+        ModelError: there is none.
+    """
+    found = RELEASED.get(frozenset(released))
+    if found is None:
+        listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
+        raise ModelError(
+            f"beam '{beam.name}': release_{role} of {'+'.join(released)} is no joint. Known: "
+            f"{listed}. For all six let the end be free: give its point"
+        )
+    return found
+
+
+class _Growth:
+    """Takes joints in an order in which every place follows from those before."""
+
+    def __init__(self, model: Model, nodes: BeamNodes) -> None:
+        self.model = model
+        self.nodes = nodes
+        self.joints = [joint for joint in model.joints.values() if not joint.cut]
+        self.at: dict[Body, list[int]] = {}
+        for k, joint in enumerate(self.joints):
+            self._attach(k, joint)
+        self.ordered: dict[str, Joint] = {}
+        self.waiting = list(model.beams.values())
+        # nodes whose beams have their places; nodes to be reached, in the order of their beams
+        self.known: set[Body] = set()
+        self.loose: list[Body] = []
+        self.reached: set[Body] = set()
+        self.open: list[int] = []
+
+    def _attach(self, k: int, joint: Joint) -> None:
+        for place in (joint.parent, joint.child):
+            self.at.setdefault(place.body, []).append(k)
+
+    def run(self) -> None:
+        """Reach what can be reached; bodies without beams that hang nowhere are left."""
+        self._reach(self.model.ground)
+        while self._grown() or self._placed() or self._floated():
+            pass
+        if self.waiting:
+            raise self._unplaced()
+
+    def _reach(self, body: Body) -> None:
+        self.reached.add(body)
+        for k in self.at.get(body, ()):
+            heappush(self.open, k)
+
+    def _grown(self) -> bool:
+        """Joints that lead on from what is reached."""
+        before = len(self.ordered)
+        while self.open:
+            joint = self.joints[heappop(self.open)]
+            ends = (joint.parent.body, joint.child.body)
+            if joint.name in self.ordered or any(
+                body in self.nodes.beams and body not in self.known for body in ends
+            ):
+                continue
+            self.ordered[joint.name] = joint
+            for body in ends:
+                if body not in self.reached:
+                    self._reach(body)
+        return len(self.ordered) > before
+
+    def _placed(self) -> bool:
+        """Beams whose ends have their places: so do their nodes."""
+        ready = [beam for beam in self.waiting if not self._needs(beam)]
+        self.waiting = [beam for beam in self.waiting if beam not in ready]
+        for beam in ready:
+            own = own_nodes(beam)
+            self.known.update(own)
+            self.loose += own
+            for role, end in zip(("start", "end"), beam.ends, strict=True):
+                if end.place is not None and end.released:
+                    self._released(beam, role, release(beam, role, end.released))
+            for body in own:
+                for k in self.at.get(body, ()):
+                    heappush(self.open, k)
+            # a joint waits here until one of its bodies is reached
+            self.open = [k for k in self.open if self._touched(k)]
+            heapify(self.open)
+        return bool(ready)
+
+    def _touched(self, k: int) -> bool:
+        joint = self.joints[k]
+        return joint.parent.body in self.reached or joint.child.body in self.reached
+
+    def _needs(self, beam: Beam) -> list[Body]:
+        """Bodies that a beam waits for."""
+        homes = [end.place.body for end in beam.ends if end.place is not None]
+        homes += [beam.base] if beam.base is not None else []
+        return [body for body in homes if body not in self.reached]
+
+    def _released(self, beam: Beam, role: str, element: JointElement) -> None:
+        """The joint of an end that is not clamped."""
+        name = f"{beam.name}.{role}"
+        place = beam.ends[0 if role == "start" else 1].place
+        if name in self.model.joints or place is None:
+            raise ModelError(f"beam '{beam.name}': the name '{name}' of its end is that of a joint")
+        joint = Joint(name, element, place.body, self.model.nodes[name])
+        self.joints.append(joint)
+        self.nodes.releases.add(name)
+        self._attach(len(self.joints) - 1, joint)
+
+    def _floated(self) -> bool:
+        """The next node that no joint reaches, or body with a pose that a beam waits for."""
+        self.loose = [body for body in self.loose if body not in self.reached]
+        needed = [body for beam in self.waiting for body in self._needs(beam)]
+        posed = [b for b in needed if b.pose is not None and b not in self.nodes.beams]
+        for body in (*self.loose[:1], *posed[:1]):
+            name = body.name
+            while name in self.model.joints or name in self.ordered:
+                name += "_"
+            self.ordered[name] = Joint(name, Free(), self.model.ground, body)
+            self.nodes.implicit.add(name)
+            self._reach(body)
+            return True
+        return False
+
+    def _unplaced(self) -> TopologyError:
+        """A beam that hangs on a body without a place."""
+        beam = self.waiting[0]
+        name = self._needs(beam)[0].name
+        return TopologyError(
+            f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. Give "
+            "it pose=, its place in the reference configuration, or join it to something else"
+        )
