@@ -51,17 +51,25 @@ def add_beam(
     first, last = (
         end_of(model, who, role, *given) for role, given in zip(ROLES, ends, strict=True)
     )
+    section, material = materialized(who, *made_of)
+    rise = number(who, "temperature", temperature)
+    if not _zero(rise) and _zero(material.expansion):
+        raise ModelError(
+            f"{who}: temperature= acts through the expansion of the material; give "
+            "cd.material(expansion=...)"
+        )
     made = Beam(
         model,
         name,
         (first, last),
-        *materialized(who, *made_of),
+        section,
+        material,
         count_of(who, elements),
         None if up is None else axis(who, "up", up),
         line_of(who, line),
         chosen(who, "element", kinds[0], ELEMENTS),
         chosen(who, "inertia", kinds[1], INERTIAS),
-        number(who, "temperature", temperature),
+        rise,
         prestrain_of(who, prestrain),
     )
     add_nodes(made)
@@ -104,9 +112,7 @@ def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
     if isinstance(given, (Body, Frame, str)):
         return End(model.place(who, given, role), None, letting)
     if letting:
-        raise ModelError(
-            f"{who}: its {role} is a free end: nothing holds it that could be released"
-        )
+        raise ModelError(f"{who}: release_{role}: that end is free, nothing holds it; leave it out")
     return End(None, _triple(who, role, given))
 
 

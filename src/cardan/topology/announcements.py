@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from ..model.checks import mass
 from ..model.model import Model
@@ -11,9 +11,21 @@ from .convert import Converter
 from .system import Nodes, System
 
 
-def announce(system: System, model: Model, convert: Converter) -> System:
-    """The system with notes: what does not act, what is unused, massless tips."""
+def announce(
+    system: System, model: Model, convert: Converter, placing: Collection[str] = ()
+) -> System:
+    """The system with notes: what does not act, what is unused, massless tips.
+
+    Args:
+        placing: Parameters that say where beams are.
+    """
     notes = list(model.notes)
+    notes += [
+        f"parameter '{name}' says where a beam is, so that its value is built into the equations; "
+        f"for another one give specialize={{'{name}': ...}}"
+        for name in model.parameters
+        if name in placing
+    ]
     for what, names in (("parameter", model.parameters), ("input", model.inputs)):
         notes += [
             f"{what} '{name}' is declared but used nowhere: use it or remove it"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from ..elements.forces.force import ForceElement
 from ..elements.forces.line_load import LineLoad
@@ -64,7 +64,12 @@ def build(
         raise found from problem
 
 
-def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] | None) -> System:
+def _build(
+    model: Model,
+    built_in: BuiltIn | None,
+    branches: Mapping[str, str] | None,
+    placing: Collection[str] = (),
+) -> System:
     scene, rotors = with_rotors(model)
     scene, nodes = with_beams(scene)
     convert = Converter(scene, Graph(), built_in)
@@ -97,8 +102,8 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
     beams = segments(scene, assembly)
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
-        fixed = BuiltIn.with_names(built_in, assembly.beams.geometry)
-        return _build(model, fixed, branches)
+        placing = assembly.beams.geometry
+        return _build(model, BuiltIn.with_names(built_in, placing), branches, placing)
 
     # what expressions may speak of, then the expressions
     convert.moving = True
@@ -139,7 +144,7 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
         snaps=tuple(scene.snaps),
         structural=convert.structural,
     )
-    return announcements.announce(made, scene, convert)
+    return announcements.announce(made, scene, convert, placing)
 
 
 def _grown(assembly: Assembly) -> Assembly:

@@ -122,8 +122,8 @@ class Reference:
         g = self.convert.graph
         inner, outer = joint.parent.body, joint.child.body
         for body in (inner, outer):
-            pose = self.beams.pose(body) or self._given(body)
-            if body not in self.poses and pose is not None:
+            pose = None if body in self.poses else self.beams.pose(body) or self._given(body)
+            if pose is not None:
                 self.poses[body] = pose
         if joint.at is not None:
             place, there = self._at(joint, apart)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from ..elements import material as materials
 from ..elements.forces.line_load import LineLoad
 from ..elements.sections.section import Stiffness
-from ..errors import ModelError
+from ..errors import ModelError, near
 from ..ir.arithmetic import Scalar
 from ..ir.graph import ZERO
 from ..model.beam import Beam
@@ -149,7 +149,10 @@ def _loads(scene: Model, convert: Converter) -> dict[str, Data]:
         if not isinstance(element, LineLoad):
             continue
         if element.beam not in scene.beams:
-            raise ModelError(f"force '{name}' (line_load): there is no beam '{element.beam}'")
+            listed = near(str(element.beam), scene.beams).replace(" Known:", " Beams:")
+            raise ModelError(
+                f"force '{name}' (line_load): there is no beam '{element.beam}'.{listed}"
+            )
         with convert.graph.made_by(name, "data"):
             for key, entry in element.quantities().items():
                 *_, nodes = convert.quantity(entry, f"{name}.{key}")

@@ -4,25 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields, is_dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from ...elements.forces.force import ForceElement
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
-from ...ir.graph import ZERO
+from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...topology.system import System
 from .. import balance, happening, outputs
 from ..blocks import blocks
-from ..closing_loads import Closing, with_closing
-from ..constraints import VELOCITY
+from ..closing_loads import with_closing
+from ..constraints import VELOCITY, rows
 from ..context import Context
 from ..dynamics import Dynamics
 from ..functions import WRENCH
 from ..kinematics import Kinematics
 from ..record import ABI_ORDER
 from ..relative.newton_euler import driving_force, joint_forces
+from .holding import Held, increments
 from .pieces import Piece
 from .record import BlockKind, Kind
 
@@ -79,10 +82,8 @@ def _outline(element: JointElement | ForceElement) -> str:
         for field in fields(element)
         if field.type not in ("Place", "JointName")
     ]
-    rows = ()
-    if isinstance(element, JointElement):
-        rows = (element.held, element.slips)
-    return repr((type(element).__name__, told, rows))
+    held = (element.held, element.slips) if isinstance(element, JointElement) else ()
+    return repr((type(element).__name__, told, held))
 
 
 def _pattern(value: Any, own: bool) -> str:
@@ -108,7 +109,6 @@ def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
         places: What its places hold.
     """
     context = _context(piece)
-    rows = context.d.constraints.rows if piece.system.closed else ()
     made = _Builder(context, piece).made()
     listed = blocks(piece.system)
     listed["z"] = _states("z", len(piece.cutting.z))
@@ -117,8 +117,8 @@ def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
     return Kind(
         name=name,
         blocks=places,
-        rows=tuple((_suffix(row.name), row.unit) for row in rows),
-        mp=sum(row.level != VELOCITY for row in rows),
+        rows=tuple((_suffix(row.name), row.unit) for row in rows(piece.system)),
+        mp=sum(row.level != VELOCITY for row in rows(piece.system)),
         data=listed["p"].entries,
         functions={
             function: Function(
@@ -190,15 +190,53 @@ class _Builder:
         return Output(name, (x.rows,), x.nodes, entries)
 
     def _balance(self) -> tuple[Output, ...]:
+        if self.piece.joint:
+            held = self.held
+            return (
+                *self.c.vector("balance", -held.forces(self._lam()), "tau"),
+                self._vector("g", held.position),
+                self._vector("rates", held.rates),
+            )
         return balance.balance(self.c) if self.system.nu or self.system.closed else ()
 
     def _tangent(self) -> tuple[Output, ...]:
         if not self.system.nu:
             return ()
-        found = balance.balance_tangent(self.c)
+        if self.piece.joint:
+            found = self._held_tangent()
+        elif self.system.closed:
+            found = balance.balance_tangent(self.c)
+        else:
+            found = self._free_tangent()
         return tuple(output for output in found if any(node != ZERO for node in output.nodes))
 
+    def _free_tangent(self) -> tuple[Output, ...]:
+        """K, C and M of what binds nothing."""
+        g, nu = self.k.graph, self.system.nu
+        b = self.d.inverse(self.c.udot)
+        slots = [{g.var("u", n): ONE} for n in range(nu)]
+        K, C = (directional(g, b.nodes, along) for along in (increments(self.k), slots))
+        return (
+            Output("K", (nu, nu), tuple(column[i] for i in range(nu) for column in K)),
+            Output("C", (nu, nu), tuple(column[i] for i in range(nu) for column in C)),
+            Output("M", (nu, nu), self.d.mass_matrix.nodes),
+        )
+
+    def _held_tangent(self) -> tuple[Output, ...]:
+        """K, R and G of a joint: it has no mass, and what it holds no damping."""
+        held, nu = self.held, self.system.nu
+        m = held.rates.rows
+        columns = held.along(-held.forces(self._lam()))
+        turned = held.along(held.rates)
+        return (
+            Output("K", (nu, nu), tuple(column[i] for i in range(nu) for column in columns)),
+            Output("R", (m, nu), tuple(column[i] for i in range(m) for column in turned)),
+            Output("G", (m, nu), held.jacobian.nodes),
+        )
+
     def _gamma(self) -> tuple[Output, ...]:
+        if self.piece.joint:
+            return (self._vector("gamma", self.held.gamma),)
         return (self._vector("gamma", self.d.constraints.gamma),) if self.system.closed else ()
 
     def _energy(self) -> tuple[Output, ...]:
@@ -212,17 +250,17 @@ class _Builder:
         return (self._vector("zdot", happening.rates(self.d)),)
 
     def _lam(self) -> Matrix:
-        return self.d.block("lam", len(self.d.constraints.rows))
+        return self.d.block("lam", len(rows(self.system)))
 
-    def _wrench(self) -> Closing:
-        """What cut joint 0 transmits."""
-        own = self.d.constraints
-        return Closing(self.system.cuts[0], own.pose(0), own.wrench(0, self._lam()))
+    @cached_property
+    def held(self) -> Held:
+        """What the joint holds."""
+        return Held(self.k)
 
     def _reaction(self) -> tuple[Output, ...]:
         if not self.piece.joint:
             return ()
-        wrench, turned = self._wrench().wrench, self.piece.turned
+        wrench, turned = self.held.transmitted(self._lam()).wrench, self.piece.turned
         if turned >= 0:
             wrench = outputs.on_declared_child(self.k, turned, wrench)
         return (Output("reaction", (6,), wrench.nodes, *WRENCH),)
@@ -233,7 +271,9 @@ class _Builder:
             return []
         d, rest = self.d, self.c.udot
         acc = outputs.system_accelerations(d, rest)
-        loads = with_closing(self.k, d.loads, [self._wrench()] if self.piece.joint else [])
+        loads = with_closing(
+            self.k, d.loads, [self.held.transmitted(self._lam())] if self.piece.joint else []
+        )
         forces = joint_forces(self.k, acc, loads)
         still = Matrix.zeros(self.k.graph, 1)
         return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.piece.driven]
