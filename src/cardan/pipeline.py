@@ -137,7 +137,7 @@ def derive(
         raise DerivationError(
             f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
         )
-    if coordinates == "absolute":
+    if coordinates == "absolute" or (coordinates == "auto" and scene.beams):
         given: dict[str, object] = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
         given["method"] = None if method == "auto" else method
         given["constraints"] = None if constraints == "auto" else constraints

@@ -175,7 +175,11 @@ def _group(group: Group) -> dict[str, Any]:
 def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Rows of the coordinates and of the speeds."""
     places, system = absolute.places, absolute.system
-    starts = {j.name: j.q0 for j in system.joints if j.q0 is not None}
+    starts: dict[str, Sequence[float]] = {
+        joint.name: joint.q0 for joint in system.joints if joint.q0 is not None
+    }
+    inner = len(absolute.inner)
+    starts |= dict(zip(places.names[len(places) - inner :], absolute.inner.tolist(), strict=True))
     q: list[dict[str, Any]] = []
     u: list[dict[str, Any]] = []
     names = iter(absolute.coordinates), iter(absolute.speeds)

@@ -16,6 +16,8 @@ from .kinds import kind_of, structure
 from .pieces import Piece, pieces
 from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places
 from .scene import NODE, Key, Scene
+from .segments import Run, runs
+from .segments import groups as segment_groups
 from .states import states
 
 
@@ -45,16 +47,30 @@ def lowered(system: System) -> Absolute:
         for e, piece in enumerate(members)
         if piece.joint
     }
+    beams = runs(system, {i: k for (kind, i), k in at.items() if kind == NODE}, len(places))
+    if beams:
+        node = next(kind for kind in kinds if kind.name == "node")
+        groups += segment_groups(system, beams, node, row)
+        places = _with_nodes(places, beams)
     return Absolute(
         system=system,
         places=places,
         groups=tuple(groups),
+        inner=np.concatenate([run.start for run in beams]) if beams else np.zeros((0, 7)),
         frames=_frames(scene, at),
         joints=joints,
         states=states(scene),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
     )
+
+
+def _with_nodes(places: Places, beams: Sequence[Run]) -> Places:
+    """The places with the nodes inside of beams behind them."""
+    node = [kind.name for kind in places.kinds].index("node")
+    names = [name for run in beams for name in run.inner]
+    kind = np.concatenate([places.kind, np.full(len(names), node, dtype=np.intp)])
+    return Places([*places.names, *names], places.kinds, kind)
 
 
 def _refuse(system: System) -> None:
