@@ -16,6 +16,7 @@ from .kinds import kind_of, structure
 from .pieces import Piece, pieces
 from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places
 from .scene import NODE, Key, Scene
+from .segments import beamed
 from .states import states
 
 
@@ -28,8 +29,10 @@ def lowered(system: System) -> Absolute:
     _refuse(system)
     scene = Scene(system)
     kinds, numbers = block_kinds(scene)
-    places = Places([scene.name(key) for key in scene.places], kinds, numbers)
     at = {key: k for k, key in enumerate(scene.places)}
+    beams = beamed(scene, at, kinds[0])
+    names = [*(scene.name(key) for key in scene.places), *beams.names]
+    every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
     found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
     # elements that do nothing are left out
     found = [(kind, members) for kind, members in found if kind.functions]
@@ -47,13 +50,15 @@ def lowered(system: System) -> Absolute:
     }
     return Absolute(
         system=system,
-        places=places,
-        groups=tuple(groups),
+        places=Places(names, kinds, every),
+        groups=(*groups, *beams.groups),
         frames=_frames(scene, at),
         joints=joints,
         states=states(scene),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
+        reference=beams.reference,
+        lines=beams.lines,
     )
 
 

@@ -224,6 +224,10 @@ class Absolute:
             circuits are closed there has its constraints kept here.
         results: (name, unit) of the outputs of the scene.
         powers: Names of the sources of power: elements, ``<joint>.motion``, ``<relation>.motion``.
+        reference: Coordinates in the reference configuration of the nodes inside beams, which are
+            the last places; ``states`` gives those of all others.
+        lines: Places of the nodes of every segment of ``system.segments`` from start to end;
+            GROUND where it ends at the ground.
     """
 
     system: System = field(repr=False)
@@ -234,6 +238,8 @@ class Absolute:
     states: Function = field(repr=False)
     results: tuple[tuple[str, str], ...] = ()
     powers: tuple[str, ...] = ()
+    reference: Numbers = field(default_factory=lambda: np.zeros(0), repr=False, compare=False)
+    lines: tuple[Integers, ...] = field(default=(), repr=False, compare=False)
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:
