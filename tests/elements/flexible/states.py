@@ -29,7 +29,7 @@ ENDS = [
 ]
 # what is not any number between 0.5 and 1.5
 NUMBERS = {"EA": 70.0, "GA2": 30.0, "GA3": 20.0, "GJ": 3.0, "K1": 0.1, "K2": 0.2, "K3": -0.1}
-NUMBERS |= {"E2": 0.01, "E3": 0.02, "thermal_K2": 0.1, "thermal_K3": -0.1, "thermal_E1": 0.02}
+NUMBERS |= {"E2": 0.01, "E3": 0.02} | {f"strain_{k}": 0.02 * k - 0.05 for k in range(1, 7)}
 
 
 def quaternion(turn: Rotation) -> Array:

@@ -19,7 +19,8 @@ every = pytest.mark.parametrize("name", ELEMENTS)
 strained = pytest.mark.parametrize("name", STRAINED)
 massive = pytest.mark.parametrize("name", MASSIVE)
 TURN, SHIFT = Rotation.from_rotvec([1.2, -2.0, 0.7]), np.array([3.0, -1.0, 2.0])
-WEIGHTLESS = {"gravity_x": 0.0, "gravity_y": 0.0, "gravity_z": 0.0}
+WEIGHTLESS = {f"gravity_{k}": 0.0 for k in (1, 2, 3)}
+SHAPED = {f"strain_{k}": 0.0 for k in range(1, 7)}
 
 
 def matrix(s: State, name: str, function: str = "balance_tangent", **blocks: Any) -> Any:
@@ -44,13 +45,18 @@ def test_tangents_are_the_derivatives_of_the_balance(name: str, kinds: tuple[str
 
 @every
 @both
-def test_forces_at_rest_are_the_slope_of_the_energy(name: str, kinds: tuple[str, str]) -> None:
+def test_forces_follow_from_energy_and_power(name: str, kinds: tuple[str, str]) -> None:
     s = state(ELEMENTS[name], kinds)
-    if "energy" not in s.functions:
-        pytest.skip("no potential")
-    rest = np.zeros(len(s.u))
-    slope = s.along(lambda q: s.value("energy", "energy", q=q, u=rest)[1])
-    assert s.value("balance", "balance", u=rest, udot=rest) == pytest.approx(slope, abs=ROUNDING)
+    rest, slope = np.zeros(len(s.u)), np.zeros(len(s.u))
+    if "energy" in s.functions:
+        slope = s.along(lambda q: s.value("energy", "energy", q=q, u=rest)[1])
+    # what has no potential says its power at any speeds
+    driven = s.value("power", "power")[0] if "power" in s.functions else 0.0
+    forces = s.value("balance", "balance", u=rest if driven == 0 else s.u, udot=rest)
+    if driven:
+        assert (slope - forces) @ s.u == pytest.approx(driven, abs=ROUNDING)
+    else:
+        assert forces == pytest.approx(slope, abs=ROUNDING)
 
 
 @strained
@@ -76,7 +82,7 @@ def test_forces_of_an_element_are_in_equilibrium(name: str) -> None:
 
 @strained
 def test_rigid_motions_of_the_reference_shape_need_no_force(name: str) -> None:
-    s = state(ELEMENTS[name], thermal_K2=0.0, thermal_K3=0.0, thermal_E1=0.0)
+    s = state(ELEMENTS[name], **SHAPED)
     # the data of a reference shape that is this very pose
     shape = s.element.rows([0.0, s.numbers.get("length", 1.0)], s.q[None])[0]
     numbers = s.numbers | dict(zip(s.element.own, shape, strict=True))
@@ -115,6 +121,13 @@ def test_forces_of_inertia_are_the_rate_of_its_momentum(name: str) -> None:
     assert total(s, s.value("balance", "balance")) == pytest.approx(moved.imag / h, abs=ROUNDING)
 
 
+@both
+def test_damping_takes_energy(kinds: tuple[str, str]) -> None:
+    s = state(ELEMENTS["damping"], kinds)
+    assert s.value("power", "power")[0] < 0
+    assert s.value("balance", "balance", u=0 * s.u) == pytest.approx(0 * s.u)
+
+
 @massive
 def test_mass_is_that_of_the_beam(name: str) -> None:
     s = state(ELEMENTS[name])
@@ -124,7 +137,7 @@ def test_mass_is_that_of_the_beam(name: str) -> None:
     assert np.linalg.eigvalsh(M)[0] > 0
     assert shift @ M @ shift == pytest.approx(mass)
     rest = s.value("balance", "balance", u=0 * s.u, udot=0 * s.u).reshape(4, 3)
-    weight = mass * np.array([s.numbers[f"gravity_{x}"] for x in "xyz"])
+    weight = mass * np.array([s.numbers[f"gravity_{k}"] for k in (1, 2, 3)])
     assert rest[1] + rest[3] == pytest.approx(-weight)
 
 

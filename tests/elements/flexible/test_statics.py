@@ -193,7 +193,7 @@ def test_distributed_load(name: str) -> None:
     for n in (4, 8, 16):
         beam = straight(n).of(element, **stiffness)
         for share in (0.25, 0.5, 0.75, 1.0):
-            loaded = beam.of(DeadLoad(), start_f2=20.0 * share, end_f2=20.0 * share)
+            loaded = beam.of(DeadLoad(), dead_force_2=20.0 * share)
             found = equilibrium(loaded, np.zeros((n + 1, 6)))
             beam = Beam(beam.stations, found.beam.q, beam.parts)
         errors.append(float(np.linalg.norm(found.tip[:2] - exact)))

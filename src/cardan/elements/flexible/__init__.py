@@ -2,6 +2,7 @@
 
 from .bushing import Bushing
 from .classical import Classical
+from .damping import Damping
 from .dead_load import DeadLoad
 from .element import FlexibleElement
 from .follower_load import FollowerLoad
@@ -19,6 +20,7 @@ FLEXIBLE: dict[str, type[FlexibleElement]] = {
         Bushing,
         LinkedInertia,
         LumpedInertia,
+        Damping,
         DeadLoad,
         FollowerLoad,
     )

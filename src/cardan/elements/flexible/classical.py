@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
 from .ends import Ends
 from .relative import Relative, mean_axes
-from .section import SECTION, SHAPE, Section
+from .section import SECTION, SHAPE, Section, without_locking
 from .strain import Elastic, Field, StrainElement
 
 
@@ -49,14 +48,5 @@ class Classical(StrainElement):
         section = Section.of(ends)
         stiffness, length = list(section.stiffness), section.length
         if self.residual_flexibility:
-            # shear along 2 goes with bending about 3
-            for shear, bending in ((4, 2), (5, 1)):
-                stiffness[shear] = _in_series(
-                    stiffness[shear], stiffness[bending] * 12.0 / (length * length)
-                )
+            stiffness = without_locking(stiffness, length)
         return Elastic.of(Matrix.vstack(theta, e), section.free, stiffness, length)
-
-
-def _in_series(a: Scalar, b: Scalar) -> Scalar:
-    """Stiffness of two springs one behind the other; the first may be infinite."""
-    return 1.0 / (1.0 / a + 1.0 / b)

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends, Pose
-from .loading import DENSITIES, LoadElement, shares
+from .loading import LoadElement
+
+FORCE = ("dead_force_1", "dead_force_2", "dead_force_3")
+MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")
 
 
 @dataclass(frozen=True)
 class DeadLoad(LoadElement):
-    """Force per length of the reference shape in ground axes, linear along the element.
+    """Force and moment per length of the reference shape in ground axes.
+
+    The force has a potential; a moment that keeps its direction has none.
 
     Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6.
     """
@@ -22,16 +26,9 @@ class DeadLoad(LoadElement):
     source: ClassVar[str] = (
         "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6"
     )
-    common: ClassVar[tuple[str, ...]] = DENSITIES
+    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
+    fixed: ClassVar[bool] = True
 
-    def densities(self, ends: Ends, poses: Sequence[Pose]) -> tuple[Matrix, Matrix]:
-        return ends.vector(*DENSITIES[:3]), ends.vector(*DENSITIES[3:])
-
-    def potential(self, ends: Ends, poses: Sequence[Pose]) -> Matrix | None:
-        total = Matrix.zeros(ends.graph, 1)
-        for pose, (along, force) in zip(
-            poses, shares(ends, self.densities(ends, poses)), strict=True
-        ):
-            total = total - along.T @ pose.rotation.column(0) - force.T @ pose.position
-        return total
+    def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
+        return ends.vector(*FORCE), pose.rotation.T @ ends.vector(*MOMENT)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends, Pose
-from .loading import DENSITIES, LoadElement
+from .loading import LoadElement
+
+FORCE = ("follower_force_1", "follower_force_2", "follower_force_3")
+MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")
 
 
 @dataclass(frozen=True)
 class FollowerLoad(LoadElement):
-    """Force per length of the reference shape in section axes, linear along the element.
+    """Force and moment per length of the reference shape in section axes.
 
     It has no potential, and its tangent is not symmetric.
 
@@ -25,15 +27,9 @@ class FollowerLoad(LoadElement):
         "J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under "
         "nonconservative loading, CMAME 26, 1981"
     )
-    common: ClassVar[tuple[str, ...]] = DENSITIES
+    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
+    fixed: ClassVar[bool] = False
 
-    def densities(self, ends: Ends, poses: Sequence[Pose]) -> tuple[Matrix, Matrix]:
-        first, last = poses
-        return (
-            first.rotation @ ends.vector(*DENSITIES[:3]),
-            last.rotation @ ends.vector(*DENSITIES[3:]),
-        )
-
-    def potential(self, ends: Ends, poses: Sequence[Pose]) -> Matrix | None:
-        return None
+    def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
+        return pose.rotation @ ends.vector(*FORCE), ends.vector(*MOMENT)

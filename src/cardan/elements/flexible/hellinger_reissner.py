@@ -10,8 +10,8 @@ from ...ir.solve import ltl, substitute
 from ...spatial.short_rotations import Slopes
 from .ends import Ends
 from .relative import Relative, mirrored
-from .section import SECTION, SHAPE, Section
-from .strain import Field, Law, StrainElement, diagonal
+from .section import SECTION, SHAPE, Section, diagonal
+from .strain import Field, Law, StrainElement
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,18 @@ from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
 from .ends import Ends
+from .section import diagonal
 
-# per length: mass [kg/m], moments of inertia about the axes of the section [kg m]
-DENSITY = ("rhoA", "rhoI1", "rhoI2", "rhoI3")
-GRAVITY = ("gravity_x", "gravity_y", "gravity_z")
+# per length: mass [kg/m], moments of inertia about axes 2 and 3 of the section [kg m]
+DENSITY = ("rhoA", "rhoI2", "rhoI3")
+GRAVITY = ("gravity_1", "gravity_2", "gravity_3")
+
+
+def spin(ends: Ends, share: float) -> Matrix:
+    """A share of the moments of inertia of the element (3, 3); about 1 the sum of the others."""
+    length = ends.number("length") * share
+    second, third = (length * ends.number(name) for name in DENSITY[1:])
+    return diagonal(ends.graph, [second + third, second, third])
 
 
 class InertiaElement(FlexibleElement):

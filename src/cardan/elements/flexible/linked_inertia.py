@@ -8,7 +8,7 @@ from typing import ClassVar
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from .ends import Ends, Motion, Pose
-from .inertia import DENSITY, GRAVITY, InertiaElement
+from .inertia import DENSITY, GRAVITY, InertiaElement, spin
 
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 
@@ -42,23 +42,23 @@ class LinkedInertia(InertiaElement):
         curved = [_tangent_acceleration(motion) for motion in motions]
         turned = [pose.rotation @ c for pose, c in zip(poses, curved, strict=True)]
         mass = _mass(ends)
-        spin = _spin(ends)
+        inertia = spin(ends, 1 / 3)
         found: list[Matrix] = []
         for i, (pose, motion) in enumerate(zip(poses, motions, strict=True)):
             other = motions[1 - i]
             along = _combined(mass[2 + i], [*linear, *turned])
-            rate = spin @ (motion.omega_rate + other.omega_rate * 0.5)
-            momentum = spin @ (motion.omega + other.omega * 0.5)
+            rate = inertia @ (motion.omega_rate + other.omega_rate * 0.5)
+            momentum = inertia @ (motion.omega + other.omega * 0.5)
             moment = _about_axis(pose.rotation.T @ along) + rate + motion.omega.cross(momentum)
             found += [moment, _combined(mass[i], [*linear, *turned])]
         return found
 
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
         poses, motions = _poses(ends)
-        mass, spin = _mass(ends), _spin(ends)
+        mass, inertia = _mass(ends), spin(ends, 1 / 3)
         rates = _rates(poses, motions)
         one, two = (motion.omega for motion in motions)
-        kinetic = one.T @ (spin @ (one + two)) + two.T @ (spin @ two)
+        kinetic = one.T @ (inertia @ (one + two)) + two.T @ (inertia @ two)
         for i, rate in enumerate(rates):
             kinetic = kinetic + rate.T @ _combined(mass[i], rates)
         gravity = ends.vector(*GRAVITY)
@@ -67,14 +67,14 @@ class LinkedInertia(InertiaElement):
 
     def momentum(self, ends: Ends) -> Matrix:
         poses, motions = _poses(ends)
-        mass, spin = _mass(ends), _spin(ends)
+        mass, inertia = _mass(ends), spin(ends, 1 / 3)
         rates, vectors = _rates(poses, motions), _vectors(poses)
         angular = Matrix.zeros(ends.graph, 3)
         for i, vector in enumerate(vectors):
             angular = angular + vector.cross(_combined(mass[i], rates))
         for i, pose in enumerate(poses):
             own = motions[i].omega + motions[1 - i].omega * 0.5
-            angular = angular + pose.rotation @ (spin @ own)
+            angular = angular + pose.rotation @ (inertia @ own)
         return Matrix.vstack(angular, _combined(_column_sums(mass), rates))
 
 
@@ -102,14 +102,6 @@ def _mass(ends: Ends) -> list[list[Scalar]]:
 def _column_sums(mass: list[list[Scalar]]) -> list[Scalar]:
     """What a rigid shift of both ends moves."""
     return [a + b for a, b in zip(mass[0], mass[1], strict=True)]
-
-
-def _spin(ends: Ends) -> Matrix:
-    """A third of the moments of inertia of the element (3, 3)."""
-    third = ends.number("length") / 3.0
-    entries = [(third * ends.number(name)).node for name in DENSITY[1:]]
-    nodes = [entries[i] if i == j else 0 for i in range(3) for j in range(3)]
-    return Matrix(ends.graph, 3, 3, nodes)
 
 
 def _combined(factors: list[Scalar], vectors: list[Matrix]) -> Matrix:

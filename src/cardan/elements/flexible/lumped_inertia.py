@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import DENSITY, GRAVITY, InertiaElement
+from .inertia import DENSITY, GRAVITY, InertiaElement, spin
 
 
 @dataclass(frozen=True)
@@ -26,38 +26,30 @@ class LumpedInertia(InertiaElement):
 
     def loads(self, ends: Ends) -> list[Matrix]:
         half, gravity = ends.number("length") * 0.5, ends.vector(*GRAVITY)
-        mass, spin = half * ends.number("rhoA"), _spin(ends)
+        mass, inertia = half * ends.number("rhoA"), spin(ends, 0.5)
         found: list[Matrix] = []
         for k in range(2):
             motion = ends.motion(k)
-            turning = motion.omega.cross(spin @ motion.omega)
-            found += [spin @ motion.omega_rate + turning, (motion.acceleration - gravity) * mass]
+            turning = motion.omega.cross(inertia @ motion.omega)
+            found += [inertia @ motion.omega_rate + turning, (motion.acceleration - gravity) * mass]
         return found
 
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
-        mass, spin = ends.number("length") * 0.5 * ends.number("rhoA"), _spin(ends)
+        mass, inertia = ends.number("length") * 0.5 * ends.number("rhoA"), spin(ends, 0.5)
         kinetic = potential = Matrix.zeros(ends.graph, 1)
         for k in range(2):
             motion = ends.motion(k)
             linear = motion.velocity.T @ motion.velocity
-            kinetic = kinetic + linear * mass + motion.omega.T @ (spin @ motion.omega)
+            kinetic = kinetic + linear * mass + motion.omega.T @ (inertia @ motion.omega)
             potential = potential - ends.vector(*GRAVITY).T @ ends.pose(k).position
         return kinetic * 0.5, potential * mass
 
     def momentum(self, ends: Ends) -> Matrix:
-        mass, spin = ends.number("length") * 0.5 * ends.number("rhoA"), _spin(ends)
+        mass, inertia = ends.number("length") * 0.5 * ends.number("rhoA"), spin(ends, 0.5)
         total = Matrix.zeros(ends.graph, 6)
         for k in range(2):
             pose, motion = ends.pose(k), ends.motion(k)
             linear = motion.velocity * mass
-            own = pose.rotation @ (spin @ motion.omega)
+            own = pose.rotation @ (inertia @ motion.omega)
             total = total + Matrix.vstack(pose.position.cross(linear) + own, linear)
         return total
-
-
-def _spin(ends: Ends) -> Matrix:
-    """Half of the moments of inertia of the element (3, 3)."""
-    half = ends.number("length") * 0.5
-    entries = [(half * ends.number(name)).node for name in DENSITY[1:]]
-    nodes = [entries[i] if i == j else 0 for i in range(3) for j in range(3)]
-    return Matrix(ends.graph, 3, 3, nodes)

@@ -113,18 +113,23 @@ class Response:
     stretching: Matrix
 
 
-def forces(at: Relative, response: Response) -> list[Matrix]:
-    """Moment on end 1, force on end 1, moment on end 2, force on end 2: what they must be held
-    with; moments in axes of their end, forces in ground axes."""
-    force = at.start.rotation @ response.force
-    moment = response.force.cross(at.position) - at.rotation @ response.moment
-    return [moment, -force, response.moment, force]
+def forces(at: Relative, moment: Matrix, force: Matrix) -> list[Matrix]:
+    """What the ends must be held with: moment and force on end 1, on end 2.
+
+    Moments are in axes of their end, forces in ground axes.
+
+    Args:
+        at: The relative pose.
+        moment, force: What works along rho and along d (3, 1).
+    """
+    held = at.start.rotation @ force
+    return [force.cross(at.position) - at.rotation @ moment, -held, moment, held]
 
 
 def tangent(at: Relative, response: Response) -> list[list[Matrix]]:
     """Derivatives of :func:`forces` along the increments of the ends: 4 x 4 blocks (3, 3)."""
     R, r, d = at.start.rotation, at.rotation, at.position.skew
-    moment, _, _, _ = forces(at, response)
+    moment, _, _, _ = forces(at, response.moment, response.force)
     # columns of end 1: rho = -rᵀ theta_1, d changes by [d] theta_1
     by_force = response.stretching @ d - response.mixed @ r.T
     by_moment = response.mixed.T @ d - response.turning @ r.T

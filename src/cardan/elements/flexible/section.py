@@ -7,16 +7,19 @@ straight beam is not strained.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...ir.arithmetic import Scalar
+from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from .ends import Ends
 
-# stiffness in the order of the stress [N m², N], and what temperature does freely [rad/m, -]
+# stiffness in the order of the stress [N m², N]; what there is without stress beyond the reference
+# shape, such as by temperature [rad/m, -]
 STIFFNESS = ("GJ", "EI2", "EI3", "EA", "GA2", "GA3")
-THERMAL = ("thermal_K2", "thermal_K3", "thermal_E1")
-SECTION = (*STIFFNESS, *THERMAL)
+FREE = tuple(f"strain_{k}" for k in range(1, 7))
+SECTION = (*STIFFNESS, *FREE)
 # length [m] and strain of the reference shape [rad/m, -]
 SHAPE = ("length", "K1", "K2", "K3", "E1", "E2", "E3")
 
@@ -28,7 +31,7 @@ class Section:
     Attributes:
         length: L [m].
         stiffness: Of the section, six numbers.
-        free: Strain without stress times L: reference shape and temperature (6, 1).
+        free: Strain without stress times L: reference shape, temperature (6, 1).
     """
 
     length: Scalar
@@ -39,8 +42,25 @@ class Section:
     def of(ends: Ends) -> Section:
         """From the data of an element that has ``SECTION`` and ``SHAPE``."""
         length = ends.number("length")
-        strain = list(ends.vector(*SHAPE[1:]))
-        for k, name in zip((1, 2, 3), THERMAL, strict=True):
-            strain[k] = strain[k] + ends.number(name)
-        free = Matrix.vector(ends.graph, strain) * length
-        return Section(length, tuple(ends.vector(*STIFFNESS)), free)
+        strain = ends.vector(*SHAPE[1:]) + ends.vector(*FREE)
+        return Section(length, tuple(ends.vector(*STIFFNESS)), strain * length)
+
+
+def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:
+    """Stiffness of a section with the residual bending flexibility of a straight element.
+
+    The compliance in shear gains L²/(12 EI): so soft is an element that bends linearly.
+    """
+    found = list(stiffness)
+    # shear along 2 goes with bending about 3
+    for shear, bending in ((4, 2), (5, 1)):
+        residual = length * length / (12.0 * found[bending])
+        found[shear] = 1.0 / (1.0 / found[shear] + residual)
+    return found
+
+
+def diagonal(graph: Graph, entries: Sequence[Scalar]) -> Matrix:
+    """A diagonal matrix."""
+    n = len(entries)
+    nodes = [entries[i].node if i == j else ZERO for i in range(n) for j in range(n)]
+    return Matrix(graph, n, n, nodes)

@@ -15,7 +15,6 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Number, Scalar
 from ...ir.function import Block, Function, Output
-from ...ir.graph import ZERO, Graph
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
@@ -33,6 +32,7 @@ from .relative import (
     tangent,
     upper,
 )
+from .section import diagonal
 
 STRAINS = ("K1", "K2", "K3", "E1", "E2", "E3")
 # the same of the whole element
@@ -97,8 +97,9 @@ class StrainElement(FlexibleElement):
     The functions ``mixed`` and ``mixed_step`` keep the stress z (6) as an unknown of Newton's
     method: from far away it then takes a few steps where it diverges without. ``mixed`` gives the
     balance [b] and [K] with the stress eliminated; when the increments du of the nodes are known,
-    ``mixed_step`` gives the new z, before the nodes are moved. z starts from the stress, the mean of
-    that at both ends. At the solution both are ``balance`` and its tangent, and z is the stress.
+    ``mixed_step`` gives the new z, before the nodes are moved. z starts from the stress there is,
+    the mean of that at both ends. At the solution both are ``balance`` and its tangent, and z is
+    the stress.
 
     Attributes:
         mixed: Whether it has them.
@@ -122,7 +123,7 @@ class StrainElement(FlexibleElement):
         field = self.field(ends, at.turn, carried_strain(at, first, second))
         law = field.law(field.solved(field.strain))
         response = respond(at, first, second, law)
-        loads = forces(at, response)
+        loads = forces(at, response.moment, response.force)
         stiffness = ends.derivative(tangent(at, response), loads)
         found = {
             "balance": (balance(ends, ends.told(loads)),),
@@ -146,7 +147,9 @@ class StrainElement(FlexibleElement):
             field.law(stress),
         )
         response = respond(at, first, second, law)
-        stiffness = ends.derivative(tangent(at, response), forces(at, response))
+        stiffness = ends.derivative(
+            tangent(at, response), forces(at, response.moment, response.force)
+        )
         # what the missing strain adds to the forces
         added = slope.T @ field.solved(gap)
         whole = replace(
@@ -154,7 +157,8 @@ class StrainElement(FlexibleElement):
             moment=law.moment + added.block(slice(3)),
             force=law.force + added.block(slice(3, 6)),
         )
-        loads = ends.told(forces(at, respond(at, first, second, whole)))
+        held = respond(at, first, second, whole)
+        loads = ends.told(forces(at, held.moment, held.force))
         change = moved(at, ends.increments(), first, second)
         new = stress + field.solved(gap + slope @ change)
         found = {
@@ -265,10 +269,3 @@ class Elastic(Field):
             (stress, stress),
             (strain, strain),
         )
-
-
-def diagonal(graph: Graph, entries: Sequence[Scalar]) -> Matrix:
-    """A diagonal matrix."""
-    n = len(entries)
-    nodes = [entries[i].node if i == j else ZERO for i in range(n) for j in range(n)]
-    return Matrix(graph, n, n, nodes)
