@@ -158,3 +158,30 @@ def test_a_beam_on_a_hinged_arm() -> None:
     assert np.isfinite(udot).all()
     _, bias, _, _ = reference.assembled()
     assert np.abs(bias).max() < 3.0 * 9.81 * 1.01
+
+
+def test_damping_and_loads_have_elements_and_powers() -> None:
+    model = cd.Model("loaded")
+    soft = cd.material(E=2.1e11, nu=0.3, rho=7850, damping=1e-3, expansion=1e-5)
+    model.beam("rod", (0, 0, 0), (LENGTH, 0, 0), TUBE, soft, 3, temperature=20)
+    model.beam("other", (0, 1, 0), (LENGTH, 1, 0), TUBE, STEEL, 2, inertia="lumped")
+    model.force("wind", cd.LineLoad("rod", force=(0, 0, 3), follower=True))
+    model.force("snow", cd.LineLoad("other", force=(0, 0, -2)))
+    scene = cd.derive(model, coordinates="absolute")
+    told = {
+        kind.name: sum(len(g) for g in scene.groups if g.kind is kind) for kind in scene.kinds
+    }
+    assert told == {
+        "hellinger_reissner": 5,
+        "linked_inertia": 3,
+        "damping": 3,
+        "follower_load": 3,
+        "lumped_inertia": 2,
+        "dead_load": 2,
+    }
+    assert scene.powers == ("rod", "other")
+    reference = at_rest(scene)
+    u = np.random.default_rng(3).normal(size=scene.places.nu)
+    power = Reference(scene, reference.q, u).listed("power", 0 * u, np.zeros(0))
+    # damping takes more than wind can give; snow has a potential
+    assert power[0] < 0 == power[1]

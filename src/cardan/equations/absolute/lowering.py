@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Block, Function, Output
 from ...topology.system import System
@@ -30,14 +31,14 @@ def lowered(system: System) -> Absolute:
     scene = Scene(system)
     kinds, numbers = block_kinds(scene)
     at = {key: k for k, key in enumerate(scene.places)}
-    beams = beamed(scene, at, kinds[0])
-    names = [*(scene.name(key) for key in scene.places), *beams.names]
-    every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
     found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
     # elements that do nothing are left out
     found = [(kind, members) for kind, members in found if kind.functions]
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
+    beams = beamed(scene, at, kinds[0], powers)
+    names = [*(scene.name(key) for key in scene.places), *beams.names]
+    every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
     groups, row = list[Group](), 0
     for kind, members in found:
         groups.append(_group(kind, members, at, row, system, (results, powers)))
@@ -86,8 +87,7 @@ def _sorted(found: Iterable[Piece], at: Mapping[Key, BlockKind]) -> list[tuple[K
     members: dict[str, list[Piece]] = {}
     for piece in found:
         members.setdefault(structure(piece, _blocks(piece, at)), []).append(piece)
-    taken: set[str] = set()
-    made = []
+    taken, made = set(FLEXIBLE), []
     for pieces_of in members.values():
         name = _unique(pieces_of[0].kind, taken)
         made.append((kind_of(name, pieces_of[0], _blocks(pieces_of[0], at)), pieces_of))

@@ -12,9 +12,8 @@ from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.ends import GROUND as AT_GROUND
 from ...elements.flexible.ends import NODE as AT_NODE
 from ...elements.flexible.ends import OFFSET
-from ...errors import DerivationError
 from ...ir.function import Function, Output
-from ...ir.graph import ZERO, Graph
+from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
 from ...topology.convert import IDENTITY, ORIGIN
 from ...topology.segment import Segment
@@ -22,10 +21,12 @@ from ..blocks import blocks
 from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers
 from .scene import NODE, Key, Scene
 
-# strain that the data of elements know by name, in the order of that of segments
-STRAIN = ("thermal_K1", "thermal_K2", "thermal_K3", "thermal_E1", "thermal_E2", "thermal_E3")
-LOADS = {"dead_force": "dead_load", "follower_force": "follower_load"}
-MOMENTS = ("dead_moment", "follower_moment")
+# kind of element -> data of a segment without which it does nothing
+ASIDE = {
+    "damping": ("damping",),
+    "dead_load": ("dead_force", "dead_moment"),
+    "follower_load": ("follower_force", "follower_moment"),
+}
 
 
 @dataclass(frozen=True)
@@ -54,18 +55,16 @@ class _End:
     data: tuple[float, ...] = ()
 
 
-def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind) -> Beamed:
+def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]) -> Beamed:
     """Nodes and elements of all segments.
 
     Args:
         scene: The scene.
         at: Its places, which the nodes in between follow.
         node: What a node is.
-
-    Raises:
-        DerivationError: a property that the kind of element does not have.
+        powers: Numbers of the sources of power; beams are added.
     """
-    builder = _Builder(scene, at, node)
+    builder = _Builder(scene, at, node, powers)
     names, poses, lines, groups = list[str](), list[Numbers](), list[Integers](), list[Group]()
     place, known = len(at), dict[str, tuple[int, int]]()
     for segment in scene.system.segments:
@@ -98,10 +97,11 @@ def _poses(segment: Segment) -> Numbers:
 class _Builder:
     """Makes the groups of segments; kinds are derived once."""
 
-    def __init__(self, scene: Scene, at: Mapping[Key, int], node: BlockKind) -> None:
+    def __init__(
+        self, scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]
+    ) -> None:
         self.scene, self.system = scene, scene.system
-        self.at, self.node = at, node
-        self.graph: Graph = scene.system.graph.fork()
+        self.at, self.node, self.powers = at, node, powers
         self._kinds: dict[str, Kind] = {}
 
     def end(self, number: int) -> _End:
@@ -122,7 +122,9 @@ class _Builder:
 
     def _function(self, name: str, nodes: tuple[int, ...]) -> Function:
         output = Output("data", (len(nodes),), nodes)
-        return Function(name, self.graph, (blocks(self.system)["p"],), (output,), ("ground",))
+        return Function(
+            name, self.system.graph, (blocks(self.system)["p"],), (output,), ("ground",)
+        )
 
     def groups(
         self,
@@ -141,7 +143,8 @@ class _Builder:
             ends: Where it begins and ends.
             poses: Of both nodes of every element in the reference configuration (n, 14).
         """
-        for element, values in self._elements(segment):
+        values = self._values(segment)
+        for element in self._elements(segment):
             own = element.rows(segment.line.stations, poses)
             for part, kinds, data in _parts(segment.line.elements, ends):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
@@ -157,7 +160,15 @@ class _Builder:
                         f"{kind.name}__data", tuple(values[name] for name in element.common)
                     ),
                     own=np.hstack([rows, np.tile(data, (len(rows), 1))]),
+                    powers=self._powers(segment, kind, len(rows)),
                 )
+
+    def _powers(self, segment: Segment, kind: Kind, count: int) -> Integers | None:
+        """Where the power of elements goes: one sum for the whole beam."""
+        if "power" not in kind.functions:
+            return None
+        entry = self.powers.setdefault(segment.name, len(self.powers))
+        return np.full((count, 1), entry, dtype=np.intp)
 
     def _kind(self, element: FlexibleElement, kinds: tuple[str, str]) -> Kind:
         name = element.name(kinds)
@@ -168,45 +179,24 @@ class _Builder:
             self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
         return self._kinds[name]
 
-    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
-        """The elements that a segment is made of, with the expressions of their common data."""
-        values = self._values(segment)
-        strain = FLEXIBLE[segment.element]()
-        self._refuse(segment, strain, values)
-        yield strain, values
-        if segment.data["rhoA"][2] != (ZERO,):
-            yield FLEXIBLE[f"{segment.inertia}_inertia"](), values
-        for key, kind in LOADS.items():
-            force = segment.data[key][2]
-            if any(node != ZERO for node in force):
-                names = [f"{end}_f{i}" for end in ("start", "end") for i in (1, 2, 3)]
-                yield FLEXIBLE[kind](), dict(zip(names, force * 2, strict=True))
+    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
+        """The elements that a segment is made of."""
+        yield FLEXIBLE[segment.element]()
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        if data["rhoA"] != (ZERO,):
+            yield FLEXIBLE[f"{segment.inertia}_inertia"]()
+        for kind, names in ASIDE.items():
+            if any(node != ZERO for name in names for node in data[name]):
+                yield FLEXIBLE[kind]()
 
     def _values(self, segment: Segment) -> dict[str, int]:
-        """Common data by name."""
-        values = {name: nodes[0] for name, (_, _, nodes) in segment.data.items()}
-        values["rhoI1"] = self.graph.add(values["rhoI2"], values["rhoI3"])
-        values |= dict(zip(STRAIN, segment.data["strain"][2], strict=True))
-        axes = ("gravity_x", "gravity_y", "gravity_z")
-        return values | dict(zip(axes, self.system.gravity, strict=True))
-
-    def _refuse(
-        self, segment: Segment, element: FlexibleElement, values: Mapping[str, int]
-    ) -> None:
-        """What the kind of element does not have.
-
-        Raises:
-            DerivationError: the beam asks for it.
-        """
-        missing = [name for name in (*STRAIN, "damping") if name not in element.common]
-        asked = [name for name in missing if values[name] != ZERO]
-        asked += [key for key in MOMENTS if any(n != ZERO for n in segment.data[key][2])]
-        if asked:
-            what = ", ".join(name.replace("thermal_", "prestrain ") for name in asked)
-            raise DerivationError(
-                f"beam '{segment.name}': elements of kind '{segment.element}' have no {what}. "
-                "Leave it out"
-            )
+        """Common data by name; entries of vectors are numbered."""
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        values: dict[str, int] = {}
+        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
+            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
+            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
+        return values
 
 
 def _parts(
