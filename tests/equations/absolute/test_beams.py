@@ -168,9 +168,7 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
     model.force("wind", cd.LineLoad("rod", force=(0, 0, 3), follower=True))
     model.force("snow", cd.LineLoad("other", force=(0, 0, -2)))
     scene = cd.derive(model, coordinates="absolute")
-    told = {
-        kind.name: sum(len(g) for g in scene.groups if g.kind is kind) for kind in scene.kinds
-    }
+    told = {kind.name: sum(len(g) for g in scene.groups if g.kind is kind) for kind in scene.kinds}
     assert told == {
         "hellinger_reissner": 5,
         "linked_inertia": 3,

@@ -9,9 +9,9 @@ import numpy as np
 
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
-from ...ir.function import Block, Function, Output
+from ...ir.function import Function, Output
 from ...topology.system import System
-from ..blocks import blocks
+from ..blocks import parameters
 from .blocks import block_kinds
 from .kinds import kind_of, structure
 from .pieces import Piece, pieces
@@ -166,8 +166,7 @@ def _common(kind: Kind, members: list[Piece], system: System) -> Function | None
 
 
 def _of_parameters(name: str, system: System, results: tuple[Output, ...]) -> Function:
-    block: Block = blocks(system)["p"]
-    return Function(name, system.graph, (block,), results, ("ground",))
+    return Function(name, system.graph, (parameters(system),), results, ("ground",))
 
 
 def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:

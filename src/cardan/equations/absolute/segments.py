@@ -17,10 +17,12 @@ from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
 from ...topology.convert import IDENTITY, ORIGIN
 from ...topology.segment import Segment
-from ..blocks import blocks
+from ..blocks import parameters
 from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers
 from .scene import NODE, Key, Scene
 
+# elements of a segment up to which they share a table with those of others
+FEW = 100
 # kind of element -> data of a segment without which it does nothing
 ASIDE = {
     "damping": ("damping",),
@@ -55,6 +57,27 @@ class _End:
     data: tuple[float, ...] = ()
 
 
+@dataclass(frozen=True)
+class _Part:
+    """Elements of one kind in a segment.
+
+    Attributes:
+        kind: Theirs.
+        names: Of the elements.
+        places: Of their nodes (n, number of nodes).
+        common: Expressions of their common data.
+        own: The other data (n, k).
+        power: Number of the source of power, -1 for none.
+    """
+
+    kind: Kind
+    names: Sequence[str]
+    places: Integers
+    common: tuple[int, ...]
+    own: Numbers
+    power: int
+
+
 def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]) -> Beamed:
     """Nodes and elements of all segments.
 
@@ -65,7 +88,7 @@ def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[st
         powers: Numbers of the sources of power; beams are added.
     """
     builder = _Builder(scene, at, node, powers)
-    names, poses, lines, groups = list[str](), list[Numbers](), list[Integers](), list[Group]()
+    names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
     place, known = len(at), dict[str, tuple[int, int]]()
     for segment in scene.system.segments:
         count = segment.line.elements
@@ -81,9 +104,9 @@ def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[st
         poses.append(own[1:-1].ravel())
         lines.append(line)
         told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
-        groups += builder.groups(segment, told, line, ends, np.hstack([own[:-1], own[1:]]))
+        parts += builder.parts(segment, told, line, ends, np.hstack([own[:-1], own[1:]]))
     reference = np.concatenate(poses) if poses else np.zeros(0)
-    return Beamed(tuple(names), reference, tuple(lines), tuple(groups))
+    return Beamed(tuple(names), reference, tuple(lines), tuple(builder.groups(parts)))
 
 
 def _poses(segment: Segment) -> Numbers:
@@ -120,20 +143,46 @@ class _Builder:
         p = [parameter.value for parameter in self.system.parameters]
         return tuple(float(x) for x in evaluate(made, {"p": p})["data"])
 
-    def _function(self, name: str, nodes: tuple[int, ...]) -> Function:
-        output = Output("data", (len(nodes),), nodes)
-        return Function(
-            name, self.system.graph, (blocks(self.system)["p"],), (output,), ("ground",)
-        )
+    def _function(self, name: str, nodes: tuple[int, ...], *shape: int) -> Function:
+        output = Output("data", shape or (len(nodes),), nodes)
+        p = parameters(self.system)
+        return Function(name, self.system.graph, (p,), (output,), ("ground",))
 
-    def groups(
+    def groups(self, parts: Sequence[_Part]) -> Iterator[Group]:
+        """One table for each kind; long parts have one of their own, with data told once."""
+        sorted_by: dict[tuple[object, ...], list[_Part]] = {}
+        for part in parts:
+            apart = part.common if len(part.names) > FEW else ()
+            sorted_by.setdefault((part.kind.name, apart), []).append(part)
+        for some in sorted_by.values():
+            kind, counts = some[0].kind, [len(part.names) for part in some]
+            power = np.repeat([part.power for part in some], counts)[:, None]
+            yield Group(
+                kind=kind,
+                members=[name for part in some for name in part.names],
+                places=np.concatenate([part.places for part in some]),
+                rows=np.zeros(sum(counts), dtype=np.intp),
+                common=self._common(kind, some),
+                own=np.concatenate([part.own for part in some]),
+                powers=power.astype(np.intp) if "power" in kind.functions else None,
+            )
+
+    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+        """Common data of a group as a function of the parameters of the scene."""
+        name, first = f"{kind.name}__data", parts[0].common
+        if all(part.common == first for part in parts):
+            return self._function(name, first)
+        nodes = [node for part in parts for node in part.common * len(part.names)]
+        return self._function(name, tuple(nodes), len(nodes) // len(first), len(first))
+
+    def parts(
         self,
         segment: Segment,
         names: Sequence[str],
         line: Integers,
         ends: Sequence[_End],
         poses: Numbers,
-    ) -> Iterator[Group]:
+    ) -> Iterator[_Part]:
         """The elements of a segment: those at its ends apart where they are no nodes.
 
         Args:
@@ -149,26 +198,15 @@ class _Builder:
             for part, kinds, data in _parts(segment.line.elements, ends):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
                 places = places[:, [kind != AT_GROUND for kind in kinds]]
-                kind = self._kind(element, kinds)
-                rows = own[part]
-                yield Group(
-                    kind=kind,
-                    members=names[part],
-                    places=places,
-                    rows=np.zeros(len(rows), dtype=np.intp),
-                    common=self._function(
-                        f"{kind.name}__data", tuple(values[name] for name in element.common)
-                    ),
-                    own=np.hstack([rows, np.tile(data, (len(rows), 1))]),
-                    powers=self._powers(segment, kind, len(rows)),
-                )
+                rows, kind = own[part], self._kind(element, kinds)
+                own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
+                common = tuple(values[name] for name in element.common)
+                power = self._power(segment) if "power" in kind.functions else -1
+                yield _Part(kind, names[part], places, common, own_data, power)
 
-    def _powers(self, segment: Segment, kind: Kind, count: int) -> Integers | None:
+    def _power(self, segment: Segment) -> int:
         """Where the power of elements goes: one sum for the whole beam."""
-        if "power" not in kind.functions:
-            return None
-        entry = self.powers.setdefault(segment.name, len(self.powers))
-        return np.full((count, 1), entry, dtype=np.intp)
+        return self.powers.setdefault(segment.name, len(self.powers))
 
     def _kind(self, element: FlexibleElement, kinds: tuple[str, str]) -> Kind:
         name = element.name(kinds)
