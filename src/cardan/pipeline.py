@@ -107,7 +107,8 @@ def derive(
     Args:
         scene: The model.
         coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
-            body has six of its own and joints hold them, element by element; ``"auto"``: relative.
+            body has six of its own and joints hold them, element by element; ``"auto"``: absolute
+            if there are beams, else relative.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
@@ -137,15 +138,15 @@ def derive(
         raise DerivationError(
             f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
         )
-    if coordinates == "absolute" or (coordinates == "auto" and scene.beams):
-        given: dict[str, object] = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
-        given["method"] = None if method == "auto" else method
-        given["constraints"] = None if constraints == "auto" else constraints
-        return _absolute(scene, specialize, [name for name, x in given.items() if x is not None])
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    if coordinates == "absolute" or (coordinates == "auto" and system.segments):
+        options = {"method": method, "constraints": constraints}
+        given = [name for name, value in options.items() if value != "auto"]
+        others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        return _absolute(system, [*given, *(n for n, x in others.items() if x is not None)])
     if system.segments:
         raise DerivationError(
             f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
@@ -160,7 +161,7 @@ def derive(
     return replace(found, free=topology.build(scene)) if specialize else found
 
 
-def _absolute(scene: Model, specialize: Any, given: Sequence[str]) -> Absolute:
+def _absolute(system: System, given: Sequence[str]) -> Absolute:
     """Equations in absolute coordinates.
 
     Raises:
@@ -171,7 +172,7 @@ def _absolute(scene: Model, specialize: Any, given: Sequence[str]) -> Absolute:
             f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
             "out, or take coordinates='relative'"
         )
-    return lowered(topology.build(scene, specialize))
+    return lowered(system)
 
 
 def compile(

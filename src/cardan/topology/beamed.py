@@ -8,36 +8,18 @@ have their places do, and then bodies with a pose.
 from __future__ import annotations
 
 import copy
+from collections import deque
 from dataclasses import dataclass, field
-from heapq import heapify, heappop, heappush
+from heapq import heappop, heappush
 
-from ..elements.joints.cylindrical import Cylindrical
 from ..elements.joints.free import Free
 from ..elements.joints.joint import Joint as JointElement
-from ..elements.joints.planar import Planar
-from ..elements.joints.prismatic import Prismatic
-from ..elements.joints.revolute import Revolute
-from ..elements.joints.spherical import Spherical
-from ..elements.joints.universal import Universal
-from ..errors import ModelError, TopologyError
+from ..errors import TopologyError
 from ..model.beam import Beam
+from ..model.beam_arguments import RELEASED
 from ..model.body import Body
 from ..model.connections import Joint
 from ..model.model import Model
-
-# what is let go at an end -> the joint that lets it
-RELEASED: dict[frozenset[str], JointElement] = {
-    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
-    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
-    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
-    frozenset({"rx", "ry"}): Universal("x", "y"),
-    frozenset({"ry", "rz"}): Universal("y", "z"),
-    frozenset({"rx", "rz"}): Universal("x", "z"),
-    frozenset({"x", "y", "rz"}): Planar("z"),
-    frozenset({"y", "z", "rx"}): Planar("x"),
-    frozenset({"x", "z", "ry"}): Planar("y"),
-    frozenset({"rx", "ry", "rz"}): Spherical(),
-}
 
 
 @dataclass(frozen=True)
@@ -48,11 +30,27 @@ class BeamNodes:
         beams: Node -> its beam.
         implicit: Names of the joints that let a node, or a body that only beams hold, move freely.
         releases: Names of the joints of released ends.
+        unplaced: Beams whose places do not follow from anything, with the bodies they wait for.
     """
 
     beams: dict[Body, Beam] = field(default_factory=dict)
     implicit: set[str] = field(default_factory=set)
     releases: set[str] = field(default_factory=set)
+    unplaced: dict[Beam, set[Body]] = field(default_factory=dict)
+
+    def check(self) -> None:
+        """Every beam has a place.
+
+        Raises:
+            TopologyError: one hangs on a body without a place.
+        """
+        for beam, homes in self.unplaced.items():
+            name = next(iter(homes)).name
+            raise TopologyError(
+                f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. "
+                "Give it pose=, its place in the reference configuration, or join it to something "
+                "else"
+            )
 
 
 def with_beams(model: Model) -> tuple[Model, BeamNodes]:
@@ -60,10 +58,6 @@ def with_beams(model: Model) -> tuple[Model, BeamNodes]:
 
     Returns:
         The model itself where there are no beams, else a copy; and what was added.
-
-    Raises:
-        ModelError: a release that no joint allows.
-        TopologyError: a beam whose place does not follow from anything.
     """
     nodes = BeamNodes()
     if not model.beams:
@@ -89,20 +83,10 @@ def own_nodes(beam: Beam) -> list[Body]:
     return [place.body for name, place in found if place.name == name]
 
 
-def release(beam: Beam, role: str, released: tuple[str, ...]) -> JointElement:
-    """The joint that lets an end go in some directions.
-
-    Raises:
-        ModelError: there is none.
-    """
-    found = RELEASED.get(frozenset(released))
-    if found is None:
-        listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
-        raise ModelError(
-            f"beam '{beam.name}': release_{role} of {'+'.join(released)} is no joint. Known: "
-            f"{listed}. For all six let the end be free: give its point"
-        )
-    return found
+def _homes(beam: Beam) -> set[Body]:
+    """Bodies that a beam hangs on."""
+    homes = {end.place.body for end in beam.ends if end.place is not None}
+    return homes if beam.base is None else homes | {beam.base}
 
 
 class _Growth:
@@ -116,10 +100,16 @@ class _Growth:
         for k, joint in enumerate(self.joints):
             self._attach(k, joint)
         self.ordered: dict[str, Joint] = {}
-        self.waiting = list(model.beams.values())
+        # beams, with the bodies that they wait for, and the other way round
+        self.waiting = {beam: _homes(beam) for beam in model.beams.values()}
+        self.awaited: dict[Body, list[Beam]] = {}
+        for beam, homes in self.waiting.items():
+            for body in homes:
+                self.awaited.setdefault(body, []).append(beam)
+        self.ready = [beam for beam, homes in self.waiting.items() if not homes]
         # nodes whose beams have their places; nodes to be reached, in the order of their beams
         self.known: set[Body] = set()
-        self.loose: list[Body] = []
+        self.loose: deque[Body] = deque()
         self.reached: set[Body] = set()
         self.open: list[int] = []
 
@@ -132,11 +122,14 @@ class _Growth:
         self._reach(self.model.ground)
         while self._grown() or self._placed() or self._floated():
             pass
-        if self.waiting:
-            raise self._unplaced()
+        self.nodes.unplaced.update(self.waiting)
 
     def _reach(self, body: Body) -> None:
         self.reached.add(body)
+        for beam in self.awaited.get(body, ()):
+            self.waiting[beam].discard(body)
+            if not self.waiting[beam]:
+                self.ready.append(beam)
         for k in self.at.get(body, ()):
             heappush(self.open, k)
 
@@ -158,64 +151,53 @@ class _Growth:
 
     def _placed(self) -> bool:
         """Beams whose ends have their places: so do their nodes."""
-        ready = [beam for beam in self.waiting if not self._needs(beam)]
-        self.waiting = [beam for beam in self.waiting if beam not in ready]
+        ready, self.ready = self.ready, []
         for beam in ready:
+            del self.waiting[beam]
             own = own_nodes(beam)
             self.known.update(own)
             self.loose += own
             for role, end in zip(("start", "end"), beam.ends, strict=True):
                 if end.place is not None and end.released:
-                    self._released(beam, role, release(beam, role, end.released))
+                    kind = RELEASED[frozenset(end.released)]
+                    self._released(f"{beam.name}.{role}", kind, end.place.body)
             for body in own:
                 for k in self.at.get(body, ()):
-                    heappush(self.open, k)
-            # a joint waits here until one of its bodies is reached
-            self.open = [k for k in self.open if self._touched(k)]
-            heapify(self.open)
+                    if self._touched(k):
+                        heappush(self.open, k)
         return bool(ready)
 
     def _touched(self, k: int) -> bool:
         joint = self.joints[k]
         return joint.parent.body in self.reached or joint.child.body in self.reached
 
-    def _needs(self, beam: Beam) -> list[Body]:
-        """Bodies that a beam waits for."""
-        homes = [end.place.body for end in beam.ends if end.place is not None]
-        homes += [beam.base] if beam.base is not None else []
-        return [body for body in homes if body not in self.reached]
-
-    def _released(self, beam: Beam, role: str, element: JointElement) -> None:
+    def _released(self, name: str, kind: JointElement, body: Body) -> None:
         """The joint of an end that is not clamped."""
-        name = f"{beam.name}.{role}"
-        place = beam.ends[0 if role == "start" else 1].place
-        if name in self.model.joints or place is None:
-            raise ModelError(f"beam '{beam.name}': the name '{name}' of its end is that of a joint")
-        joint = Joint(name, element, place.body, self.model.nodes[name])
+        joint = Joint(self._unwritten(name), kind, body, self.model.nodes[name])
         self.joints.append(joint)
-        self.nodes.releases.add(name)
+        self.nodes.releases.add(joint.name)
         self._attach(len(self.joints) - 1, joint)
+
+    def _unwritten(self, name: str) -> str:
+        """A name, or one like it where the user gave that to a joint."""
+        while name in self.model.joints or name in self.ordered:
+            name += "_"
+        return name
 
     def _floated(self) -> bool:
         """The next node that no joint reaches, or body with a pose that a beam waits for."""
-        self.loose = [body for body in self.loose if body not in self.reached]
-        needed = [body for beam in self.waiting for body in self._needs(beam)]
-        posed = [b for b in needed if b.pose is not None and b not in self.nodes.beams]
-        for body in (*self.loose[:1], *posed[:1]):
-            name = body.name
-            while name in self.model.joints or name in self.ordered:
-                name += "_"
-            self.ordered[name] = Joint(name, Free(), self.model.ground, body)
-            self.nodes.implicit.add(name)
-            self._reach(body)
-            return True
-        return False
-
-    def _unplaced(self) -> TopologyError:
-        """A beam that hangs on a body without a place."""
-        beam = self.waiting[0]
-        name = self._needs(beam)[0].name
-        return TopologyError(
-            f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. Give "
-            "it pose=, its place in the reference configuration, or join it to something else"
-        )
+        while self.loose and self.loose[0] in self.reached:
+            self.loose.popleft()
+        if self.loose:
+            body = self.loose.popleft()
+        else:
+            posed = (b for homes in self.waiting.values() for b in homes if b.pose is not None)
+            found = next(posed, None)
+            if found is None:
+                return False
+            body = found
+        name = self._unwritten(body.name)
+        self.ordered[name] = Joint(name, Free(), self.model.ground, body)
+        self.nodes.implicit.add(name)
+        self._reach(body)
+        return True

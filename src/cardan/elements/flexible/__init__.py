@@ -1,6 +1,8 @@
 """The flexible elements, by kind."""
 
 from .bushing import Bushing
+from .cable import Cable
+from .cable_inertia import CableInertia
 from .classical import Classical
 from .damping import Damping
 from .dead_load import DeadLoad
@@ -8,6 +10,7 @@ from .element import FlexibleElement
 from .follower_load import FollowerLoad
 from .helicoidal import Helicoidal
 from .hellinger_reissner import HellingerReissner
+from .hinge import FlexibleHinge
 from .linked_inertia import LinkedInertia
 from .lumped_inertia import LumpedInertia
 
@@ -18,8 +21,11 @@ FLEXIBLE: dict[str, type[FlexibleElement]] = {
         Helicoidal,
         Classical,
         Bushing,
+        FlexibleHinge,
+        Cable,
         LinkedInertia,
         LumpedInertia,
+        CableInertia,
         Damping,
         DeadLoad,
         FollowerLoad,

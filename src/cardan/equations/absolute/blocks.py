@@ -24,8 +24,8 @@ FUNCTIONS = ("move", "qdot", "difference")
 
 
 def block_kinds(scene: Scene) -> tuple[tuple[BlockKind, ...], Integers]:
-    """The kinds of places of a scene, and the kind of every place."""
-    kinds: dict[str, BlockKind] = {}
+    """The kinds of places of a scene, nodes first, and the kind of every place."""
+    kinds: dict[str, BlockKind] = {NODE: _node(scene)}
     numbers = []
     for key in scene.places:
         text = _structure(scene, key)
@@ -45,10 +45,6 @@ def _structure(scene: Scene, key: Key) -> str:
 
 
 def _made(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
-    if key[0] == NODE:
-        cutting = Cutting(scene)
-        cutting.node(key[1])
-        return _block(NODE, Free(), _functions(cutting.made(), NODE))
     element, count = scene.system.joints[key[1]].element, scene.line(key[1])
     if count:
         return _block(f"line{count}", element, {})
@@ -58,6 +54,12 @@ def _made(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
     while name in taken:
         name = f"{base}_{len(taken)}"
     return _block(name, element, _functions(cutting.made(), name))
+
+
+def _node(scene: Scene) -> BlockKind:
+    cutting = Cutting(scene)
+    cutting.floating(NODE)
+    return _block(NODE, Free(), _functions(cutting.made(), NODE))
 
 
 def _block(name: str, element: JointElement, functions: dict[str, Function]) -> BlockKind:

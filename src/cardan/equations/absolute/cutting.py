@@ -115,9 +115,13 @@ class Cutting:
     def node(self, body: int, mass: Mass = NOTHING) -> int:
         """Number here of a body of the scene."""
         if body not in self._body:
-            self._body[body] = self._enter(self._numbered("body"), GROUND, Free(), {}, mass)
+            self._body[body] = self.floating(self._numbered("body"), mass)
             self.places.append((NODE, body))
         return self._body[body]
+
+    def floating(self, name: str, mass: Mass = NOTHING) -> int:
+        """Number here of a new body that moves freely."""
+        return self._enter(name, GROUND, Free(), {}, mass)
 
     def joint(self, i: int) -> int:
         """Number here of a joint of the scene whose coordinates are read."""

@@ -7,17 +7,17 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
-from ...ir.function import Block, Function, Output
+from ...ir.function import Function, Output
 from ...topology.system import System
-from ..blocks import blocks
+from ..blocks import parameters
 from .blocks import block_kinds
 from .kinds import kind_of, structure
 from .pieces import Piece, pieces
 from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places
 from .scene import NODE, Key, Scene
-from .segments import Run, runs
-from .segments import groups as segment_groups
+from .segments import beamed
 from .states import states
 
 
@@ -30,13 +30,15 @@ def lowered(system: System) -> Absolute:
     _refuse(system)
     scene = Scene(system)
     kinds, numbers = block_kinds(scene)
-    places = Places([scene.name(key) for key in scene.places], kinds, numbers)
     at = {key: k for k, key in enumerate(scene.places)}
     found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
     # elements that do nothing are left out
     found = [(kind, members) for kind, members in found if kind.functions]
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
+    beams = beamed(scene, at, kinds[0], powers)
+    names = [*(scene.name(key) for key in scene.places), *beams.names]
+    every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
     groups, row = list[Group](), 0
     for kind, members in found:
         groups.append(_group(kind, members, at, row, system, (results, powers)))
@@ -47,30 +49,18 @@ def lowered(system: System) -> Absolute:
         for e, piece in enumerate(members)
         if piece.joint
     }
-    beams = runs(system, {i: k for (kind, i), k in at.items() if kind == NODE}, len(places))
-    if beams:
-        node = next(kind for kind in kinds if kind.name == "node")
-        groups += segment_groups(system, beams, node, row)
-        places = _with_nodes(places, beams)
     return Absolute(
         system=system,
-        places=places,
-        groups=tuple(groups),
-        inner=np.concatenate([run.start for run in beams]) if beams else np.zeros((0, 7)),
+        places=Places(names, kinds, every),
+        groups=(*groups, *beams.groups),
         frames=_frames(scene, at),
         joints=joints,
         states=states(scene),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
+        reference=beams.reference,
+        lines=beams.lines,
     )
-
-
-def _with_nodes(places: Places, beams: Sequence[Run]) -> Places:
-    """The places with the nodes inside of beams behind them."""
-    node = [kind.name for kind in places.kinds].index("node")
-    names = [name for run in beams for name in run.inner]
-    kind = np.concatenate([places.kind, np.full(len(names), node, dtype=np.intp)])
-    return Places([*places.names, *names], places.kinds, kind)
 
 
 def _refuse(system: System) -> None:
@@ -97,8 +87,7 @@ def _sorted(found: Iterable[Piece], at: Mapping[Key, BlockKind]) -> list[tuple[K
     members: dict[str, list[Piece]] = {}
     for piece in found:
         members.setdefault(structure(piece, _blocks(piece, at)), []).append(piece)
-    taken: set[str] = set()
-    made = []
+    taken, made = set(FLEXIBLE), []
     for pieces_of in members.values():
         name = _unique(pieces_of[0].kind, taken)
         made.append((kind_of(name, pieces_of[0], _blocks(pieces_of[0], at)), pieces_of))
@@ -177,8 +166,7 @@ def _common(kind: Kind, members: list[Piece], system: System) -> Function | None
 
 
 def _of_parameters(name: str, system: System, results: tuple[Output, ...]) -> Function:
-    block: Block = blocks(system)["p"]
-    return Function(name, system.graph, (block,), results, ("ground",))
+    return Function(name, system.graph, (parameters(system),), results, ("ground",))
 
 
 def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:

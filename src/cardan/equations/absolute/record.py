@@ -223,9 +223,11 @@ class Absolute:
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
             circuits are closed there has its constraints kept here.
         results: (name, unit) of the outputs of the scene.
-        inner: Poses (n, 7) of the last places, nodes inside of beams, in the reference
-            configuration; ``states`` knows those before.
         powers: Names of the sources of power: elements, ``<joint>.motion``, ``<relation>.motion``.
+        reference: Coordinates in the reference configuration of the nodes inside beams, which are
+            the last places; ``states`` gives those of all others.
+        lines: Places of the nodes of every segment of ``system.segments`` from start to end;
+            GROUND where it ends at the ground.
     """
 
     system: System = field(repr=False)
@@ -236,7 +238,8 @@ class Absolute:
     states: Function = field(repr=False)
     results: tuple[tuple[str, str], ...] = ()
     powers: tuple[str, ...] = ()
-    inner: Numbers = field(default_factory=lambda: np.zeros((0, 7)), repr=False, compare=False)
+    reference: Numbers = field(default_factory=lambda: np.zeros(0), repr=False, compare=False)
+    lines: tuple[Integers, ...] = field(default=(), repr=False, compare=False)
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:

@@ -1,242 +1,254 @@
-"""Segments of beams -> nodes between their ends, and groups of flexible elements.
-
-Every element couples the nodes of its two ends; only those at the ends of a segment may be fixed to
-a body away from its origin, or to the ground. Nothing here is done element by element.
-"""
+"""Segments of beams as tables of flexible elements on their nodes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import overload
 
 import numpy as np
 
-from ...elements.flexible import (
-    FLEXIBLE,
-    Damping,
-    DeadLoad,
-    FlexibleElement,
-    FollowerLoad,
-)
-from ...elements.flexible.ends import GROUND as FIXED
-from ...elements.flexible.ends import NODE, OFFSET
+from ...elements.flexible import FLEXIBLE
+from ...elements.flexible.element import FlexibleElement
+from ...elements.flexible.ends import GROUND as AT_GROUND
+from ...elements.flexible.ends import NODE as AT_NODE
+from ...elements.flexible.ends import OFFSET
 from ...ir.function import Function, Output
-from ...ir.graph import ONE, ZERO
+from ...ir.graph import ZERO
+from ...ir.interpreter import evaluate
+from ...topology.convert import IDENTITY, ORIGIN
 from ...topology.segment import Segment
-from ...topology.system import Frame, System
-from ..blocks import blocks
-from .record import BlockKind, Group, Integers, Kind, Numbers
+from ..blocks import parameters
+from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers
+from .scene import NODE, Key, Scene
 
-IDENTITY = (ONE, ZERO, ZERO, ZERO, ONE, ZERO, ZERO, ZERO, ONE)
-ORIGIN = (ZERO, ZERO, ZERO)
-GRAVITY = ("gravity_1", "gravity_2", "gravity_3")
-
-
-@dataclass(frozen=True)
-class Numbered(Sequence[str]):
-    """Names ``stem[first]``, ``stem[first + 1]``, ... of nodes or elements along a beam."""
-
-    stem: str
-    first: int
-    count: int
-
-    def __len__(self) -> int:
-        return self.count
-
-    @overload
-    def __getitem__(self, k: int) -> str: ...
-    @overload
-    def __getitem__(self, k: slice) -> list[str]: ...
-
-    def __getitem__(self, k: int | slice) -> str | list[str]:
-        if isinstance(k, slice):
-            return [self[i] for i in range(*k.indices(self.count))]
-        if not 0 <= k < self.count:
-            raise IndexError(k)
-        return f"{self.stem}[{self.first + k}]"
+# elements of a segment up to which they share a table with those of others
+FEW = 100
+# kind of element -> data of a segment without which it does nothing
+ASIDE = {
+    "damping": ("damping",),
+    "dead_load": ("dead_force", "dead_moment"),
+    "follower_load": ("follower_force", "follower_moment"),
+}
 
 
 @dataclass(frozen=True)
-class Run:
-    """A segment with the numbers of its nodes among the places.
+class Beamed:
+    """What the segments of a scene add.
 
     Attributes:
-        segment: What lies between the ends.
-        first: Number of its first element, counted along the whole beam.
-        place: The places of its nodes (n + 1,); of an end on the ground -1.
-        ends: How both ends are fixed to their nodes.
-        start: Coordinates of the nodes in between in the reference configuration (n - 1, 7).
+        names: Of the nodes between named ones.
+        reference: Their coordinates in the reference configuration (7 n,).
+        lines: Places of the nodes of every segment, GROUND at ends fixed to the ground.
+        groups: The elements.
     """
 
-    segment: Segment
-    first: int
-    place: Integers
-    ends: tuple[str, str]
-    start: Numbers
-
-    @property
-    def inner(self) -> Numbered:
-        """Names of the nodes in between."""
-        return Numbered(self.segment.name, self.first + 1, len(self.start))
+    names: tuple[str, ...]
+    reference: Numbers
+    lines: tuple[Integers, ...]
+    groups: tuple[Group, ...]
 
 
-def runs(system: System, bodies: Mapping[int, int], places: int) -> list[Run]:
-    """The segments of a system, their inner nodes numbered behind ``places`` others.
+@dataclass(frozen=True)
+class _End:
+    """Where a segment ends: its place, how it sits there, and the numbers that say so."""
+
+    place: int
+    kind: str
+    data: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Elements of one kind in a segment.
+
+    Attributes:
+        kind: Theirs.
+        names: Of the elements.
+        places: Of their nodes (n, number of nodes).
+        common: Expressions of their common data.
+        own: The other data (n, k).
+        power: Number of the source of power, -1 for none.
+    """
+
+    kind: Kind
+    names: Sequence[str]
+    places: Integers
+    common: tuple[int, ...]
+    own: Numbers
+    power: int
+
+
+def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]) -> Beamed:
+    """Nodes and elements of all segments.
 
     Args:
-        system: With segments.
-        bodies: Body -> its place.
-        places: How many there are.
+        scene: The scene.
+        at: Its places, which the nodes in between follow.
+        node: What a node is.
+        powers: Numbers of the sources of power; beams are added.
     """
-    found, counted = [], dict[str, int]()
-    for segment in system.segments:
-        line, inner = segment.line, segment.line.elements - 1
-        frames = [system.frames[k] for k in (segment.frame_a, segment.frame_b)]
-        one, other = (bodies[f.body] if f.body >= 0 else -1 for f in frames)
-        first = counted.get(segment.name, 0)
-        counted[segment.name] = first + line.elements
-        place = np.concatenate(([one], places + np.arange(inner), [other])).astype(np.intp)
-        poses = _poses(line.rotations, line.positions)
-        ends = _end(frames[0]), _end(frames[1])
-        found.append(Run(segment, first, place, ends, poses[1:-1]))
-        places += inner
-    return found
+    builder = _Builder(scene, at, node, powers)
+    names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
+    place, known = len(at), dict[str, tuple[int, int]]()
+    for segment in scene.system.segments:
+        count = segment.line.elements
+        # nodes and elements are numbered along the whole beam
+        nodes, elements = known.get(segment.name, (0, 0))
+        known[segment.name] = nodes + count - 1, elements + count
+        ends = [builder.end(frame) for frame in (segment.frame_a, segment.frame_b)]
+        inner = range(place, place + count - 1)
+        line = np.array([ends[0].place, *inner, ends[1].place], dtype=np.intp)
+        names += [f"{segment.name}.node{nodes + k + 1}" for k in range(count - 1)]
+        place += count - 1
+        own = _poses(segment)
+        poses.append(own[1:-1].ravel())
+        lines.append(line)
+        told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
+        parts += builder.parts(segment, told, line, ends, np.hstack([own[:-1], own[1:]]))
+    reference = np.concatenate(poses) if poses else np.zeros(0)
+    return Beamed(tuple(names), reference, tuple(lines), tuple(builder.groups(parts)))
 
 
-def _end(frame: Frame) -> str:
-    if frame.body < 0:
-        return FIXED
-    return NODE if (frame.rotation, frame.position) == (IDENTITY, ORIGIN) else OFFSET
-
-
-def _poses(rotations: Numbers, positions: Numbers) -> Numbers:
-    """Unit quaternions and positions (n, 7); neighbors on the same side."""
+def _poses(segment: Segment) -> Numbers:
+    """Unit quaternions and positions of the nodes (n + 1, 7)."""
     from scipy.spatial.transform import Rotation
 
-    x, y, z, w = Rotation.from_matrix(rotations).as_quat().T
-    quaternions = np.stack([w, x, y, z], axis=1)
-    signs = np.sign(np.sum(quaternions[1:] * quaternions[:-1], axis=1))
-    quaternions[1:] *= np.cumprod(np.where(signs == 0, 1.0, signs))[:, None]
-    return np.concatenate([quaternions, positions], axis=1)
+    xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
 
 
-def groups(system: System, found: Sequence[Run], node: BlockKind, row: int) -> Iterator[Group]:
-    """The elements of all segments.
+class _Builder:
+    """Makes the groups of segments; kinds are derived once."""
 
-    Args:
-        system: With segments.
-        found: These with their places.
-        node: What a node is.
-        row: First multiplier that is free; flexible elements have none.
-    """
-    for run in found:
-        for element in _elements(system, run.segment):
-            for kinds, members in _parts(run):
-                yield _group(system, run, element, kinds, members, node, row)
+    def __init__(
+        self, scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]
+    ) -> None:
+        self.scene, self.system = scene, scene.system
+        self.at, self.node, self.powers = at, node, powers
+        self._kinds: dict[str, Kind] = {}
+
+    def end(self, number: int) -> _End:
+        """Where a frame at the end of a segment is."""
+        frame = self.system.frames[self.scene.frame(number)]
+        if frame.body < 0:
+            return _End(GROUND, AT_GROUND, self._numbers(frame.rotation + frame.position))
+        place = self.at[NODE, frame.body]
+        if (frame.rotation, frame.position) == (IDENTITY, ORIGIN):
+            return _End(place, AT_NODE)
+        return _End(place, OFFSET, self._numbers(frame.rotation + frame.position))
+
+    def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
+        """Expressions at the values of the parameters: geometry of beams is fixed."""
+        made = self._function("place", nodes)
+        p = [parameter.value for parameter in self.system.parameters]
+        return tuple(float(x) for x in evaluate(made, {"p": p})["data"])
+
+    def _function(self, name: str, nodes: tuple[int, ...], *shape: int) -> Function:
+        output = Output("data", shape or (len(nodes),), nodes)
+        p = parameters(self.system)
+        return Function(name, self.system.graph, (p,), (output,), ("ground",))
+
+    def groups(self, parts: Sequence[_Part]) -> Iterator[Group]:
+        """One table for each kind; long parts have one of their own, with data told once."""
+        sorted_by: dict[tuple[object, ...], list[_Part]] = {}
+        for part in parts:
+            apart = part.common if len(part.names) > FEW else ()
+            sorted_by.setdefault((part.kind.name, apart), []).append(part)
+        for some in sorted_by.values():
+            kind, counts = some[0].kind, [len(part.names) for part in some]
+            power = np.repeat([part.power for part in some], counts)[:, None]
+            yield Group(
+                kind=kind,
+                members=[name for part in some for name in part.names],
+                places=np.concatenate([part.places for part in some]),
+                rows=np.zeros(sum(counts), dtype=np.intp),
+                common=self._common(kind, some),
+                own=np.concatenate([part.own for part in some]),
+                powers=power.astype(np.intp) if "power" in kind.functions else None,
+            )
+
+    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+        """Common data of a group as a function of the parameters of the scene."""
+        name, first = f"{kind.name}__data", parts[0].common
+        if all(part.common == first for part in parts):
+            return self._function(name, first)
+        nodes = [node for part in parts for node in part.common * len(part.names)]
+        return self._function(name, tuple(nodes), len(nodes) // len(first), len(first))
+
+    def parts(
+        self,
+        segment: Segment,
+        names: Sequence[str],
+        line: Integers,
+        ends: Sequence[_End],
+        poses: Numbers,
+    ) -> Iterator[_Part]:
+        """The elements of a segment: those at its ends apart where they are no nodes.
+
+        Args:
+            segment: The segment.
+            names: Of its elements.
+            line: Places of its nodes.
+            ends: Where it begins and ends.
+            poses: Of both nodes of every element in the reference configuration (n, 14).
+        """
+        values = self._values(segment)
+        for element in self._elements(segment):
+            own = element.rows(segment.line.stations, poses)
+            for part, kinds, data in _parts(segment.line.elements, ends):
+                places = np.stack([line[:-1][part], line[1:][part]], axis=1)
+                places = places[:, [kind != AT_GROUND for kind in kinds]]
+                rows, kind = own[part], self._kind(element, kinds)
+                own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
+                common = tuple(values[name] for name in element.common)
+                power = self._power(segment) if "power" in kind.functions else -1
+                yield _Part(kind, names[part], places, common, own_data, power)
+
+    def _power(self, segment: Segment) -> int:
+        """Where the power of elements goes: one sum for the whole beam."""
+        return self.powers.setdefault(segment.name, len(self.powers))
+
+    def _kind(self, element: FlexibleElement, kinds: tuple[str, str]) -> Kind:
+        name = element.name(kinds)
+        if name not in self._kinds:
+            moving = sum(kind != AT_GROUND for kind in kinds)
+            functions = element.derived(kinds)
+            places, source = (self.node,) * moving, element.source
+            self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
+        return self._kinds[name]
+
+    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
+        """The elements that a segment is made of."""
+        yield FLEXIBLE[segment.element]()
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        if data["rhoA"] != (ZERO,):
+            yield FLEXIBLE[f"{segment.inertia}_inertia"]()
+        for kind, names in ASIDE.items():
+            if any(node != ZERO for name in names for node in data[name]):
+                yield FLEXIBLE[kind]()
+
+    def _values(self, segment: Segment) -> dict[str, int]:
+        """Common data by name; entries of vectors are numbered."""
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        values: dict[str, int] = {}
+        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
+            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
+            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
+        return values
 
 
-def _elements(system: System, segment: Segment) -> Iterator[FlexibleElement]:
-    """What a segment consists of."""
-    yield FLEXIBLE[segment.element]()
-    if any(_value(system, segment, name) for name in ("rhoA", "rhoI2", "rhoI3")):
-        yield FLEXIBLE[f"{segment.inertia}_inertia"]()
-    if _value(system, segment, "damping"):
-        yield Damping()
-    for kind, names in (
-        (DeadLoad, ("dead_force", "dead_moment")),
-        (FollowerLoad, ("follower_force", "follower_moment")),
-    ):
-        if any(_value(system, segment, name) for name in names):
-            yield kind()
-
-
-def _value(system: System, segment: Segment, name: str) -> bool:
-    """Whether data may be other than zero."""
-    entry = segment.data.get(name)
-    return entry is not None and any(system.graph.value(node) != 0.0 for node in entry[2])
-
-
-def _parts(run: Run) -> Iterator[tuple[tuple[str, str], slice]]:
-    """Elements that are alike in their ends: the first, those in between, the last."""
-    count = run.segment.line.elements
+def _parts(
+    count: int, ends: Sequence[_End]
+) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
+    """Runs of elements between ends of the same kinds, with the data of these ends."""
+    first, last = ends
     if count == 1:
-        yield run.ends, slice(0, 1)
+        yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
-    start = 0 if run.ends[0] == NODE else 1
-    stop = count if run.ends[1] == NODE else count - 1
+    start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)
     if start:
-        yield (run.ends[0], NODE), slice(0, 1)
+        yield slice(0, 1), (first.kind, AT_NODE), first.data
     if stop > start:
-        yield (NODE, NODE), slice(start, stop)
+        yield slice(start, stop), (AT_NODE, AT_NODE), ()
     if stop < count:
-        yield (NODE, run.ends[1]), slice(count - 1, count)
-
-
-def _group(
-    system: System,
-    run: Run,
-    element: FlexibleElement,
-    kinds: tuple[str, str],
-    members: slice,
-    node: BlockKind,
-    row: int,
-) -> Group:
-    line, count = run.segment.line, members.stop - members.start
-    poses = _poses(line.rotations, line.positions)[members.start : members.stop + 1]
-    stations = line.stations[members.start : members.stop + 1]
-    own = element.rows(stations, np.concatenate([poses[:-1], poses[1:]], axis=1))
-    offsets = [_offset(system, run.segment, k) for k in range(2) if kinds[k] != NODE]
-    if offsets:
-        own = np.concatenate([own, np.tile(np.concatenate(offsets), (count, 1))], axis=1)
-    pairs = np.stack([run.place[:-1], run.place[1:]], axis=1)[members]
-    moving = [k for k in range(2) if kinds[k] != FIXED]
-    return Group(
-        kind=Kind(
-            name=element.name(kinds),
-            blocks=(node,) * len(moving),
-            rows=(),
-            mp=0,
-            data=element.data(kinds),
-            functions=element.derived(kinds),
-            source=element.source,
-        ),
-        members=Numbered(run.segment.name, run.first + members.start, count),
-        places=np.ascontiguousarray(pairs[:, moving]),
-        rows=np.full(count, row, dtype=np.intp),
-        common=_common(system, run, element, kinds),
-        own=own,
-    )
-
-
-def _offset(system: System, segment: Segment, k: int) -> Numbers:
-    """Rotation (9) and position (3) of an end in axes of its body; they are geometry: numbers."""
-    frame = system.frames[(segment.frame_a, segment.frame_b)[k]]
-    values = [system.graph.value(node) for node in (*frame.rotation, *frame.position)]
-    if any(value is None for value in values):
-        from ...ir.interpreter import evaluate
-
-        nodes = (*frame.rotation, *frame.position)
-        at = Function("offset", system.graph, (blocks(system)["p"],), (Output("at", (12,), nodes),))
-        values = evaluate(at, {"p": [entry.value for entry in system.parameters]})["at"]
-    return np.array(values, dtype=np.float64)
-
-
-def _common(
-    system: System, run: Run, element: FlexibleElement, kinds: tuple[str, str]
-) -> Function | None:
-    """The data that section, material and loads give, as a function of the parameters."""
-    if not element.common:
-        return None
-    known = dict(zip(GRAVITY, system.gravity, strict=True))
-    for name, (_, _, nodes) in run.segment.data.items():
-        known |= {name: nodes[0]} if len(nodes) == 1 else _numbered(name, nodes)
-    listed = tuple(known.get(name, ZERO) for name in element.common)
-    words = "".join(c if c.isalnum() else "_" for c in f"{run.segment.name}_{run.first}")
-    name = f"{element.name(kinds)}__data_{words}"
-    output = Output("data", (len(listed),), listed)
-    return Function(name, system.graph, (blocks(system)["p"],), (output,), ("ground",))
-
-
-def _numbered(name: str, nodes: Sequence[int]) -> dict[str, int]:
-    return {f"{name}_{k}": node for k, node in enumerate(nodes, start=1)}
+        yield slice(stop, count), (AT_NODE, last.kind), last.data
