@@ -106,6 +106,7 @@ _PUBLIC: dict[str, str] = {
             "BuildError",
             "CompilerMissing",
             "ArgumentError",
+            "FunctionError",
             "SolveError",
             "BuildWarning",
             "SolveWarning",

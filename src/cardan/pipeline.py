@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import __version__, topology
-from .codegen import generate, layout, manifest
+from .codegen import generate, layout, manifest, mesh
 from .equations.absolute.lowering import lowered
 from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
@@ -20,6 +20,7 @@ from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
 from .errors import BuildError, DerivationError, SolveWarning, near
 from .runtime import folder as cache
+from .runtime.absolute.evaluated import FUNCTIONS as OF_ELEMENTS
 from .runtime.compiled import CompiledModel
 
 if TYPE_CHECKING:
@@ -217,6 +218,8 @@ def compile(
         constraints=constraints,
         branches=branches,
     )
+    if isinstance(equations, Absolute):
+        return _of_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -277,38 +280,47 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
         warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
-def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations:
+def _of_elements(
+    equations: Absolute, directory: str | Path | None, threads: int | None
+) -> CompiledModel:
+    """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
+    folder = Path(directory) if directory is not None else _workspace(equations, None)
+    try:
+        mesh.write(folder, equations, OF_ELEMENTS)
+    except OSError as error:
+        if directory is not None:
+            raise _unwritable(folder, error) from error
+        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
+        mesh.write(folder, equations, OF_ELEMENTS)
+    cache.used(folder)
+    return CompiledModel(folder, threads=threads)
+
+
+def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations | Absolute:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    made = isinstance(scene, (Equations, Absolute))
-    found = scene if isinstance(scene, (Equations, Absolute)) else derive(scene, **given)
-    if isinstance(found, Absolute):
-        raise DerivationError(
-            f"'{found.system.name}': equations in absolute coordinates are derived, but not "
-            "compiled. Use coordinates='relative'"
-        )
-    if made and given:
+    if not isinstance(scene, (Equations, Absolute)):
+        found: Equations | Absolute = derive(scene, **given)
+        return found
+    if given:
         raise DerivationError(
             f"{', '.join(given)}: the equations are derived already; give it to derive()"
         )
-    return found
+    return scene
 
 
-def fingerprint(equations: Equations, loops: bool | None = None) -> str:
+def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
     digest = hashlib.sha256()
     for part in (
         __version__,
         _compiler_state(),
-        equations.method,
-        equations.rewrites,
-        equations.chosen,
-        equations.treatment,
+        *_choices(equations),
         loops,
         system.graph.nodes,
         system.graph.tables,
@@ -321,6 +333,13 @@ def fingerprint(equations: Equations, loops: bool | None = None) -> str:
     return digest.hexdigest()
 
 
+def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
+    """How equations were derived, besides the system."""
+    if isinstance(equations, Absolute):
+        return "absolute", mesh.numbers(equations)
+    return equations.method, equations.rewrites, equations.chosen, equations.treatment
+
+
 @lru_cache(maxsize=1)
 def _compiler_state() -> list[tuple[str, int, int]]:
     """Size and time of change of every file of this package: an edited compiler starts anew."""
@@ -329,7 +348,7 @@ def _compiler_state() -> list[tuple[str, int, int]]:
     return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
-def _workspace(equations: Equations, loops: bool | None) -> Path:
+def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
 

@@ -27,7 +27,8 @@ from .settings import Settings
 from .signals import signals
 from .simulate import runner_of
 
-FORMAT = 1
+FORMAT = 2
+NONE = "give a file that stepper.save(path) wrote"
 # of the record: what belongs to a process, or to the room that rows have there
 PASSING = {
     *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
@@ -66,6 +67,7 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         "max_step": None if math.isinf(how.max_step) else how.max_step,
         "events": [dict(row) for row in runner.may.rows],
         "record": _record(runner),
+        "over": saved.over,
         **numbers,
     }
     parts: dict[str, Any] = {
@@ -79,8 +81,8 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
 
 def read(
     model: CompiledModel, path: Path, events: Mapping[str, Any] | None
-) -> tuple[Runner | PlainRunner, Settings]:
-    """The run of a checkpoint, where it was.
+) -> tuple[Runner | PlainRunner, Settings, str]:
+    """The run of a checkpoint, where it was, and what ended it.
 
     Args:
         model: The model it is of.
@@ -115,7 +117,7 @@ def read(
         )
     runner.want(None, dense=False)
     runner.restore(_saved(runner, head["record"], memory, ticks, path))
-    return runner, how
+    return runner, how, str(head["over"])
 
 
 def _key(runner: Runner | PlainRunner) -> str:
@@ -169,16 +171,21 @@ def _saved(
 def _parts(path: Path) -> tuple[dict[str, Any], Any, bytes]:
     """Head, memory and ticks of a file."""
     try:
+        # other files than archives may hold objects, about which NumPy has advice
+        if path.exists() and not zipfile.is_zipfile(path):
+            raise zipfile.BadZipFile
         with np.load(path, allow_pickle=False) as file:
             head = json.loads(file["head"].tobytes())
             memory, ticks = file["memory"], file["ticks"].tobytes()
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
-    except (OSError, ValueError, KeyError, AttributeError, EOFError, zipfile.BadZipFile) as error:
-        raise ModelError(f"{path} is no checkpoint that cardan can read: {error}") from error
-    needed = {"cardan_checkpoint", "key", "method", "record", "events", "words", "max_step"}
+    except OSError as error:
+        raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
+    except (ValueError, KeyError, AttributeError, EOFError, zipfile.BadZipFile) as error:
+        raise ModelError(f"{path} is no checkpoint, or is damaged: {NONE}") from error
+    needed = {"cardan_checkpoint", "key", "method", "record", "events", "words", "max_step", "over"}
     if not isinstance(head, dict) or not needed <= set(head) or memory.dtype != np.float64:
-        raise ModelError(f"{path} is no checkpoint of cardan")
+        raise ModelError(f"{path} is no checkpoint: {NONE}")
     if head["cardan_checkpoint"] != FORMAT:
         raise ModelError(f"{path} was written by another version of cardan; start the run anew")
     return head, memory, ticks

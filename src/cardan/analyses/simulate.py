@@ -11,20 +11,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CompilerMissing, ModelError, SolveError, SolveWarning
+from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
-from ..runtime.conduct import Conduct
-from ..runtime.dense import Dense
-from ..runtime.events import Happened
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
-from .choice import JACOBIAN, Case, Limited, choose, reconsider, remark
+from .choice import JACOBIAN, Case, Limited, choose, reconsider
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, check_start, happenings
 from .integrators import INTEGRATORS
+from .kept import Kept
 from .outcome import explain
 from .plain import PlainRunner, check_plain
 from .progress import showing
@@ -34,6 +32,8 @@ from .signals import Signals, signals
 from .times import Span, span
 
 Array = NDArray[np.float64]
+
+LARGE = 40  # speeds of models that are not asked for derivatives
 
 
 def simulate(
@@ -87,13 +87,13 @@ def simulate(
             the run takes longer than a second.
 
     Returns:
-        The motion; ``motion.events`` says what happened. If the run breaks down or is interrupted
-        (Ctrl-C): what was computed, with ``status``, ``message`` and a
-        :class:`~cardan.errors.SolveWarning`.
+        The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
+        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`.
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
-        ArgumentError: wrong shapes.
+        ArgumentError: wrong shapes. FunctionError: a function of yours raised, or gave no number;
+            ``motion`` of the error is what was computed until then.
         SolveError: a number that is not finite; with ``check``, an early end.
     """
     over = span(t)
@@ -105,12 +105,12 @@ def simulate(
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
     check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
+    runner = runner_of(model, chosen(how, case), given, may)
     try:
-        runner = runner_of(model, chosen(how, case), given, may)
         motion = driven(runner, over, begin, progress, case)
     except Limited as found:
-        how = chosen(how, found.case)
-        motion = driven(runner_of(model, how, given, may), over, begin, progress)
+        runner = runner_of(model, chosen(how, found.case), given, may)
+        motion = driven(runner, over, begin, progress)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
@@ -129,6 +129,7 @@ def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: 
         length=over.length,
         derived=JACOBIAN in model.manifest["available"],
         asked=bool(given.functions),
+        elements="mesh" in model.manifest,
     )
 
 
@@ -147,6 +148,7 @@ def runner_of(
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
+    how = _spared(model, how)
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -170,6 +172,19 @@ def runner_of(
     return PlainRunner(model, replace(how, words=words), given, power, may)
 
 
+def _spared(model: CompiledModel, how: Settings) -> Settings:
+    """Settings that take by differences what a large model would derive for minutes."""
+    if model.nu <= LARGE:
+        return how
+    asked = how.method.needs
+    spared = [name for name in how.method.differenced if name in asked]
+    if not spared:
+        return how
+    needs = tuple(name for name in asked if name not in spared)
+    words = f"{how.words}, {' and '.join(spared)} by differences as there are {model.nu} speeds"
+    return replace(how, method=replace(how.method, needs=needs), words=words)
+
+
 def _integrators(model: CompiledModel) -> bool:
     """Whether the integrators exist as C here: not without a compiler."""
     try:
@@ -190,98 +205,44 @@ def driven(
 
     Raises:
         Limited: another method would be chosen, and less than half of the run is done.
+        FunctionError: a function of the caller raised; it has the motion until then.
     """
-    run, how, rows, spreads = runner.record, runner.settings, list[Array](), list[Array]()
-    given = runner.signals
+    kept, problem = Kept(runner), None
     runner.loosen(begin.slack)
-    logs: list[Array] = []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
-        stops = [*given.corners(over.start, over.end), over.end]
-        answer = runner.start(over.start, begin.x, stops)
-        for said in runner.slices() if answer >= 0 else ():
-            answer = said
-            if answer != abi.MORE:
-                rows.append(runner.rows[: run.count].copy())
-                spreads.append(runner.spreads[: run.count].copy())
-                logs.append(runner.drained())
-                run.count = 0
-            done = abs(run.t - over.start) / over.length
-            if case is not None and done < 0.5:
-                reconsider(case, runner, over, begin.x)
-            show(min(1.0, done))
+        try:
+            answer = _loop(runner, over, begin, kept, show, case)
+        except FunctionError as raised:
+            answer, problem = abi.INPUT, raised
+            kept.take()
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
-    table = np.concatenate(rows) if rows else np.empty((0, width))
-    if not len(table):
-        table = _first_row(runner, over, begin)
-    status, message = explain(runner, answer, over)
-    statistics = {
-        "steps": run.steps,
-        "rejections": run.rejections,
-        "evaluations": run.evaluations,
-        "looked": run.looked,
-        "limited": run.limited,
-        "jacobians": run.jacobians,
-        "factorizations": run.factorizations,
-        "projections": run.projections,
-        "passed": run.passed,
-        "events": run.occurred,
-        "milliseconds": milliseconds,
-    }
-    defaulted = (*begin.defaulted, *given.defaulted)
-    initial = begin.named(runner.model)
-    initial |= {n: float(table[0, 1 + runner.n + k]) for k, n in enumerate(runner.model.inputs)}
-    conduct = Conduct(
-        how.method.name,
-        how.words,
-        initial,
-        defaulted,
-        status,
-        message,
-        dict(statistics),
-        remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"]) or how.reason,
-    )
-    log = np.concatenate([*logs, runner.drained()])
-    return _trajectory(runner, table, spreads if over.times is None else None, log, conduct)
+    told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    motion = kept.motion(over, begin, told, milliseconds)
+    if problem is not None:
+        problem.motion = motion
+        raise problem
+    return motion
 
 
-def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
-    """The start alone, for a run that broke down there."""
-    rest = np.zeros(runner.n - len(begin.x))
-    modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
-    known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
-    return np.concatenate(known)[None, :]
-
-
-def _trajectory(
+def _loop(
     runner: Runner | PlainRunner,
-    table: Array,
-    spreads: list[Array] | None,
-    log: Array,
-    conduct: Conduct,
-) -> Trajectory:
-    model, n, end = runner.model, runner.n, 1 + runner.n + runner.model.nr
-    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
-    s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
-    quaternions = tuple(model.manifest["quaternions"])
-    dense = None
-    if spreads and len(t) > 1:
-        charted = runner.settings.method.charted
-        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions, charted)
-    return Trajectory(
-        t=t,
-        x=y[:, : model.nx].copy(),
-        r=r,
-        given=y[:, model.nx :].copy(),
-        sources=runner.sources if runner.powered else None,
-        manifest=model.manifest,
-        conduct=conduct,
-        model=model,
-        dense=dense,
-        inputs_at=runner.signals.recorded(t, r).at,
-        ledger=runner.ledger,
-        stored={"multipliers": lam.copy()} if runner.record.nlam else {},
-        happened=Happened(s.copy(), runner.may.rows, log),
-    )
+    over: Span,
+    begin: Start,
+    kept: Kept,
+    show: Callable[[float], None],
+    case: Case | None,
+) -> int:
+    """Go on until the run is over. Returns the last answer of the kernels."""
+    stops = [*runner.signals.corners(over.start, over.end), over.end]
+    answer = runner.start(over.start, begin.x, stops)
+    for said in runner.slices() if answer >= 0 else ():
+        answer = said
+        if answer != abi.MORE:
+            kept.take()
+        done = abs(runner.record.t - over.start) / over.length
+        if case is not None and done < 0.5:
+            reconsider(case, runner, over, begin.x)
+        show(min(1.0, done))
+    return answer

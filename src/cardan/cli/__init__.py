@@ -1,7 +1,7 @@
 """The command line: one command per file, loaded when it is called.
 
-Exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use. Messages go to standard
-error, results to standard output.
+Exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use, 130 interrupted.
+Messages go to standard error, results to standard output.
 """
 
 from __future__ import annotations
@@ -10,19 +10,26 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib import import_module
-from typing import NoReturn
+from typing import Any, NoReturn, cast
 
 from .. import __version__
-from ..errors import CardanError
+from ..errors import BuildWarning, CardanError, SolveWarning
 
+INTERRUPTED = 128 + signal.SIGINT
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
     "check": (".check", "complaints about a scene, each with its cure"),
     "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
     "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
+    "statics": (".statics", "equilibria under loads that change, and where stability ends"),
+    "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
+    "linearize": (".linearize", "the linear model with names and eigenvalues"),
     "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
     "report": (".report", "speed against error of every integrator on a scene"),
     "bench": (".bench", "speed, error and agreement beside other programs"),
@@ -41,6 +48,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
                                              many runs that differ
+  cardan modes arm.urdf --hold elbow=0.3     how it vibrates; where it rests: equilibrium, statics
   cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure
   cardan export arm.urdf -o arm_c            C to take away
@@ -50,7 +58,8 @@ start here:
 
 completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
 
-exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use"""
+exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use,
+130 interrupted (what was computed until then is told)"""
 
 
 class Parser(argparse.ArgumentParser):
@@ -102,6 +111,23 @@ def build_parser(*loaded: str) -> Parser:
     return top
 
 
+@contextmanager
+def _warnings(command: str) -> Iterator[None]:
+    """Warnings of cardan as messages of a command, without the line of code that gave them."""
+    usual = warnings.showwarning
+
+    def show(message: Any, category: type[Warning], *where: Any, **more: Any) -> None:
+        if issubclass(category, SolveWarning | BuildWarning):
+            print(f"cardan {command}: {message}", file=sys.stderr)
+        else:
+            usual(message, category, *where, **more)
+
+    with warnings.catch_warnings():
+        # typeshed knows no other function there than the usual one
+        warnings.showwarning = cast(Any, show)
+        yield
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
 
@@ -116,7 +142,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         top.print_help(sys.stderr)
         return 2
     try:
-        status = int(options.run(options))
+        with _warnings(options.command):
+            status = int(options.run(options))
         sys.stdout.flush()
         return status
     except BrokenPipeError:
@@ -128,4 +155,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     except KeyboardInterrupt:
         print(f"cardan {options.command}: interrupted", file=sys.stderr)
-        return 128 + signal.SIGINT
+        return INTERRUPTED

@@ -124,6 +124,8 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
     run->culprit = cardan_not_finite(run->trial, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    if (!cardan_follows(run, t, run->trial, run->k))
+        return CARDAN_WHIRLED;
     for (ptrdiff_t i = 0; i < run->n; i++) {
         const real before = run->f[i];
         run->f[i] = run->k[i];
@@ -206,6 +208,8 @@ int cardan_alpha_step(cardan_run *run)
     real h, t_new, error;
     int status = cardan_refresh(run), failed, taken;
 
+    /* a run that comes from a file has not begun here */
+    run->lam = v.lam_old;
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
     if (status == 0 && run->in_segment == 0) {

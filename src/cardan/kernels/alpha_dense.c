@@ -22,6 +22,9 @@ static real cubic_at(real rise, real first, real last)
 /* Whether coordinates rise by the increments themselves: then both cubics are one. */
 static int straight(const cardan_run *run, const cardan_alpha *v)
 {
+    /* poses of nodes are quaternions, which turn as fast as the bodies do */
+    if (v->mesh)
+        return 1;
     for (ptrdiff_t i = 0; i < v->nq && v->nq == v->nu; i++)
         if (run->trial[i] != run->y[i] + v->increment[i])
             return 0;

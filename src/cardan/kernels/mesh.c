@@ -30,6 +30,15 @@ static real *put(const real *from, ptrdiff_t n, real *to, ptrdiff_t stride)
     return to + n * stride;
 }
 
+/* The same of numbers that are picked from a block. */
+static real *pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, real *to,
+                  ptrdiff_t stride)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        to[i * stride] = from ? from[which[i]] : 0;
+    return to + n * stride;
+}
+
 /* Numbers of every place of an element. */
 static real *put_places(const ptrdiff_t *starts, const ptrdiff_t *place, ptrdiff_t places,
                         const real *from, real *to, ptrdiff_t stride)
@@ -52,8 +61,8 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t el
     local = put_places(mesh->u, place, g->places, at->udot, local, stride);
     local = put(at->lam ? at->lam + rows[0] : NULL, g->mp, local, stride);
     local = put(at->lam ? at->lam + rows[1] : NULL, g->m - g->mp, local, stride);
-    local = put(g->nz > 0 && at->z ? at->z + g->z[element] : NULL, g->nz, local, stride);
-    return put(g->ns > 0 && at->s ? at->s + g->s[element] : NULL, g->ns, local, stride);
+    local = pick(at->z, g->z ? g->z + element * g->nz : NULL, g->nz, local, stride);
+    return pick(at->s, g->s ? g->s + element * g->ns : NULL, g->ns, local, stride);
 }
 
 /* The blocks of `local` as functions read them. */

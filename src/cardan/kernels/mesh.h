@@ -14,10 +14,8 @@
 #ifndef CARDAN_MESH_H
 #define CARDAN_MESH_H
 
-#include "cardan.h"
-#include <stddef.h>
-
-typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);
+#include "run.h"
+#include "sparse.h"
 
 /* what the functions of an element give */
 enum {
@@ -27,6 +25,9 @@ enum {
     CARDAN_ENERGY,   /* kinetic, potential */
     CARDAN_MOMENTUM, /* (6) about the origin of the ground, angular part first */
     CARDAN_POWER,    /* given to the motion by what is not conservative */
+    CARDAN_REACTION, /* (6) of the parent on the child */
+    CARDAN_OUTPUTS,  /* of the user */
+    CARDAN_STRESS,   /* resultants and strains along an element */
     CARDAN_FORMS
 };
 
@@ -48,9 +49,10 @@ typedef struct cardan_group {
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
     const ptrdiff_t *place;    /* (count, places) */
     const ptrdiff_t *rows;     /* (count, 2): first row of positions, first of the others */
-    const ptrdiff_t *z, *s;    /* (count): first internal state, first mode */
+    const ptrdiff_t *z, *s;    /* (count, nz), (count, ns): which of the scene's they are */
     const ptrdiff_t *parts;    /* (CARDAN_PARTS): where each begins in a tangent, -1: it is zero */
-    const ptrdiff_t *spots;    /* where blocks stand in a sparse matrix: mesh_matrix.c */
+    const ptrdiff_t *spots;    /* (count, blocks, blocks + 1) of the plan: where every block of its
+                                  places, then of its rows, begins, and the stride of its rows */
     cardan_form forms[CARDAN_FORMS];
 } cardan_group;
 
@@ -71,6 +73,11 @@ typedef struct cardan_mesh {
     ptrdiff_t group_count, mover_count;
     const cardan_group *groups;
     const cardan_movers *movers;
+    const cardan_sparse *plan; /* of its matrices: blocks are the places, then the rows of every
+                                  element that has some, group by group */
+    const ptrdiff_t *unknown;  /* (m): the unknown of the plan that a multiplier is */
+    const ptrdiff_t *diagonal; /* (nu): where the diagonal of the matrix stands */
+    ptrdiff_t widest;          /* speeds of an element, at most */
     ptrdiff_t lanes;           /* elements side by side, 1: none */
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */

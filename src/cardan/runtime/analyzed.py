@@ -15,9 +15,13 @@ if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
     from ..analyses.ensembles import Ensemble
+    from ..analyses.equilibrium import Equilibrium
+    from ..analyses.linear_model import LinearModel
+    from ..analyses.mode_shapes import Modes
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
+    from ..analyses.static_path import StaticPath
     from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
@@ -144,6 +148,54 @@ class Analyzed(Described):
         from ..analyses.actuation import hybrid_dynamics
 
         return hybrid_dynamics(self._itself, q, u, udot, **options)
+
+    def equilibrium(self, **options: Any) -> Equilibrium:
+        """Where the model rests under its forces, next to a start.
+
+        Args:
+            options: ``q``, ``u``, ``hold``, ``inputs``, ``parameters``, ``t``, ``stable``,
+                ``check``; see :func:`cardan.analyses.equilibrium.equilibrium`.
+        """
+        from ..analyses.equilibrium import equilibrium
+
+        return equilibrium(self._itself, **options)
+
+    def statics(self, swept: Mapping[str, Any] | None = None, **options: Any) -> StaticPath:
+        """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
+
+        Args:
+            swept: Parameter or input -> (start, end) or values (n,); also as keywords.
+            options: ``steps``, ``q``, ``hold``, ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.statics.statics`.
+        """
+        from ..analyses.statics import statics
+
+        return statics(self._itself, swept, **options)
+
+    def linearize(self, x: Any = None, **options: Any) -> LinearModel:
+        """Linear model about a state or equilibrium: ``.A .B .C .D`` with names, eigenvalues.
+
+        Args:
+            x: State (nx,) or an equilibrium; if nothing is given, that next to the start.
+            options: ``q``, ``u``, ``z``, ``inputs``, ``outputs``, ``r``, ``t``, ``parameters``;
+                see :func:`cardan.analyses.linearize.linearize`.
+        """
+        from ..analyses.linearize import linearize
+
+        return linearize(self._itself, x, **options)
+
+    def modes(self, count: int | None = None, x: Any = None, **options: Any) -> Modes:
+        """Frequencies, damping and shapes about an equilibrium or a steady motion.
+
+        Args:
+            count: How many, from the lowest frequency; all of a small system if left out.
+            x: State (nx,) or an equilibrium; if nothing is given, that next to the start.
+            options: ``q``, ``u``, ``r``, ``t``, ``parameters``, ``damped``; see
+                :func:`cardan.analyses.modes.modes`.
+        """
+        from ..analyses.modes import modes
+
+        return modes(self._itself, count, x, **options)
 
     def stiffness(self, x: ArrayLike, t: float = 0.0, **options: Any) -> Stiffness:
         """The fastest rate at a state against the rate of the motion: whether implicit methods pay.

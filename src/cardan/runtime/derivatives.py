@@ -64,7 +64,7 @@ class Derivatives(Constraints, ABC):
             wanted = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
             raise ModelError(f"derivative: {name} {wanted}")
         self._check_of(name, of)
-        reads = {*READS[name].replace("x", "q u").split(), "p"}
+        reads = {*READS[name].replace("x", "q u z").split(), "p"}
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
                 "derivative: wrt is a block such as 'q', a parameter or input, or several of "

@@ -91,7 +91,7 @@ class Described(Derivatives):
         return self._layout.internals
 
     @property
-    def modes(self) -> tuple[str, ...]:
+    def mode_names(self) -> tuple[str, ...]:
         """Names of the discrete states s of elements."""
         return self._layout.modes
 
@@ -108,7 +108,7 @@ class Described(Derivatives):
     @property
     def ns(self) -> int:
         """Number of discrete states."""
-        return len(self.modes)
+        return len(self.mode_names)
 
     @property
     def nr(self) -> int:

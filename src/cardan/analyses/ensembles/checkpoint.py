@@ -37,7 +37,12 @@ CURES = {
 
 
 class Checkpoint:
-    """An open file of finished blocks; one process at a time."""
+    """An open file of finished blocks; one process at a time.
+
+    Attributes:
+        path: The file.
+        runs: How many runs are known to be in it.
+    """
 
     def __init__(self, path: Path, whose: dict[str, str]) -> None:
         """Open or begin a file.
@@ -49,7 +54,7 @@ class Checkpoint:
         Raises:
             ModelError: it belongs to other runs or another process, or is no such file.
         """
-        self.path = path
+        self.path, self.runs = path, 0
         try:
             self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
         except OSError as error:
@@ -95,7 +100,9 @@ class Checkpoint:
     def pieces(self) -> Iterator[Piece]:
         """The blocks that are in the file; what was cut off behind them is removed."""
         for content in self._records():
-            yield _unpacked(content)
+            piece = _unpacked(content)
+            self.runs += len(piece.x)
+            yield piece
         os.ftruncate(self._file, self._end)
 
     def _records(self) -> Iterator[bytes]:
@@ -121,6 +128,7 @@ class Checkpoint:
             SolveError: there is no room for it.
         """
         self._append(_packed(piece))
+        self.runs += len(piece.x)
 
     def _append(self, content: bytes) -> None:
         head = LENGTH.pack(len(content)) + hashlib.sha256(content).digest()

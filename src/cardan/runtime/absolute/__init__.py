@@ -1,1 +1,1 @@
-"""Models in finite-element coordinates: elements in tables, sparse matrices."""
+"""Systems in finite-element coordinates: large sparse matrices of small blocks."""

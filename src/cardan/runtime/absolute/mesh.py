@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,15 +13,32 @@ from numpy.typing import NDArray
 
 from ...errors import SolveError
 from .. import lanes as lane_builds
+from ..abi_ctypes import FUNCTION
 from ..loaded import prepare
 from ..objects import Code
+from ..slots import ORDER
+from .blocks import plan_record
+from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
-from .tables import Table, Tables
+from .tables import Kind, Table, Tables
 
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
 WORTH = 8
-LINE = "line"
+# what functions of the whole mesh ask of the elements
+SOLVED = ("balance", "balance_tangent", "gamma")
+NEEDED = {
+    "balance": ("balance",),
+    "gamma": ("gamma",),
+    "accelerations": SOLVED,
+    "rhs": SOLVED,
+    "values": ("balance_tangent",),
+    "close_position": ("balance", "balance_tangent"),
+    "close_velocity": ("balance", "balance_tangent"),
+    "energy": ("energy",),
+    "qdot": (),
+    "move": (),
+}
 
 
 @dataclass(frozen=True)
@@ -50,7 +67,8 @@ class Mesh:
 
     Args:
         tables: Places and elements.
-        codes: C name -> loaded function.
+        entries: C name -> what the manifest says about a function.
+        load: C names -> loaded functions.
         data: Of every group (n, k).
         library: The kernels.
     """
@@ -58,19 +76,22 @@ class Mesh:
     def __init__(
         self,
         tables: Tables,
-        codes: Mapping[str, Code],
+        entries: Mapping[str, Mapping[str, Any]],
+        load: Callable[[Sequence[str]], Mapping[str, Code]],
         data: Sequence[Array],
         library: ctypes.CDLL,
     ) -> None:
         self.tables = tables
         self.library = library
         self._keep: list[Any] = []
-        self._codes = codes
+        self._load = load
+        self._data = data
+        self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
+        self._connected: set[str] = set()
         self._width = lane_builds.width()
-        self._local = self._work = 0
-        groups = (Group * max(1, len(tables.groups)))()
+        self._groups = groups = (Group * max(1, len(tables.groups)))()
         for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
-            self._group(record, group, number, data[number])
+            self._group(record, group, number)
         movers = self._movers()
         self._keep += [groups, movers]
         self.record = MeshRecord(
@@ -89,15 +110,15 @@ class Mesh:
             groups=ctypes.addressof(groups),
             movers=ctypes.addressof(movers),
             lanes=self._width,
-            work=self._work,
-            local=self._local,
+            work=max((int(e["work_size"]) for e in entries.values()), default=0),
+            local=max((_local(group.kind, entries) for group in tables.groups), default=0),
         )
+        self._sparse()
         poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
         nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
         self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
-        most = max((kind.nq + kind.nu**2 for kind in tables.kinds), default=0)
-        self._room = np.empty(max(library.cardan_mesh_room(self.reference), most + self._work))
+        library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
 
     @property
     def reference(self) -> Any:
@@ -113,7 +134,7 @@ class Mesh:
         self._keep.append(array)
         return array.ctypes.data
 
-    def _group(self, record: Group, group: Table, number: int, data: Array) -> None:
+    def _group(self, record: Group, group: Table, number: int) -> None:
         """Fill in the record of a group."""
         kind, tables = group.kind, self.tables
         record.count, record.places = len(group), group.place.shape[1]
@@ -124,18 +145,27 @@ class Mesh:
         record.z, record.s = self._pointer(group.z), self._pointer(group.s)
         parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
         record.parts = self._pointer(parts)
-        reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
-        for k, name in enumerate(FORMS):
-            if name in kind.functions:
-                self._form(record.forms[k], self._codes[kind.functions[name]], data, reads)
 
-    def _form(self, form: Form, code: Code, data: Array, reads: int) -> None:
+    def connect(self, *forms: str) -> None:
+        """Load functions of all elements that are not there yet; those of one call side by side."""
+        missing = [name for name in forms if name not in self._connected]
+        if not missing:
+            return
+        groups = self.tables.groups
+        having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
+        self._codes |= self._load([group.kind.functions[name] for group, name in having])
+        for record, group, data in zip(self._groups, groups, self._data, strict=False):
+            for name in missing:
+                if name in group.kind.functions:
+                    form = record.forms[FORMS.index(name)]
+                    self._form(form, self._codes[group.kind.functions[name]], data)
+        self._connected.update(missing)
+
+    def _form(self, form: Form, code: Code, data: Array) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry["output_size"])
-        self._local = max(self._local, reads + form.size)
-        self._work = max(self._work, int(code.entry["work_size"]))
         if len(data) < WORTH or self._width == 1 or code.recipe is None:
             return
         if self._width not in code.entry["lanes"]:
@@ -162,8 +192,70 @@ class Mesh:
                     setattr(record, field, code.address)
                     w = prepare(code, np.zeros(0))
                     setattr(record, f"w_{field}", self._pointer(w))
-                    self._work = max(self._work, int(code.entry["work_size"]))
         return movers
+
+    def _sparse(self) -> None:
+        """Plan the matrices, and say where elements stand in them."""
+        tables, record = self.tables, self.record
+        places = len(tables.kind)
+        having = [len(g) if g.kind.m else 0 for g in tables.groups]
+        starts = places + np.concatenate(([0], np.cumsum(having)))
+        sizes = [np.diff(tables.u)]
+        cliques = []
+        for group, count, start in zip(tables.groups, having, starts, strict=False):
+            sizes.append(np.full(count, group.kind.m))
+            own = (start + np.arange(count))[:, None]
+            cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
+        total = np.concatenate(sizes)
+        poses = [kind.name == "node" for kind in tables.kinds]
+        massless = np.zeros(len(total), bool)
+        massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
+        self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
+        matrix, unknown = self.plan.pattern, np.empty(tables.m, dtype=np.intp)
+        for number, (group, count, start) in enumerate(
+            zip(tables.groups, having, starts, strict=False)
+        ):
+            lines = tables.lines(number)
+            if count:
+                own = matrix.first[start : start + count, None] + np.arange(group.kind.m)
+                unknown[lines] = own
+            stride = matrix.stride[cliques[number]].astype(np.intp)
+            spots = np.concatenate([matrix.places[number], stride[:, :, None]], axis=2)
+            self._groups[number].spots = self._pointer(spots.astype(np.intp))
+        told = plan_record(self.plan)
+        self._keep.append(told)
+        record.plan = ctypes.addressof(told)
+        record.unknown, record.diagonal = self._pointer(unknown), self._pointer(self._diagonal())
+        record.widest = max((g.kind.nu for g in tables.groups), default=0)
+
+    def _diagonal(self) -> NDArray[np.intp]:
+        """Where the diagonal entry of every speed stands in the values of a matrix."""
+        matrix = self.plan.pattern
+        own = np.flatnonzero(matrix.rows == matrix.column)[: len(self.tables.kind)]
+        sizes = matrix.sizes[: len(self.tables.kind)].astype(np.intp)
+        inside = np.arange(self.tables.nu) - np.repeat(self.tables.u[:-1], sizes)
+        start = np.repeat(matrix.value[own].astype(np.intp), sizes)
+        step = np.repeat(matrix.stride[: len(sizes)].astype(np.intp) + 1, sizes)
+        return start + inside * step
+
+    def closure(self, name: str) -> int:
+        """Address of the C function of the whole mesh."""
+        self.connect(*NEEDED[name])
+        function = getattr(self.library, f"cardan_mesh_call_{name}")
+        return ctypes.cast(function, ctypes.c_void_p).value or 0
+
+    @property
+    def work(self) -> int:
+        """Numbers of work memory that functions of the whole mesh need."""
+        return int(self.library.cardan_mesh_call_work(self.reference))
+
+    def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
+        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
+        out = np.empty(self.tables.nu + self.tables.m)
+        more = None if tau is None else _at(np.ascontiguousarray(tau))
+        self._call("accelerations", at, more, _at(out))
+        udot, lam = np.split(out, [self.tables.nu])
+        return udot, lam
 
     # evaluation
 
@@ -175,9 +267,11 @@ class Mesh:
         return StateRecord(t=at.t, **pointers), list(held.values())
 
     def _call(self, name: str, at: State, *arguments: Any) -> None:
+        self.connect(*NEEDED.get(name, ()))
         record, held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
-        status = function(self.reference, ctypes.byref(record), *arguments, _at(self._room))
+        memory = np.empty(self.work)
+        status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
         del held
         if status:
             raise SolveError(f"an element returned the status {status} in {name}")
@@ -190,6 +284,20 @@ class Mesh:
         force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
         return force, gaps, rates
 
+    def call(self, name: str, at: State, size: int) -> Array:
+        """A function of the whole mesh with the interface of generated ones."""
+        record, held = self._state(at)
+        blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
+        time = np.array([at.t])
+        blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
+        given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
+        out, memory = np.empty(size), np.empty(self.work)
+        status = FUNCTION(self.closure(name))(ctypes.addressof(given), *map(_at, (out, memory)))
+        del held
+        if status:
+            raise SolveError(f"{name} has no solution (status {status})")
+        return out
+
     def gamma(self, at: State) -> Array:
         """gamma (m,) with G udot = gamma."""
         out = np.empty(self.tables.m)
@@ -199,11 +307,13 @@ class Mesh:
     def total(self, form: str, size: int, at: State) -> Array:
         """Sum (size,) of a function over the elements: ``energy``, ``momentum``, ``power``."""
         out = np.empty(size)
+        self.connect(form)
         self._call("sum", at, FORMS.index(form), ctypes.c_ssize_t(size), _at(out))
         return out
 
     def results(self, form: str, at: State) -> list[Array]:
         """Of every group that has the function the results of its elements (n, size)."""
+        self.connect(form)
         k = FORMS.index(form)
         with_it = [g for g in self.tables.groups if form in g.kind.functions]
         sizes = [int(self._codes[g.kind.functions[form]].entry["output_size"]) for g in with_it]
@@ -229,18 +339,33 @@ class Mesh:
         shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
         return {name: _assembled(found[name], shapes[name]) for name in PARTS}
 
+    def values(self, at: State, shares: tuple[float, float, float]) -> Array:
+        """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
+        out, given = np.empty(self.plan.pattern.values), np.array(shares, float)
+        self._call("values", at, _at(given), _at(out))
+        return out
+
     def rates(self, q: Array, u: Array) -> Array:
         """qdot (nq,)."""
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
-        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, self._room)))
+        memory = np.empty(self.work)
+        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, memory)))
         return out
 
     def move(self, q: Array, du: Array) -> Array:
         """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
         out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
-        arguments = (_at(q), _at(du), _at(out), None, _at(self._room))
+        memory = np.empty(self.work)
+        arguments = (_at(q), _at(du), _at(out), None, _at(memory))
         self.library.cardan_mesh_move(self.reference, *arguments)
         return out
+
+
+def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
+    """Numbers that an element reads, and gives at most."""
+    reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
+    return reads + max(sizes, default=0)
 
 
 def _at(array: Array) -> ctypes.c_void_p:

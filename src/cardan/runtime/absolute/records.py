@@ -8,7 +8,17 @@ from typing import Any
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 
 # what the functions of an element give, in the order of mesh.h
-FORMS = ("balance", "balance_tangent", "gamma", "energy", "momentum", "power")
+FORMS = (
+    "balance",
+    "balance_tangent",
+    "gamma",
+    "energy",
+    "momentum",
+    "power",
+    "reaction",
+    "outputs",
+    "stress",
+)
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G")
 
@@ -48,8 +58,8 @@ class MeshRecord(ctypes.Structure):
         (COUNT, "nq nu nz ns nr mp m places nodes"),
         (POINTER, "q u node"),
         (COUNT, "group_count mover_count"),
-        (POINTER, "groups movers"),
-        (COUNT, "lanes work local"),
+        (POINTER, "groups movers plan unknown diagonal"),
+        (COUNT, "widest lanes work local"),
     )
 
 

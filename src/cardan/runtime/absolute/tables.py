@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -63,17 +63,22 @@ class Table:
         kind: What they share.
         place: (n, places) which places each couples.
         first: (n,) first of its rows, numbered group by group as they come.
-        common: C-free name of the saved Function p -> data, "" without.
+        common: Name of the saved Function p -> data, "" without.
         own: (n, k) data that are numbers.
-        z, s: (n,) first internal state and mode.
+        members: Their names.
+        z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
+        outputs, powers: (n, k) entries of the scene's to which they contribute.
     """
 
     kind: Kind
     place: Integers
     common: str = ""
     own: Array | None = None
+    members: Sequence[str] = ()
     z: Integers | None = None
     s: Integers | None = None
+    outputs: Integers | None = None
+    powers: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.place)
@@ -87,13 +92,15 @@ class Tables:
         kinds: Of places.
         kind: (places,) index of the kind of every place.
         groups: The elements.
-        nr: Inputs of the scene.
+        nr, nz, ns: Inputs, internal states and modes of the scene.
     """
 
     kinds: tuple[PlaceKind, ...]
     kind: Integers
     groups: tuple[Table, ...]
     nr: int
+    nz: int = 0
+    ns: int = 0
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
@@ -120,16 +127,6 @@ class Tables:
         return int(self.u[-1])
 
     @property
-    def nz(self) -> int:
-        """Number of internal states."""
-        return sum(len(group) * group.kind.nz for group in self.groups)
-
-    @property
-    def ns(self) -> int:
-        """Number of modes."""
-        return sum(len(group) * group.kind.ns for group in self.groups)
-
-    @property
     def mp(self) -> int:
         """Rows of positions."""
         return sum(len(group) * group.kind.mp for group in self.groups)
@@ -141,7 +138,7 @@ class Tables:
 
     @cached_property
     def rows(self) -> tuple[Integers, ...]:
-        """Of every group (n, 2): first row of positions, first of the others, which follow those."""
+        """Of every group (n, 2): first row of positions, first of the others behind those."""
         found, position, other = [], 0, self.mp
         for group in self.groups:
             kind, each = group.kind, np.arange(len(group), dtype=np.intp)

@@ -128,6 +128,7 @@ SIMULATE = (
     Key("time", "times"),
     Key("q", "initial"),
     Key("u", "initial"),
+    Key("z", "initial"),
     Key("method", "text"),
     Key("rtol", "real"),
     Key("atol", "real"),

@@ -1,0 +1,241 @@
+"""What analyses ask of a compiled system, whatever its formulation.
+
+Equilibria, load paths, linearization and modes are written against :class:`Contract`. Motion is
+
+    balance: M udot + h - f - Gᵀ lam = 0,   g = 0,   G u + g_t = 0,   zdot = its own rates,
+
+with tangents along increments of the coordinates (rotations in body axes). Matrices are arrays or
+sparse; which method factors them belongs to the system (:mod:`.saddle`).
+
+Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapters 1, 12 and 13.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError
+from .saddle import Saddle
+
+Array = NDArray[np.float64]
+Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+Parameters = Mapping[str, ArrayLike] | None
+
+
+def _none() -> Array:
+    return np.zeros(0)
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """Everything that the equations of a system depend on at an instant.
+
+    Attributes:
+        t: Time [s].
+        q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
+        lam: Multipliers (m,).
+        r: Inputs (nr,).
+        z, s: Internal states (nz,) and modes (ns,) of elements.
+        parameters: Other values than the model's own, by name.
+    """
+
+    t: float
+    q: Array
+    u: Array
+    udot: Array
+    lam: Array = field(default_factory=_none)
+    r: Array = field(default_factory=_none)
+    z: Array = field(default_factory=_none)
+    s: Array = field(default_factory=_none)
+    parameters: Parameters = None
+
+
+@dataclass(frozen=True, eq=False)
+class Tangents:
+    """Derivatives of the balance.
+
+    Attributes:
+        K, C, M: Of its forces along increments, by speeds and by accelerations (nu, nu).
+        R: Of the rates of the constraints along increments (m, nu).
+        G: The constraint Jacobian (m, nu).
+    """
+
+    K: Matrix
+    C: Matrix
+    M: Matrix
+    R: Matrix
+    G: Matrix
+
+
+@dataclass(frozen=True, eq=False)
+class Internal:
+    """Where forces and internal states meet.
+
+    Attributes:
+        balance: Of the forces of the balance by z (nu, nz).
+        along, by_u, by_z: Of zdot along increments, by speeds, by z: (nz, nu), (nz, nu), (nz, nz).
+    """
+
+    balance: Array
+    along: Array
+    by_u: Array
+    by_z: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Rates:
+    """Derivatives of [udot, zdot] (nu + nz) of the motion under the forces of the scene.
+
+    Attributes:
+        along, by_u, by_z, by_r: Along increments, by speeds, internal states and inputs.
+    """
+
+    along: Array
+    by_u: Array
+    by_z: Array
+    by_r: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """Derivatives of outputs.
+
+    Attributes:
+        along, by_u, by_z, by_r: Along increments, by speeds, internal states and inputs.
+    """
+
+    along: Array
+    by_u: Array
+    by_z: Array
+    by_r: Array
+
+
+class Contract(Protocol):
+    """A compiled system as analyses see it.
+
+    Attributes:
+        name: Of the model.
+        coordinates, speeds, multipliers, internals, inputs: Names of q, u, lam, z and r.
+        outputs: Names of the declared outputs.
+        owners: Joint or node that every speed belongs to (nu,).
+        positions: Which of the multipliers hold positions (mp,).
+        size: Length against which displacements count [m].
+        columns: Unit of every increment (nu,): ``size`` of lengths, 1 of angles.
+        rows: Unit of every constraint (m,).
+        reach: Longest step of Newton's method that means something, without units.
+        saddle: How its linear systems are solved.
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    multipliers: tuple[str, ...]
+    internals: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    owners: tuple[str, ...]
+    positions: NDArray[np.intp]
+    size: float
+    columns: Array
+    rows: Array
+    reach: float
+    saddle: Saddle
+
+    def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
+        """A moment at rest next to named coordinates, with all circuits closed.
+
+        Args:
+            t, r, p: Time [s], inputs (nr,), parameters.
+            q: Coordinates by name or (nq,), None for the initial position.
+            hold: Coordinates that have exactly this value.
+        """
+
+    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+        """A moving state on the constraints, as runs start from it.
+
+        Args:
+            x0: State; or q, u, z: by name or as arrays.
+            t, r, p: Time [s], inputs (nr,), parameters.
+        """
+
+    def given_inputs(self, named: Any) -> Array:
+        """Inputs (nr,) by name, the rest at their defaults; or (nr,) as they are."""
+
+    def changed(self, values: Mapping[str, float]) -> Parameters:
+        """Parameters by name, checked; what :class:`Moment` takes."""
+
+    def balance(self, at: Moment) -> Array:
+        """[M udot + h - f - Gᵀ lam (nu), g (mp), G u + g_t (m)]."""
+
+    def tangents(self, at: Moment) -> Tangents:
+        """K, C, M, R and G."""
+
+    def internal_rates(self, at: Moment) -> Array:
+        """zdot (nz,)."""
+
+    def internal(self, at: Moment) -> Internal:
+        """How internal states and forces depend on each other."""
+
+    def rates(self, at: Moment, tau: Array | None = None) -> Rates:
+        """Derivatives of the accelerations that follow from the forces, constraints kept.
+
+        Args:
+            at: A moment whose accelerations are not read.
+            tau: Forces along the speeds besides those of the scene.
+        """
+
+    def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
+        """The moment with the accelerations and multipliers that follow from the forces."""
+
+    @property
+    def increments(self) -> tuple[str, ...]:
+        """Name of every increment (nu,): that of its coordinate where it is one."""
+
+    def seen(self, at: Moment) -> Seen:
+        """Derivatives of the declared outputs."""
+
+    def turning(self, at: Moment) -> Array:
+        """N (nq, nu): how coordinates change with increments."""
+
+    def kinematics(self, at: Moment) -> Array:
+        """E (nu, nu): increments change at the rate E increments + change of the speeds."""
+
+    def integrate(self, q: Array, du: Array) -> Array:
+        """Coordinates (nq,) an increment away."""
+
+    def difference(self, q0: Array, q: Array) -> Array:
+        """The increment (nu,) that leads from q0 to q."""
+
+    def place(self, name: str) -> tuple[int, int]:
+        """Entries in q and u of a coordinate whose speed is its derivative.
+
+        Raises:
+            ModelError: there is none.
+        """
+
+    def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
+        """Speeds (nu,) that the constraints allow, with given ones."""
+
+
+def contract_of(model: Any) -> Contract:
+    """The contract of a compiled model.
+
+    Raises:
+        ModelError: it lacks what analyses need.
+    """
+    from ..runtime.compiled import CompiledModel
+
+    if isinstance(model, CompiledModel):
+        from .relative import Relative
+
+        return Relative(model)
+    offered = getattr(model, "contract", None)
+    if offered is None:
+        raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
+    found: Contract = offered()
+    return found

@@ -1,0 +1,277 @@
+"""Equilibria: where a system rests under its forces, or moves steadily."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError, SolveError, SolveWarning, near
+from .contract import Contract, contract_of
+from .newton import Search, rest
+from .standing import Standing, stand, words
+from .static_problem import Load, Point, Problem
+
+Array = NDArray[np.float64]
+WAYS = ("full", "damped", "creep")
+TRIES = 6  # starts beside an unstable position
+ASIDE = 0.1
+STEADY = 1e-8  # accelerations below this are none
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Equilibrium:
+    """A position at which a system rests, or moves steadily.
+
+    ``found["elbow"]`` is a coordinate, ``found["elbow.u"]`` a speed, ``found["loop.px"]`` a
+    multiplier. A run starts there: ``model.simulate(10, x0=found)``.
+
+    Attributes:
+        model: The model, with the parameters of this load.
+        x: State [q, u, z] (nx,).
+        lam: Multipliers (m,).
+        holding: Force of everything that is held, by coordinate [N, N m].
+        inputs: By name.
+        t: Time [s].
+        stable: Whether small disturbances stay small; None where that could not be told.
+        negative: Independent directions in which the position is unstable.
+        loose: What moves freely there, in words.
+        least: Lowest eigenvalue of the stiffness on what constraints allow [J].
+        iterations: Linear systems solved.
+        converged: Whether it rests there.
+        message: The same as a sentence.
+        point, load: For analyses that go on from here.
+    """
+
+    model: Any
+    x: Array
+    lam: Array
+    holding: Mapping[str, float]
+    inputs: Mapping[str, float]
+    t: float
+    stable: bool | None
+    negative: int
+    loose: tuple[str, ...]
+    least: float
+    iterations: int
+    converged: bool
+    message: str
+    point: Point = field(repr=False)
+    load: Load = field(repr=False)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        # what takes a state takes an equilibrium
+        return np.array(self.x, dtype=dtype)
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (nq,)."""
+        return self.x[: self.model.nq]
+
+    @property
+    def u(self) -> Array:
+        """Speeds (nu,): 0 unless some were given."""
+        return self.x[self.model.nq : self.model.nq + self.model.nu]
+
+    @property
+    def named(self) -> dict[str, float]:
+        """All coordinates, speeds, internal states and multipliers by name."""
+        model = self.model
+        names = (*model.coordinates, *model.speeds, *model.internals, *model.multipliers_of)
+        return dict(zip(names, [*self.x.tolist(), *self.lam.tolist()], strict=True))
+
+    def __getitem__(self, name: str) -> float:
+        if name not in self.named:
+            raise ModelError(f"equilibrium['{name}']: no such entry.{near(name, self.named)}")
+        return self.named[name]
+
+    def reaction(self, joint: str) -> Array:
+        """Wrench (6,) of parent on child at the child joint frame, in its axes."""
+        held, tau = Problem(contract_of(self.model)).held(self.point, self.load)
+        extra = {"tau": tau} if held else {}
+        found: Array = self.model.reaction(
+            joint, self.q, self.u, r=self.load.r, t=self.t, z=self.point.at.z, **extra
+        )
+        return found
+
+    def pose(self, frame: str) -> Array:
+        """Transform (4, 4) from frame axes to ground axes."""
+        found: Array = self.model.pose(frame, self.q, r=self.load.r, t=self.t)
+        return found
+
+    def __repr__(self) -> str:
+        lines = [f"'{self.model.name}': {self.message}"]
+        stop = self.model.nq
+        values = list(self.named.items())[:stop]
+        lines += [f"  {name} = {value:.10g}" for name, value in values[:40]]
+        lines += [f"  ... {stop - 40} more"] if stop > 40 else []
+        lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding.items()]
+        return "\n".join(lines)
+
+
+def equilibrium(
+    model: Any,
+    *,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    u: Mapping[str, ArrayLike] | None = None,
+    hold: Mapping[str, float] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    t: float = 0.0,
+    stable: bool = False,
+    check: bool = False,
+) -> Equilibrium:
+    """Where a model rests under its forces, next to a start.
+
+    Args:
+        model: The compiled model.
+        q: Coordinates to start from, by name or (nq,); the initial position if left out.
+        u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. The
+            others are 0, or follow from the constraints, and all accelerations are 0.
+        hold: Coordinate -> value it keeps; the result tells the forces that takes.
+        inputs, parameters: Values by name, else those of the model.
+        t: Time [s], where something is prescribed.
+        stable: Look for a stable one: downhill from the start.
+        check: Raise where none is found, instead of warning.
+
+    Returns:
+        The equilibrium; where none was found the position that the search reached, ``converged``
+        False.
+
+    Raises:
+        ModelError: unknown names, circuits that cannot be assembled.
+        SolveError: with ``check``, no equilibrium was found.
+    """
+    system = contract_of(model)
+    load = read(system, hold, inputs, parameters, t, u)
+    problem = Problem(system)
+    point = problem.begin(load, q)
+    found = rest(problem, point, load, WAYS[2:] if stable else WAYS)
+    if stable and found.converged:
+        found = _downhill(problem, found, load)
+    result = record(model, problem, found, load)
+    if not result.converged:
+        if check:
+            raise SolveError(result.message)
+        warnings.warn(result.message, SolveWarning, stacklevel=3)
+    return result
+
+
+def read(
+    system: Contract,
+    hold: Mapping[str, float] | None,
+    inputs: Mapping[str, float] | None,
+    parameters: Mapping[str, float] | None,
+    t: float,
+    u: Mapping[str, Any] | None = None,
+) -> Load:
+    """The load that a user described, checked."""
+    if not isinstance(hold, Mapping | None):
+        raise ModelError(f"hold={hold!r}: give coordinates with the values they keep")
+    for name, value in (hold or {}).items():
+        system.place(name)
+        if not np.isfinite(value):
+            raise SolveError(f"hold: '{name}' is {value!r}; it must be finite")
+    if not np.isfinite(t):
+        raise SolveError(f"t={t!r}: it must be finite")
+    p = system.changed(dict(parameters or {}))
+    held = {name: float(value) for name, value in (hold or {}).items()}
+    return Load(float(t), system.given_inputs(inputs), p, held, dict(u or {}))
+
+
+def _downhill(problem: Problem, found: Search, load: Load) -> Search:
+    """A stable position next to one that may be unstable."""
+    spent = found.iterations
+    for _ in range(TRIES):
+        standing = stand(problem, found.point, load)
+        if not standing.negative:
+            break
+        away = np.zeros(len(found.motion))
+        away[: len(standing.direction)] = standing.direction
+        away *= ASIDE / np.abs(away).max()
+        still = np.zeros(len(found.point.held) + len(found.point.at.lam))
+        beside = problem.moved(found.point, away, still, load)
+        found = rest(problem, beside, load, ("creep",))
+        spent += found.iterations
+        if not found.converged:
+            break
+    return replace(found, iterations=spent)
+
+
+def record(model: Any, problem: Problem, found: Search, load: Load) -> Equilibrium:
+    """What was found, as users see it."""
+    point, system = found.point, problem.system
+    nothing = Standing(None, 0, np.nan, np.zeros(0), ())
+    message = unsteady(problem, point, load) if found.converged else missed(system, found)
+    found = replace(found, converged=not message)
+    standing = stand(problem, point, load) if found.converged else nothing
+    changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
+    tau = problem.held(point, load)[1]
+    return Equilibrium(
+        model=changed,
+        x=np.concatenate([point.at.q, point.at.u, point.at.z]),
+        lam=point.at.lam,
+        holding={name: float(tau[system.place(name)[1]]) for name in load.hold},
+        inputs=dict(zip(system.inputs, load.r.tolist(), strict=True)),
+        t=load.t,
+        stable=standing.stable,
+        negative=standing.negative,
+        loose=standing.loose,
+        least=standing.least,
+        iterations=found.iterations,
+        converged=found.converged,
+        message=message or told(standing, found, bool(load.u)),
+        point=point,
+        load=load,
+    )
+
+
+def told(standing: Standing, found: Search, moving: bool) -> str:
+    """How it stands, as a sentence."""
+    many = f"in {standing.negative} direction{'s' if standing.negative != 1 else ''}"
+    kind = {True: "stable ", False: "unstable ", None: ""}[standing.stable]
+    kind += "steady motion" if moving else "equilibrium"
+    if standing.negative and standing.stable is True:
+        kind += f", though forces push away {many}"
+    elif standing.negative:
+        kind += f", pushed away {many}"
+    loose = "; nothing holds " + " and ".join(standing.loose) if standing.loose else ""
+    return f"{kind}, after {found.iterations} iterations{loose}"
+
+
+def unsteady(problem: Problem, point: Point, load: Load) -> str:
+    """Why given speeds are no steady motion; "" where they are, and at rest."""
+    if not load.u:
+        return ""
+    system, tau = problem.system, problem.held(point, load)[1]
+    moving = system.accelerations(point.at, tau)
+    left = moving.udot / system.columns
+    left[problem.held(point, load)[0]] = 0.0
+    worst = int(np.abs(left).argmax())
+    if abs(left[worst]) <= STEADY * max(1.0, float(np.abs(point.at.u / system.columns).max()) ** 2):
+        return ""
+    return (
+        f"no steady motion with these speeds: the constraints make '{system.speeds[worst]}' change "
+        f"at {moving.udot[worst]:.3g}. Give other speeds (u=), or take the motion at an instant: "
+        "model.linearize(q=, u=)"
+    )
+
+
+def missed(system: Contract, found: Search) -> str:
+    """Why there is none, and what to do."""
+    moving = words(system, found.motion)
+    if found.pushed and moving:
+        return (
+            f"no equilibrium: nothing holds {moving} against the load (a rigid-body mode). Add a "
+            f"spring or a support, or hold it: hold={{{moving.split(',')[0]}: 0}}"
+        )
+    where = f", moving {moving} most," if moving else ""
+    return (
+        f"no equilibrium: the search left{where} after {found.iterations} iterations. Start nearer "
+        "(q=), apply the load in steps (model.statics), or check signs and sizes of the forces"
+    )

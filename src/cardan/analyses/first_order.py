@@ -1,0 +1,127 @@
+"""Small motions as x' = A x + B r in independent increments and speeds, constraints eliminated.
+
+Increments e along the speeds, changes v of the speeds and z of internal states obey
+
+    e' = E e + v,   v' and z' as derivatives of the accelerations say,   Gp e = 0,   R e + G v = 0.
+
+Some increments and speeds are independent; which, is chosen by pivoting and does not change with
+time, so that the equations of the others hold to first order about accelerating states too.
+
+Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13; R. A.
+Wehage, E. J. Haug, J. Mech. Design 104 (1982) for the partition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import qr
+from scipy.sparse import issparse
+
+from ..errors import SolveError
+from .contract import Contract, Moment, Tangents
+from .saddle import Dense, split
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class FirstOrder:
+    """x' = A x + B r, x = [independent increments, independent speeds, internal states].
+
+    Attributes:
+        A, B: (n, n), (n, nr).
+        e, v: Independent increments and speeds, as places of speeds.
+        increments, speeds: All increments and changes of speeds by x, (nu, n) each.
+    """
+
+    A: Array
+    B: Array
+    e: NDArray[np.intp]
+    v: NDArray[np.intp]
+    increments: Array
+    speeds: Array
+
+
+def first_order(
+    system: Contract, at: Moment, held: Sequence[int] = (), tau: Array | None = None
+) -> FirstOrder:
+    """Small motions about a motion that is at a given moment.
+
+    Args:
+        system: The system.
+        at: A state on the constraints; accelerations are those of the motion.
+        held: Speeds (places) that are held.
+        tau: Forces along the speeds (nu,) that act besides those of the scene, such as hold.
+    """
+    columns, nu, nz = system.columns, len(system.columns), len(system.internals)
+    found = system.tangents(at)
+    G, R = (_dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
+    hold = np.eye(nu)[list(held)]
+    allowed, e = _choice(np.concatenate([G[system.positions], hold]))
+    moving, v = _choice(np.concatenate([G, hold]))
+    # speeds that keep R e + G v = 0 where increments change, with the independent ones as they are
+    kept = np.concatenate([G, hold, np.eye(nu)[v]])
+    gap = np.concatenate([R @ allowed, np.zeros((len(kept) - len(G), len(e)))])
+    follow = -np.linalg.lstsq(kept, gap)[0]
+    rest = np.zeros((nu, nz))
+    increments = np.concatenate([allowed, np.zeros((nu, len(v))), rest], axis=1)
+    speeds = np.concatenate([follow, moving, rest], axis=1)
+    unit = np.concatenate([columns[e], columns[v], np.ones(nz)])
+    increments, speeds = (x * columns[:, None] / unit for x in (increments, speeds))
+    states = np.eye(nz, len(unit), len(unit) - nz)
+    own = system.rates(at, tau)
+    rates = own.along @ increments + own.by_u @ speeds + own.by_z @ states
+    by_r = own.by_r
+    if len(held):
+        answer = pushed(system, at, held, found)
+        rates, by_r = (_kept(answer, held, x) for x in (rates, by_r))
+    turned = system.kinematics(at) @ increments + speeds
+    A = np.concatenate([turned[e], rates[:nu][v], rates[nu:]])
+    B = np.concatenate([np.zeros((len(e), by_r.shape[1])), by_r[:nu][v], by_r[nu:]])
+    return FirstOrder(A, B, e, v, increments, speeds)
+
+
+def eigenvalues(system: Contract, at: Moment, held: Sequence[int], tau: Array) -> Any:
+    """How small motions grow (n,) [1/s]; None where accelerations are not determined."""
+    try:
+        return np.linalg.eigvals(first_order(system, at, held, tau).A)
+    except (SolveError, np.linalg.LinAlgError):
+        return None
+
+
+def pushed(
+    system: Contract, at: Moment, places: Sequence[int], tangents: Tangents | None = None
+) -> Array:
+    """Accelerations (nu, k) that unit forces along speeds make, constraints kept."""
+    columns, found = system.columns, tangents or system.tangents(at)
+    M = _dense(found.M) * columns * columns[:, None]
+    G = _dense(found.G) / system.rows[:, None] * columns
+    push = np.eye(len(columns))[list(places)] * columns
+    answers = [Dense().solve(M, G, row, np.zeros(len(G)))[0] for row in push]
+    return np.stack(answers, axis=1) * columns[:, None]
+
+
+def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
+    """Rates (nu + nz, n) after forces that keep what is held."""
+    found = rates.copy()
+    found[: len(answer)] -= answer @ np.linalg.lstsq(answer[list(held)], rates[list(held)])[0]
+    return found
+
+
+def _choice(G: Array) -> tuple[Array, NDArray[np.intp]]:
+    """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen."""
+    basis = split(G)[2]
+    k = basis.shape[1]
+    chosen = np.sort(qr(basis.T, mode="r", pivoting=True)[1][:k]) if k else np.zeros(0, np.intp)
+    if k == len(basis):
+        return np.eye(k), chosen
+    return basis @ np.linalg.inv(basis[chosen]), chosen
+
+
+def _dense(matrix: Any) -> Array:
+    return np.asarray(matrix.toarray() if issparse(matrix) else matrix)

@@ -1,0 +1,184 @@
+"""Linear models: small motions about an equilibrium, a steady motion or any state.
+
+About a state that accelerates the matrices are those of the motion through it at that instant:
+x is then the distance from that motion, not from the state.
+
+Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError, listed, near
+from .contract import Contract, Moment, contract_of
+from .equilibrium import Equilibrium, equilibrium
+from .first_order import FirstOrder, first_order, pushed
+from .linear_model import LinearModel
+from .static_problem import Problem
+
+Array = NDArray[np.float64]
+
+
+def linearize(
+    model: Any,
+    x: ArrayLike | Equilibrium | None = None,
+    *,
+    q: Any = None,
+    u: Any = None,
+    z: Any = None,
+    inputs: Iterable[str] | None = None,
+    outputs: Iterable[str] | None = None,
+    r: Any = None,
+    t: float = 0.0,
+    parameters: Mapping[str, float] | None = None,
+) -> LinearModel:
+    """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
+
+    Args:
+        model: The compiled model.
+        x: State (nx,), or an equilibrium; or q, u, z: by name or as arrays, assembled as runs
+            assemble them. If all are left out the equilibrium next to the initial position.
+        inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
+        outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
+            coordinates if there are none.
+        r: Inputs by name or (nr,) [of the state]. t: Time [s].
+        parameters: Values by name, else those of the model.
+
+    Returns:
+        Independent increments, speeds, then internal states; with names.
+
+    Raises:
+        ModelError: unknown names, circuits that cannot be assembled.
+        SolveError: accelerations are not determined there.
+    """
+    at, held, tau, model = moment(model, x, q, u, z, r, t, parameters)
+    system = contract_of(model)
+    at = system.accelerations(at, tau)
+    found = first_order(system, at, held, tau)
+    B, driven = _inputs(system, at, found, inputs)
+    C, D, told = _outputs(system, at, found, outputs)
+    D = D if inputs is None else _columns(system, D, driven)
+    increments = tuple(system.increments[k] for k in found.e)
+    states = (*increments, *(system.speeds[k] for k in found.v), *system.internals)
+    return LinearModel(
+        name=system.name,
+        A=found.A,
+        B=B,
+        C=C,
+        D=D,
+        states=states,
+        inputs=driven,
+        outputs=told,
+        n=len(found.e),
+        z=len(system.internals),
+        mass=_mass(system, at, found),
+        x=np.concatenate([at.q, at.u, at.z]),
+        acceleration=float(np.abs(_left(system, at, held)).max(initial=0.0)),
+        increments=found.increments,
+    )
+
+
+def moment(
+    model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, parameters: Any
+) -> tuple[Moment, list[int], Array, Any]:
+    """The state that is meant, what is held there and by which forces, and the model to take."""
+    if x is None and q is None and u is None and z is None:
+        values = dict(r) if isinstance(r, Mapping) else {}
+        if r is not None and not isinstance(r, Mapping):
+            values = dict(zip(model.inputs, np.asarray(r, dtype=float).tolist(), strict=True))
+        x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
+    if isinstance(x, Equilibrium):
+        system = contract_of(x.model)
+        held, tau = Problem(system).held(x.point, x.load)
+        return x.point.at, held, tau, x.model
+    if parameters:
+        model = model.with_parameters(dict(parameters))
+    system = contract_of(model)
+    at = system.state(x, q, u, z, float(t), system.given_inputs(r), None)
+    return at, [], np.zeros(len(system.columns)), model
+
+
+def _left(system: Contract, at: Moment, held: list[int]) -> Array:
+    """Accelerations (nu,), without units of length."""
+    found: Array = at.udot / system.columns
+    return np.delete(found, held)
+
+
+def _inputs(
+    system: Contract, at: Moment, found: FirstOrder, names: Iterable[str] | None
+) -> tuple[Array, tuple[str, ...]]:
+    """B for chosen inputs: declared ones, or forces along speeds."""
+    if names is None:
+        return found.B, system.inputs
+    columns, chosen = list[Array](), listed("inputs", names, "torque")
+    for name in chosen:
+        if name in system.inputs:
+            columns.append(found.B[:, system.inputs.index(name)])
+            continue
+        speed = next((n for n in (name, f"{name}.u") if n in system.speeds), None)
+        if speed is None:
+            known = (*system.inputs, *system.speeds)
+            raise ModelError(f"linearize: there is no input or speed '{name}'.{near(name, known)}")
+        answer = pushed(system, at, [system.speeds.index(speed)])[:, 0]
+        n, v = len(found.e), len(found.v)
+        column = np.zeros(len(found.A))
+        column[n : n + v] = answer[found.v]
+        columns.append(column)
+    B = np.stack(columns, axis=1) if columns else np.zeros((len(found.A), 0))
+    return B, tuple(chosen)
+
+
+def _columns(system: Contract, D: Array, driven: tuple[str, ...]) -> Array:
+    """D for chosen inputs."""
+    zero = np.zeros((len(D), 1))
+    wide = np.concatenate([D, zero], axis=1)
+    places = [system.inputs.index(n) if n in system.inputs else len(system.inputs) for n in driven]
+    return wide[:, places]
+
+
+def _outputs(
+    system: Contract, at: Moment, found: FirstOrder, names: Iterable[str] | None
+) -> tuple[Array, Array, tuple[str, ...]]:
+    """C, D and names of outputs: declared ones, coordinates, speeds, internal states."""
+    chosen = list(system.outputs or system.coordinates)
+    if names is not None:
+        chosen = listed("outputs", names, "height")
+    count, nz = len(found.A), len(system.internals)
+    inner = np.eye(nz, count, count - nz)
+    places = np.zeros((0, count))
+    C, D = np.zeros((len(chosen), count)), np.zeros((len(chosen), len(system.inputs)))
+    seen = system.seen(at) if any(n in system.outputs for n in chosen) else None
+    for k, name in enumerate(chosen):
+        if seen is not None and name in system.outputs:
+            i = system.outputs.index(name)
+            C[k] = seen.along[i] @ found.increments + seen.by_u[i] @ found.speeds
+            C[k] += seen.by_z[i] @ inner
+            D[k] = seen.by_r[i]
+        elif name in system.coordinates:
+            places = places if len(places) else system.turning(at) @ found.increments
+            C[k] = places[system.coordinates.index(name)]
+        elif name in system.speeds:
+            C[k] = found.speeds[system.speeds.index(name)]
+        elif name in system.internals:
+            C[k] = inner[system.internals.index(name)]
+        else:
+            known = (*system.outputs, *system.coordinates, *system.speeds, *system.internals)
+            raise ModelError(
+                f"linearize: there is no output, coordinate or speed '{name}'.{near(name, known)}"
+            )
+    return C, D, tuple(chosen)
+
+
+def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array | None:
+    """M of the independent increments (n, n); None where rolling takes speeds but no positions."""
+    n = len(found.e)
+    if list(found.e) != list(found.v):
+        return None
+    allowed = found.increments[:, :n]
+    M = system.tangents(at).M
+    return np.asarray(allowed.T @ (M @ allowed))

@@ -1,0 +1,176 @@
+"""Modes of vibration about equilibria, under prestress, and about steady motions.
+
+At rest with symmetric stiffness and no damping they are those of K and M on what constraints
+allow. Else, as for whirling rotors, where gyroscopic forces or dampers act, they are those of the
+equations of first order; large sparse systems solve the quadratic problem next to a shift.
+
+Source: M. Géradin, D. Rixen, Mechanical Vibrations, 3rd ed. (2015), chapters 2 and 3; F. Tisseur,
+K. Meerbergen, SIAM Review 43 (2001), 235-286 (quadratic eigenproblem).
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import ArrayLike, NDArray
+from scipy.sparse import csr_array, issparse
+from scipy.sparse.linalg import ArpackError
+
+from ..errors import ModelError, SolveError, SolveWarning
+from .contract import Contract, Moment, contract_of
+from .equilibrium import Equilibrium
+from .first_order import first_order
+from .linearize import moment
+from .mode_shapes import Modes
+from .saddle import Singular, near, near_quadratic, split
+from .static_problem import scaled
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+RESTS = 1e-6  # accelerations below this are none [rad/s^2, or sizes/s^2]
+ALIKE = 1e-8  # of the largest entry: parts of matrices that are rounding
+STILL = 1e-7  # of the largest modulus: eigenvalues that are 0
+SQUARE = 1e-12  # the same of squares of frequencies
+FEW = 12  # modes of a sparse system if no number is given
+SHIFT = 1e-3  # rad/s next to 0
+
+
+def modes(
+    model: Any,
+    count: int | None = None,
+    x: ArrayLike | Equilibrium | None = None,
+    *,
+    q: Any = None,
+    u: Any = None,
+    r: Any = None,
+    t: float = 0.0,
+    parameters: Mapping[str, float] | None = None,
+    damped: bool = True,
+) -> Modes:
+    """Modes about an equilibrium or a steady motion, from the lowest frequency.
+
+    Args:
+        model: The compiled model.
+        count: How many; all of a small system if left out.
+        x: State (nx,), or an equilibrium, whose loads then prestress; or q, u by name or as
+            arrays. If all are left out the equilibrium next to the initial position.
+        r: Inputs by name or (nr,). t: Time [s]. parameters: Values by name.
+        damped: Whether dampers act; without them and without speeds modes are real.
+
+    Raises:
+        ModelError: unknown names, a count that is none.
+        SolveError: the mass matrix is singular on what constraints allow.
+    """
+    if count is not None and (not isinstance(count, int | np.integer) or count < 1):
+        raise ModelError(f"modes: count={count!r}: a number of modes, at least 1")
+    at, held, tau, model = moment(model, x, q, u, None, r, t, parameters)
+    system = contract_of(model)
+    at = system.accelerations(at, tau)
+    _steady(system, at, held)
+    at = replace(at, udot=0 * at.udot) if held else at
+    still = not np.any(at.u)
+    values, shapes = _found(system, at, held, tau, count, damped, still)
+    momentum = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
+    momentum = momentum - np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))[:, None]
+    return Modes(model, at, values, shapes, system.increments, system.owners, momentum, system.size)
+
+
+def _steady(system: Contract, at: Moment, held: list[int]) -> None:
+    """Warn where a state neither rests nor moves steadily."""
+    left = np.delete(at.udot / system.columns, held)
+    worst = float(np.abs(left).max(initial=0.0))
+    if worst > RESTS * max(1.0, float(np.abs(at.u / system.columns).max(initial=0.0)) ** 2):
+        name = np.delete(np.array(system.speeds), held)[int(np.abs(left).argmax())]
+        warnings.warn(
+            f"modes of '{system.name}' about a state that accelerates ('{name}' by {worst:.3g}): "
+            "they hold for an instant only. Take model.equilibrium(...), or hold what is held",
+            SolveWarning,
+            stacklevel=4,
+        )
+
+
+def _found(
+    system: Contract, at: Moment, held: list[int], tau: Array, count: int | None, damped: bool,
+    still: bool,
+) -> tuple[Complex, Any]:  # fmt: skip
+    """Eigenvalues (k,) [1/s] and shapes (nu, k), from the lowest frequency."""
+    found = system.tangents(at)
+    K, C, M = (scaled(x, system.columns, system.columns) for x in (found.K, found.C, found.M))
+    G = scaled(found.G, 1.0 / system.rows, system.columns)
+    if held and not issparse(G):
+        G = np.concatenate([G, np.eye(len(system.columns))[held]])
+    values: Complex
+    shapes: Any
+    quiet = still and (not damped or not _size(C)) and not system.internals
+    try:
+        if quiet and _size(K - K.T) <= ALIKE * _size(K):
+            values, shapes = _real(K, M, G, count)
+        elif issparse(K):
+            E = csr_array(system.kinematics(at) * system.columns / system.columns[:, None])
+            turned = (K - C @ E, C - M @ E)
+            values, shapes = near_quadratic(*turned, M, G, SHIFT, 2 * (count or FEW))
+        else:
+            values, shapes = _first(system, at, held, tau)
+    except (np.linalg.LinAlgError, Singular, ArpackError) as problem:
+        raise SolveError(
+            f"modes of '{system.name}': the mass matrix is singular on what constraints allow (a "
+            f"part without mass?), or stiffness and mass have no modes: {problem}"
+        ) from None
+    chosen = _chosen(values, count, np.iscomplexobj(shapes))
+    shapes = shapes[:, chosen]
+    weight = np.sqrt(np.abs(np.einsum("ik,ik->k", shapes.conj(), M @ shapes)))
+    shapes = shapes / np.where(weight > 0, weight, 1.0)
+    return values[chosen], _phased(shapes) * system.columns[:, None]
+
+
+def _real(K: Any, M: Any, G: Any, count: int | None) -> tuple[Complex, Array]:
+    """Undamped modes."""
+    if issparse(K):
+        shift = -1e-6 * float(np.abs(K.diagonal()).max()) / float(np.abs(M.diagonal()).max())
+        half = csr_array(0.5 * (K + K.T))
+        squares, shapes = near(half, csr_array(M), G, shift, count or FEW)
+    else:
+        Z = split(G)[2]
+        inner = 0.5 * (K + K.T)
+        squares, inside = scipy.linalg.eigh(Z.T @ inner @ Z, Z.T @ M @ Z)
+        shapes = Z @ inside
+    largest = float(np.abs(squares).max(initial=0.0))
+    squares = np.where(np.abs(squares) <= SQUARE * largest, 0.0, squares)
+    values = np.where(squares >= 0, 1j, 1.0) * np.sqrt(np.abs(squares))
+    return values.astype(np.complex128), shapes
+
+
+def _first(system: Contract, at: Moment, held: list[int], tau: Array) -> tuple[Complex, Complex]:
+    """Modes of the equations of first order, without units."""
+    small = first_order(system, at, held, tau)
+    values, vectors = np.linalg.eig(small.A.astype(np.complex128))
+    shapes = (small.increments @ vectors) / system.columns[:, None]
+    return values, shapes
+
+
+def _chosen(values: Complex, count: int | None, double: bool) -> NDArray[np.intp]:
+    """One of every pair, from the lowest frequency; what is not periodic by its rate."""
+    size = float(np.abs(values).max(initial=0.0))
+    values[np.abs(values) <= STILL * size] = 0.0
+    upper = np.flatnonzero(values.imag >= -ALIKE * np.abs(values))
+    # a rigid body counts once: it has a position and a speed
+    still = upper[values[upper] == 0]
+    upper = np.setdiff1d(upper, still[(len(still) + 1) // 2 :]) if double else upper
+    order = np.lexsort((values[upper].real, np.round(np.abs(values[upper]), 12)))
+    return upper[order][:count]
+
+
+def _phased(shapes: Any) -> Any:
+    """Shapes whose largest entry is real and positive."""
+    top = np.take_along_axis(shapes, np.abs(shapes).argmax(axis=0)[None], axis=0)
+    turned = shapes * np.where(np.abs(top) > 0, np.conj(top) / np.maximum(np.abs(top), 1e-300), 1.0)
+    return turned.real if np.isrealobj(shapes) else turned
+
+
+def _size(matrix: Any) -> float:
+    return float(abs(matrix).max()) if min(matrix.shape) else 0.0

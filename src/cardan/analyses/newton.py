@@ -1,0 +1,175 @@
+"""Newton's method for rest under loads, and what is done where it does not get there.
+
+Full steps come first: they turn slender structures far in few iterations. Then steps are shortened
+until the residual falls. Where that fails too the system creeps: each step is one of a motion
+without inertia in ever thicker time steps, which ends where it rests stably.
+
+Source: C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998), 508-523 (pseudo-transient
+continuation).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array, diags_array, issparse
+
+from ..errors import SolveError
+from .saddle import Singular
+from .static_problem import Load, Matrix, Point, Problem
+
+Array = NDArray[np.float64]
+TIGHT = 1e-10  # steps without units that end the search; the next would be their square
+NOISE = 1e-7  # steps that no longer fall below this are rounding
+NEWTON, CREEPING = 30, 400
+HALVINGS = 12
+GROWTH = 1e3  # steps this much larger than the smallest before them lead away
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """How a search ended.
+
+    Attributes:
+        point: Its last position.
+        iterations: Linear systems solved.
+        converged: Whether it rests there.
+        motion: Where it was going (nu + nz,), without units; of one that did not converge.
+        pushed: Whether nothing holds that motion.
+    """
+
+    point: Point
+    iterations: int
+    converged: bool
+    motion: Array
+    pushed: bool = False
+
+
+def newton(problem: Problem, point: Point, load: Load, damped: bool = False) -> Search:
+    """Newton's method.
+
+    Args:
+        problem, point, load: Of what, from where, under what.
+        damped: Shorten steps until the residual falls.
+    """
+    last, least, step = np.inf, np.inf, np.zeros(0)
+    for k in range(1, NEWTON + 1):
+        try:
+            K, G = problem.tangent(point, load)
+            force, gap = problem.residual(point, load)
+            step, y = problem.system.saddle.solve(K, G, -force, -gap)
+        except Singular as singular:
+            motion = step if singular.motion is None else singular.motion
+            return Search(point, k, False, motion, singular.motion is not None)
+        except SolveError:
+            return Search(point, k, False, step)
+        size = _size(step)
+        if not np.isfinite(size) or size > GROWTH * max(least, problem.system.reach):
+            break
+        share = min(1.0, problem.system.reach / max(size, 1e-300))
+        point, share = _moved(problem, point, load, step, y, share, K if damped else None)
+        if share == 1.0 and (size <= TIGHT or (NOISE >= size >= 0.5 * last)):
+            return Search(point, k, True, step)
+        last, least = size, min(least, size)
+    return Search(point, k, False, step)
+
+
+def _moved(
+    problem: Problem, point: Point, load: Load, x: Array, y: Array, share: float, K: Matrix | None
+) -> tuple[Point, float]:
+    """The point after a step, shortened until the residual falls where K is given."""
+    whole = problem.moved(point, share * x, share * y, load)
+    if K is None:
+        return whole, share
+    unit = max(float(abs(K).max()), 1e-300)
+    before, first = _miss(problem, point, load, unit), (whole, share)
+    for _ in range(HALVINGS):
+        found = problem.moved(point, share * x, share * y, load)
+        if _miss(problem, found, load, unit) <= (1 - 1e-4 * share) * before:
+            return found, share
+        share *= 0.5
+    # rounding is all that is left, or the direction does not lead down
+    return first if _size(x) <= NOISE else (found, share)
+
+
+def _miss(problem: Problem, point: Point, load: Load, unit: float) -> float:
+    """The residual in steps; infinite outside a domain."""
+    try:
+        force, gap = problem.residual(point, load)
+    except SolveError:
+        return np.inf
+    return float(np.hypot(np.linalg.norm(force / unit), np.linalg.norm(gap)))
+
+
+def creep(problem: Problem, point: Point, load: Load) -> Search:
+    """Motion without inertia until it rests, then Newton's method.
+
+    Stiffness alone pulls towards rest of any kind; with the resistance it leads downhill.
+    """
+    system, resistance, last, step, total = problem.system, 1.0, np.inf, np.zeros(0), 0
+    for total in range(1, CREEPING + 1):
+        try:
+            K, G = problem.tangent(point, load)
+            force, gap = problem.residual(point, load)
+            unit = max(float(abs(K).max()), float(np.abs(force).max(initial=0.0)), 1e-300)
+            below = system.saddle.lowest(K, G).values[:1].min(initial=0.0)
+            # where the stiffness pushes away, enough of it to lead down
+            thick = _added(K, max(resistance * unit, -2 * below))
+            step, y = system.saddle.solve(thick, G, -force, -gap)
+        except (Singular, SolveError):
+            return Search(point, total, False, step)
+        size = _size(step)
+        share = min(1.0, 0.3 * system.reach / max(size, 1e-300))
+        point = problem.moved(point, share * step, share * y, load)
+        near = size <= 1e-6 and resistance < 1e-3 and below >= -1e-9 * unit
+        if near or size <= TIGHT:
+            found = newton(problem, point, load)
+            return Search(
+                found.point,
+                total + found.iterations,
+                found.converged,
+                found.motion if len(found.motion) else step,
+                found.pushed,
+            )
+        # thicker steps as it comes to rest
+        if 0 < last < np.inf and share == 1.0:
+            resistance = min(1.0, resistance * min(max(size / last, 0.3), 2.0))
+        elif last == 0:
+            resistance *= 0.3
+        last = size
+    return Search(point, total, False, step)
+
+
+def _added(K: Matrix, amount: float) -> Matrix:
+    n = K.shape[0]
+    if issparse(K):
+        return csr_array(K + diags_array(np.full(n, amount)))
+    return K + amount * np.eye(n)
+
+
+def _size(step: Array) -> float:
+    return float(np.abs(step).max(initial=0.0))
+
+
+def rest(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> Search:
+    """Rest under a load next to a point.
+
+    Args:
+        problem, point, load: Of what, from where, under what.
+        ways: Of ``"full"``, ``"damped"`` and ``"creep"`` those to try, in their order.
+    """
+    spent, pushed = 0, None
+    for way in ways:
+        if way == "creep":
+            found = creep(problem, point, load)
+        else:
+            found = newton(problem, point, load, way == "damped")
+        spent += found.iterations
+        if found.converged:
+            break
+        # what nothing holds is told rather than where the last way led
+        pushed = found if found.pushed and pushed is None else pushed
+    told = found if found.converged or pushed is None else pushed
+    return replace(found, iterations=spent, motion=told.motion, pushed=told.pushed)

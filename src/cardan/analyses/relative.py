@@ -1,0 +1,280 @@
+"""The contract of a model in relative coordinates: small, dense, by its compiled functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.closing import unit
+from ..runtime.compiled import CompiledModel
+from ..runtime.initial import entries, initial_state, missing
+from .assemble import assemble
+from .closed_start import closed_start
+from .consistent import speeds
+from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
+from .mechanism import Mechanism
+from .saddle import Dense, Saddle
+from .settings import blocks, start
+
+Array = NDArray[np.float64]
+REACH = 1.0  # radians, or sizes of the mechanism
+
+
+@final
+class Relative:
+    """A :class:`CompiledModel` as :class:`cardan.analyses.contract.Contract`.
+
+    Attributes:
+        model: The model.
+        Others: as the contract has them.
+    """
+
+    def __init__(self, model: CompiledModel) -> None:
+        """Args:
+            model: Compiled, with ``balance`` among its functions.
+
+        Raises:
+            ModelError: ``balance`` cannot be had.
+        """
+        if "balance" not in model.manifest["available"]:
+            raise ModelError(
+                f"model '{model.name}' was compiled without 'balance' and 'balance_tangent': "
+                "compile(..., functions=[...]) with them, or without functions="
+            )
+        if not model.manifest.get("projected", True):
+            treatment = model.manifest["scene"]["treatment"]["name"]
+            raise ModelError(
+                f"model '{model.name}' has constraints='{treatment}': equilibria and linear models "
+                "keep constraints exactly. Compile with constraints='multipliers'"
+            )
+        self.model, self.name = model, model.name
+        self.coordinates, self.speeds = model.coordinates, model.speeds
+        self.internals, self.inputs = model.internals, model.inputs
+        rows = model.manifest.get("multipliers", ())
+        self.multipliers = tuple(str(row["name"]) for row in rows)
+        self.outputs = tuple(str(row["name"]) for row in model.manifest["outputs"])
+        self.owners = tuple(_owner(row) for row in model.manifest["speeds"])
+        m = Mechanism(model)
+        self.positions, self.size = np.arange(m.closing.positions), m.size
+        self.columns, self.rows = m.columns, m.rows
+        self.reach = REACH
+        self.saddle: Saddle = Dense()
+
+    @cached_property
+    def _mechanism(self) -> Mechanism:
+        return Mechanism(self.model)
+
+    # where to begin
+
+    def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
+        """As :meth:`Contract.start`."""
+        model = self.model.with_parameters(dict(p)) if p else self.model
+        named = q if isinstance(q, Mapping) else {}
+        if q is not None and not isinstance(q, Mapping):
+            array = self.model._vector("q", q)
+            if array.shape != (model.nq,):
+                raise ModelError(f"q has shape {array.shape}, expected ({model.nq},)")
+            named = dict(zip(model.coordinates, array.tolist(), strict=True))
+        x = initial_state(model.manifest, {**named, **hold}, {})[0]
+        place, rest = x[: model.nq], x[model.nq + model.nu :]
+        if len(self.positions):
+            place = assemble(model, hold, start=place, t=t, r=r).q
+        still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
+        return Moment(t, place, still, still, lam, r, rest, self._modes, p)
+
+    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+        """As :meth:`Contract.state`."""
+        model = self.model.with_parameters(dict(p)) if p else self.model
+        begin = closed_start(model, start(model, x0, q, u, z), *blocks(x0, q, u), t, r)
+        place, speed, rest = model.parts_of(begin.x)
+        lam = np.zeros(len(self.multipliers))
+        return Moment(t, place, speed, 0 * speed, lam, r, rest, self._modes, p)
+
+    @property
+    def _modes(self) -> Array:
+        rows = self.model.manifest["s"]
+        return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
+
+    def given_inputs(self, named: Any) -> Array:
+        """As :meth:`Contract.given_inputs`."""
+        found: Array = self.model._vector("r", {} if named is None else named)
+        if found.shape != (self.model.nr,):
+            raise ArgumentError(
+                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
+                f"{', '.join(self.inputs)}"
+            )
+        if not np.isfinite(found).all():
+            raise SolveError(f"inputs {named}: they must be finite")
+        return found
+
+    def changed(self, values: Mapping[str, float]) -> Parameters:
+        """As :meth:`Contract.changed`."""
+        if values:
+            self.model.with_parameters(dict(values))
+        return dict(values) or None
+
+    def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
+        """As :meth:`Contract.consistent`."""
+        return speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
+
+    def place(self, name: str) -> tuple[int, int]:
+        """As :meth:`Contract.place`."""
+        known = {n: (k, self.speeds.index(f"{n}.u")) for k, n in enumerate(self.coordinates)
+                 if f"{n}.u" in self.speeds}  # fmt: skip
+        if name not in known:
+            words = ""
+            if name not in entries(self.model.manifest, "q"):
+                words = missing(self.model.manifest, "q", name) + " "
+            raise ModelError(
+                f"hold: '{name}' is no coordinate that can be held. {words}"
+                f"{near(name, known).strip()}"
+            )
+        return known[name]
+
+    # equations
+
+    def balance(self, at: Moment) -> Array:
+        """As :meth:`Contract.balance`."""
+        return self._evaluate("balance", at)
+
+    def tangents(self, at: Moment) -> Tangents:
+        """As :meth:`Contract.tangents`."""
+        flat = np.ravel(self._evaluate("balance_tangent", at))
+        nu, m = self.model.nu, len(self.multipliers)
+        ends = np.cumsum([nu, nu, nu, m, m]) * nu
+        K, C, M, R, G = (part.reshape(-1, nu) for part in np.split(flat, ends[:4]))
+        return Tangents(K, C, M, R, G)
+
+    def internal_rates(self, at: Moment) -> Array:
+        """As :meth:`Contract.internal_rates`."""
+        if not self.model.nz:
+            return np.zeros(0)
+        x = np.concatenate([at.q, at.u, at.z])
+        found = self.model.rhs(at.t, x, at.r, s=at.s, parameters=at.parameters)
+        return found[-self.model.nz :]
+
+    def internal(self, at: Moment) -> Internal:
+        """As :meth:`Contract.internal`."""
+        nu, nz = self.model.nu, self.model.nz
+        if not nz:
+            none = np.zeros((0, nu))
+            return Internal(none.T, none, none, np.zeros((0, 0)))
+        forces = self.model.derivative("inverse_dynamics", "z")
+        own = self.rates(at)
+        by_z = forces(at.q, at.u, at.udot, **self._rest(at))
+        return Internal(by_z, own.along[nu:], own.by_u[nu:], own.by_z[nu:])
+
+    def rates(self, at: Moment, tau: Array | None = None) -> Rates:
+        """As :meth:`Contract.rates`."""
+        model = self.model
+        wrt = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
+        forward = model.derivative("forward_dynamics", wrt)
+        found = forward(at.q, at.u, tau=tau, **self._rest(at))
+        if model.nz:
+            x = np.concatenate([at.q, at.u, at.z])
+            rest: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
+            own = model.derivative("rhs", wrt)(at.t, x, at.r, **rest)
+            pairs = zip(found, own, strict=True)
+            found = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
+        known, empty = dict(zip(wrt, found, strict=True)), np.zeros((model.nu + model.nz, 0))
+        return Rates(known["q"], known["u"], known.get("z", empty), known.get("r", empty))
+
+    def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
+        """As :meth:`Contract.accelerations`."""
+        rest = {"tau": tau, **self._rest(at)}
+        udot = self.model.forward_dynamics(at.q, at.u, **rest)
+        if not self.multipliers:
+            return replace(at, udot=udot)
+        return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **rest))
+
+    def seen(self, at: Moment) -> Seen:
+        """As :meth:`Contract.seen`."""
+        model, count = self.model, len(self.outputs)
+        sizes = {"q": model.nu, "u": model.nu, "z": model.nz, "r": model.nr}
+        found = {b: np.zeros((count, n)) for b, n in sizes.items()}
+        if count:
+            wrt = tuple(b for b, n in sizes.items() if n)
+            rows = model.derivative("outputs", wrt)(at.q, at.u, **self._rest(at))
+            found |= {b: own[:count] for b, own in zip(wrt, rows, strict=True)}
+        return Seen(found["q"], found["u"], found["z"], found["r"])
+
+    # coordinates
+
+    def turning(self, at: Moment) -> Array:
+        """As :meth:`Contract.turning`."""
+        rest: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
+        basis = np.concatenate([np.zeros((1, self.model.nu)), np.eye(self.model.nu)])
+        rates = self.model.qdot(at.q, basis, **rest)
+        return np.asarray(rates[1:] - rates[0]).T
+
+    @cached_property
+    def increments(self) -> tuple[str, ...]:
+        """As the contract has them."""
+        model, found = self.model, list[str]()
+        q, u = model.split(model.random_state(0))
+        N = self.turning(Moment(0.0, q, u, u))
+        for k, name in enumerate(self.speeds):
+            own = name.replace(".u", "", 1)
+            place = self.coordinates.index(own) if own in self.coordinates else -1
+            same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
+            found.append(own if same else f"along {name}")
+        return tuple(found)
+
+    def kinematics(self, at: Moment) -> Array:
+        """As :meth:`Contract.kinematics`: N E = d(N u + n) - dN/dt, along increments."""
+        nu = self.model.nu
+        if self._plain:
+            return np.zeros((nu, nu))
+        rest: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
+        slope = self.model.derivative("qdot", ("q", "u", "t"))
+        basis = np.concatenate([np.zeros((1, nu)), np.eye(nu)])
+        here, N, _ = slope(at.q, at.u, **rest)
+        along, _, by_t = slope(at.q, basis, **rest)
+        drift = self.model.qdot(at.q, np.zeros(nu), **rest)
+        # the part of qdot that no speed makes moves along the coordinates too
+        moving = at.u + np.linalg.lstsq(N, drift)[0]
+        turning = ((along[1:] - along[0]) @ moving + by_t[1:] - by_t[0]).T
+        found: Array = np.linalg.lstsq(N, here - turning)[0]
+        return found
+
+    @cached_property
+    def _plain(self) -> bool:
+        """Whether speeds are derivatives of coordinates, one by one."""
+        model = self.model
+        if model.nq != model.nu or self._mechanism.chosen:
+            return False
+        rng = np.random.default_rng(0)
+        places = model.split(model.random_state(rng, (2,)))[0]
+        u = rng.normal(size=model.nu)
+        return bool((model.qdot(places, u) == u).all())
+
+    def integrate(self, q: Array, du: Array) -> Array:
+        """As :meth:`Contract.integrate`."""
+        if self._mechanism.chosen:
+            return self._mechanism.advance(q, du / self.columns)
+        return unit(self.model.integrate(q, du), self.model.manifest["quaternions"])
+
+    def difference(self, q0: Array, q: Array) -> Array:
+        """As :meth:`Contract.difference`."""
+        return self._mechanism.between(q0, q) * self.columns
+
+    def _at(self, at: Moment) -> Mechanism:
+        model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
+        return Mechanism(model, at.t, at.r)
+
+    def _evaluate(self, name: str, at: Moment) -> Array:
+        values: tuple[ArrayLike, ...] = (at.t, at.q, at.u, at.udot, at.lam, at.r, at.z, at.s)
+        return self.model._evaluate((name, None), values, at.parameters, None)
+
+    def _rest(self, at: Moment) -> dict[str, Any]:
+        return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
+
+
+def _owner(row: Mapping[str, Any]) -> str:
+    return str(row.get("joint") or row["name"])

@@ -1,0 +1,216 @@
+"""Linear systems with constraints, K x - Gᵀ y = a and G x = b, without units.
+
+Dense ones go through a basis of what G allows: redundant constraints and directions that nothing
+holds show as such. Sparse ones are factored as they stand.
+
+Source: M. Benzi, G. H. Golub, J. Liesen, Acta Numerica 14 (2005), sections 5 and 6 (null space).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias, final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import block_array, csc_array, csr_array, diags_array
+from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
+
+Array = NDArray[np.float64]
+Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
+OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
+LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
+
+
+class Singular(ArithmeticError):
+    """The system has no solution; what it leaves free.
+
+    Attributes:
+        motion: A direction (n,) that nothing holds, None where it is not known.
+    """
+
+    def __init__(self, motion: Array | None = None) -> None:
+        super().__init__("singular")
+        self.motion = motion
+
+
+@dataclass(frozen=True, eq=False)
+class Lowest:
+    """The weakest directions of a stiffness on what constraints allow.
+
+    Attributes:
+        values: Eigenvalues of its symmetric part, from the lowest (k,).
+        vectors: Their directions (n, k).
+        largest: Against which they are small or not.
+        skew: Largest entry of its skew part, over ``largest``.
+    """
+
+    values: Array
+    vectors: Array
+    largest: float
+    skew: float = 0.0
+
+    @property
+    def negative(self) -> int:
+        """Directions in which it pushes away."""
+        return int(np.sum(self.values < -LOOSE * self.largest))
+
+    @property
+    def loose(self) -> Array:
+        """Directions (n, k) in which it does nothing."""
+        return self.vectors[:, np.abs(self.values) <= LOOSE * self.largest]
+
+
+class Saddle(Protocol):
+    """A way to solve systems with constraints."""
+
+    def solve(self, K: Any, G: Any, a: Array, b: Array) -> tuple[Array, Array]:
+        """x and y with K x - Gᵀ y = a and G x = b; the smallest of several.
+
+        Raises:
+            Singular: there is none.
+        """
+
+    def lowest(self, K: Any, G: Any) -> Lowest:
+        """The weakest directions of K on what G allows."""
+
+
+@final
+class Dense:
+    """LAPACK on arrays."""
+
+    def solve(self, K: Array, G: Array, a: Array, b: Array) -> tuple[Array, Array]:
+        """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
+        # redundant rows look independent as far as they are open
+        U, s, Z, V = split(G, max(RANK, min(ROUGH, 3 * float(np.abs(b).max(initial=0.0)))))
+        x = V @ ((U.T @ b) / s)
+        inner = Z.T @ K @ Z
+        if inner.size:
+            x = x + Z @ _regular(inner, Z.T @ (a - K @ x), Z)
+        return x, -(U @ ((V.T @ (a - K @ x)) / s))
+
+    def lowest(self, K: Array, G: Array) -> Lowest:
+        """As :meth:`Saddle.lowest`: all directions."""
+        Z = split(G)[2]
+        inner = Z.T @ K @ Z
+        if not inner.size:
+            return Lowest(np.zeros(0), np.zeros((len(K), 0)), 0.0)
+        values, vectors = np.linalg.eigh(0.5 * (inner + inner.T))
+        largest = float(np.abs(K).max())
+        skew = float(np.abs(inner - inner.T).max()) / max(largest, 1e-300)
+        return Lowest(values, Z @ vectors, largest, skew)
+
+
+def split(G: Array, part: float = RANK) -> tuple[Array, Array, Array, Array]:
+    """U (m, k), s (k,), Z (n, n - k), V (n, k): G = U s Vᵀ, and G Z = 0.
+
+    Args:
+        G: (m, n).
+        part: Of the largest singular value, below which others count as zero.
+    """
+    U, s, Vt = np.linalg.svd(G, full_matrices=True)
+    rank = int(np.sum(s > part * s.max(initial=0.0)))
+    return U[:, :rank], s[:rank], Vt[rank:].T, Vt[:rank].T
+
+
+def _regular(inner: Array, right: Array, Z: Array) -> Array:
+    """The smallest solution of a system; refused where it is singular and has none."""
+    if not (np.isfinite(inner).all() and np.isfinite(right).all()):
+        raise Singular
+    U, s, Vt = np.linalg.svd(inner)
+    firm = s > LOOSE * max(float(s[0]), 1e-300)
+    found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm])
+    left = U[:, ~firm].T @ right
+    if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
+        # along what nothing holds something pushes
+        push = Vt[~firm].T @ (Vt[~firm] @ right)
+        raise Singular(Z @ (push if np.any(push) else Vt[-1]))
+    return np.asarray(found)
+
+
+@final
+class Sparse:
+    """SuperLU on sparse matrices."""
+
+    COUNT = 6
+
+    def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
+        """As :meth:`Saddle.solve`."""
+        found = factored(K, G)(np.concatenate([a, b]))
+        if not np.isfinite(found).all():
+            raise Singular
+        return found[: len(a)], -found[len(a) :]
+
+    def lowest(self, K: Matrix, G: Matrix) -> Lowest:
+        """As :meth:`Saddle.lowest`: those next to 0."""
+        n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
+        half = csr_array(0.5 * (K + K.T))
+        values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
+        order = np.argsort(values)
+        skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
+        return Lowest(values[order], vectors[:, order], largest, skew)
+
+
+def factored(K: Matrix, G: Matrix) -> Any:
+    """Solver of [K Gᵀ; G 0] for one right-hand side.
+
+    Raises:
+        Singular: it has no unique solution.
+    """
+    m = G.shape[0]
+    whole = block_array([[K, G.T], [G, None]]) if m else K
+    try:
+        return splu(csc_array(whole)).solve
+    except RuntimeError:
+        raise Singular from None
+
+
+def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array]:
+    """Eigenvalues next to a shift, and eigenvectors, of K x = value M x on what G allows.
+
+    Args:
+        K, M: Sparse and symmetric (n, n).
+        G: What holds (m, n).
+        shift: Not an eigenvalue itself.
+        count: How many.
+    """
+    n, m = K.shape[0], G.shape[0]
+    inverse = factored(csr_array(K - shift * M), G)
+
+    def apply(x: Array) -> Array:
+        found: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
+        return found
+
+    operator = LinearOperator((n, n), matvec=apply, dtype=np.float64)
+    start = apply(np.random.default_rng(0).normal(size=n))
+    count = min(count, n - 1)
+    values, vectors = eigsh(K, count, M, sigma=shift, OPinv=operator, v0=start)
+    return np.asarray(values), np.asarray(vectors)
+
+
+def near_quadratic(
+    K: Any, C: Any, M: Any, G: Any, shift: float, count: int
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues next to a shift, and eigenvectors, of (v^2 M + v C + K) x = 0 on what G allows.
+
+    Args:
+        K, C, M: Sparse (n, n).
+        G: What holds (m, n).
+        shift: Real, and not an eigenvalue itself.
+        count: How many.
+    """
+    n, m = K.shape[0], G.shape[0]
+    solve = factored(csr_array(K + shift * C + shift**2 * M), G)
+    more = csr_array(C + shift * M)
+
+    def apply(v: Array) -> Array:
+        first, second = np.ravel(v)[:n], np.ravel(v)[n:]
+        right = -(M @ second + more @ first)
+        x: Array = solve(np.concatenate([right, np.zeros(m)]))[:n]
+        return np.concatenate([x, first + shift * x])
+
+    operator = LinearOperator((2 * n, 2 * n), matvec=apply, dtype=np.float64)
+    start = apply(np.random.default_rng(0).normal(size=2 * n))
+    values, vectors = eigs(operator, min(count, 2 * n - 2), v0=start)
+    return shift + 1.0 / values, vectors[:n]

@@ -1,0 +1,172 @@
+"""Rest under loads as equations without units: forces balance, circuits are closed, states rest.
+
+Unknowns are an increment of the coordinates, internal states, multipliers, and the forces that
+hold what is held. Lengths count in sizes of the mechanism, forces in energies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeAlias, final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import block_array, csr_array, diags_array, issparse
+
+from .contract import Contract, Moment, Parameters, Tangents
+
+Array = NDArray[np.float64]
+Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+
+
+@dataclass(frozen=True, eq=False)
+class Load:
+    """What acts, and what is given.
+
+    Attributes:
+        t, r, parameters: Time [s], inputs (nr,), values by name.
+        hold: Coordinate -> the value it has.
+        u: Speed -> value, of a steady motion.
+    """
+
+    t: float
+    r: Array
+    parameters: Parameters = None
+    hold: Mapping[str, float] = field(default_factory=dict)
+    u: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A position with its forces.
+
+    Attributes:
+        at: Position, internal states, multipliers, load.
+        held: Forces along the speeds of what is held, without units: energies (k,).
+    """
+
+    at: Moment
+    held: Array
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Rest of a system.
+
+    Attributes:
+        system: What is to rest.
+    """
+
+    system: Contract
+
+    def begin(self, load: Load, q: Any) -> Point:
+        """A point next to named coordinates, with the multipliers that balance it best."""
+        s = self.system
+        at = s.start(load.t, q, load.r, load.hold, load.parameters)
+        return self.supported(self.under(Point(at, np.zeros(len(load.hold))), load), load)
+
+    def supported(self, point: Point, load: Load) -> Point:
+        """The point with forces of constraint that balance it best."""
+        system, tangents = self.system, self.system.tangents(point.at)
+        G = self._bound(tangents, load)
+        if not G.shape[0]:
+            return point
+        force = self.residual(point, load)[0]
+        unit: Matrix = np.eye(G.shape[1])
+        if issparse(G):
+            unit = csr_array(diags_array(np.ones(G.shape[1])))
+        _, y = system.saddle.solve(unit, G, -force, np.zeros(G.shape[0]))
+        return self.moved(point, np.zeros(len(force)), y, load)
+
+    def under(self, point: Point, load: Load) -> Point:
+        """The point under another load, with the speeds that belong to it."""
+        at = replace(point.at, t=load.t, r=load.r, parameters=load.parameters)
+        return replace(point, at=self._steady(at, load))
+
+    def _steady(self, at: Moment, load: Load) -> Moment:
+        return replace(at, u=self.system.consistent(at, load.u)) if load.u else at
+
+    def residual(self, point: Point, load: Load) -> tuple[Array, Array]:
+        """Forces and rates (nu + nz,), gaps of constraints and of what is held (m + k,)."""
+        s, at = self.system, point.at
+        values, nu, m = s.balance(at), len(s.columns), len(s.rows)
+        force = values[:nu] * s.columns
+        gap = np.zeros(m + len(load.hold))
+        gap[s.positions] = values[nu : nu + len(s.positions)] / s.rows[s.positions]
+        for k, (name, value) in enumerate(load.hold.items()):
+            q, u = s.place(name)
+            force[u] -= point.held[k]
+            gap[m + k] = (at.q[q] - value) / s.columns[u]
+        return np.concatenate([force, s.internal_rates(at)]), gap
+
+    def tangent(self, point: Point, load: Load) -> tuple[Matrix, Matrix]:
+        """K (nu + nz, nu + nz) and G (m + k, nu + nz)."""
+        s, at = self.system, point.at
+        found = s.tangents(at)
+        G = self._bound(found, load)
+        stiffness = found.K
+        if load.u and len(s.rows):
+            # speeds follow the position, for the given ones to stay
+            rows = [s.speeds.index(n) for n in load.u if n in s.speeds]
+            kept = np.concatenate([found.G, np.eye(len(s.columns))[rows]])
+            turned = np.concatenate([found.R, np.zeros((len(rows), len(s.columns)))])
+            stiffness = stiffness - found.C @ (np.linalg.pinv(kept) @ turned)
+        K = scaled(stiffness, s.columns, s.columns)
+        if not s.internals:
+            return K, G
+        own = s.internal(at)
+        blocks = [
+            [K, own.balance * s.columns[:, None]],
+            [own.along * s.columns, own.by_z],
+        ]
+        if issparse(K):
+            empty = csr_array((G.shape[0], len(s.internals)))
+            return csr_array(block_array(blocks)), csr_array(block_array([[G, empty]]))
+        return np.block(blocks), np.hstack([G, np.zeros((len(G), len(s.internals)))])
+
+    def moved(self, point: Point, x: Array, y: Array, load: Load) -> Point:
+        """The point after a step of the unknowns, with the speeds that belong to it."""
+        s, at = self.system, point.at
+        nu, m = len(s.columns), len(s.rows)
+        q = s.integrate(at.q, x[:nu] * s.columns) if np.any(x[:nu]) else at.q
+        lam = at.lam + y[:m] / s.rows
+        moved = replace(at, q=q, z=at.z + x[nu:], lam=lam)
+        return Point(self._steady(moved, load), point.held + y[m:])
+
+    def held(self, point: Point, load: Load) -> tuple[list[int], Array]:
+        """Speeds (places) that are held, and the forces (nu,) that hold them."""
+        s, tau = self.system, np.zeros(len(self.system.columns))
+        places = [s.place(name)[1] for name in load.hold]
+        for k, place in enumerate(places):
+            tau[place] += point.held[k] / s.columns[place]
+        return places, tau
+
+    def step(self, before: Point, after: Point) -> tuple[Array, Array]:
+        """The unknowns that lead from a point to another."""
+        s = self.system
+        du = s.difference(before.at.q, after.at.q) / s.columns
+        change = (after.at.lam - before.at.lam) * s.rows
+        forces = np.concatenate([change, after.held - before.held])
+        return np.concatenate([du, after.at.z - before.at.z]), forces
+
+    def _bound(self, tangents: Tangents, load: Load) -> Matrix:
+        """Constraints, then what is held, without units."""
+        s = self.system
+        G = scaled(tangents.G, 1.0 / s.rows, s.columns)
+        if not load.hold:
+            return G
+        rows = [s.place(name)[1] for name in load.hold]
+        if issparse(G):
+            ones = np.ones(len(rows))
+            own = csr_array((ones, (np.arange(len(rows)), rows)), (len(rows), G.shape[1]))
+            return csr_array(block_array([[G], [own]])) if G.shape[0] else own
+        return np.concatenate([G, np.eye(len(s.columns))[rows]])
+
+
+def scaled(matrix: Matrix, left: Array, right: Array) -> Matrix:
+    """A matrix with rows and columns in other units."""
+    if issparse(matrix):
+        return csr_array(diags_array(left) @ matrix @ diags_array(right))
+    return matrix * right * left[:, None]

@@ -1,0 +1,51 @@
+"""``cardan equilibrium``: where a mechanism rests under its forces."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import warnings
+
+from . import resting
+
+DESCRIPTION = """\
+Where a mechanism rests under gravity and its other forces, next to a start, and whether stably.
+
+Circuits stay closed, joints keep their prescribed positions; what is held (--hold) is held by a
+force that is told. Unstable positions are found too: --stable goes downhill instead."""
+
+EPILOG = """\
+examples:
+  cardan equilibrium crane.yaml
+        next to the initial position
+  cardan equilibrium crane.yaml --stable
+        where it comes to rest if it is let go
+  cardan equilibrium arm.urdf --hold elbow=0.5 --hold shoulder=1
+        the torques that hold these joints there; the others hang
+  cardan equilibrium crane.yaml --set load.mass=500 --json
+        with another parameter, for another program
+
+exit status 1: none was found; the message tells what moves, and the cure"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    group = resting.arguments(parser)
+    group.add_argument("--stable", action="store_true", help="go downhill to a stable one")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, search, report."""
+    from ..errors import SolveError
+
+    scene, model = resting.model(options)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = model.equilibrium(**resting.loads(scene, model, options), stable=options.stable)
+    if options.json:
+        print(json.dumps(resting.numbers(found), indent=1))
+        return 0 if found.converged else 1
+    if not found.converged:
+        raise SolveError(found.message)
+    print(found)
+    return 0

@@ -1,0 +1,73 @@
+"""``cardan modes``: frequencies, damping and shapes of vibration."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from . import resting, running
+
+DESCRIPTION = """\
+Frequencies, damping ratios and shapes of small vibrations about the equilibrium next to a start,
+under its loads, or about a steady motion (--u): whirling of rotors, with gyroscopic forces."""
+
+EPILOG = """\
+examples:
+  cardan modes crane.yaml
+        about its equilibrium
+  cardan modes crane.yaml --count 4 --set load.mass=500 --view mode.html --mode 1
+        four of them under another load, and mode 1 as a page that plays
+  cardan modes rotor.yaml --u spin=300
+        at 300 rad/s
+  cardan modes arm.urdf --hold shoulder=0.5 --json
+        with a joint that is held, for another program
+
+Modes are of modal mass 1; 'rigid' is what nothing holds."""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    group = resting.arguments(parser)
+    group.add_argument("--u", metavar="JOINT=VALUE", type=running.named, action="append",
+                       default=[], help="speed of a steady motion")  # fmt: skip
+    group.add_argument("--count", type=running.count, help="how many (default all)")
+    group.add_argument("--undamped", action="store_true", help="leave dampers out")
+    parser.add_argument("--mode", metavar="NUMBER", type=int, default=0,
+                        help="which one --view plays, from 0 (default 0)")  # fmt: skip
+    parser.add_argument("--view", metavar="MODE.html", type=running.file(".html", ".htm"),
+                        help="a mode as a page that plays")  # fmt: skip
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, solve, report."""
+    scene, model = resting.model(options)
+    given = resting.loads(scene, model, options)
+    rest = model.equilibrium(**given, u=dict(options.u), check=True)
+    found = model.modes(options.count, rest, damped=not options.undamped)
+    if options.view is not None:
+        found.animate(options.mode, options.view)
+    if options.json:
+        print(json.dumps(numbers(found), indent=1))
+    else:
+        print(found)
+        if options.view is not None:
+            print(f"wrote {options.view}")
+    return 0
+
+
+def numbers(found: Any) -> dict[str, Any]:
+    """Modes for JSON; complex numbers as [real, imaginary]."""
+    return {
+        "modes": [
+            {
+                "eigenvalue": [value.real, value.imag],
+                "frequency": value.imag / 6.283185307179586,
+                "damping": resting.finite(ratio),
+                "shape": {n: [x.real, x.imag] for n, x in found.shape(k).items()},
+            }
+            for k, (value, ratio) in enumerate(
+                zip(found.values.tolist(), found.damping.tolist(), strict=True)
+            )
+        ]
+    }

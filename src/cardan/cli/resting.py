@@ -1,0 +1,69 @@
+"""What the commands about equilibria share: where they look, and under which loads."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from typing import TYPE_CHECKING, Any
+
+from . import reading, running
+
+if TYPE_CHECKING:
+    from ..analyses.equilibrium import Equilibrium
+    from ..model import Model
+    from ..runtime.compiled import CompiledModel
+
+
+def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Declare file, start and loads."""
+    reading.arguments(parser)
+    group = parser.add_argument_group("where it rests")
+    group.add_argument("--q", metavar="JOINT=VALUE", type=running.named, action="append",
+                       default=[], help="coordinate to start from; again for another")  # fmt: skip
+    group.add_argument("--hold", metavar="JOINT=VALUE", type=running.named, action="append",
+                       default=[], help="coordinate that is held, by what it takes")  # fmt: skip
+    group.add_argument("--set", metavar="NAME=VALUE", type=running.named, action="append",
+                       default=[], help="value of a parameter or input")  # fmt: skip
+    parser.add_argument("--json", action="store_true", help="print JSON for another program")
+    return group
+
+
+def model(options: argparse.Namespace) -> tuple[Model, CompiledModel]:
+    """The scene and its compiled model."""
+    from ..pipeline import compile
+    from .terminal import progress
+
+    scene = reading.read(options)
+    with progress() as show:
+        show("deriving and compiling")
+        return scene, compile(scene)
+
+
+def loads(scene: Model, found: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
+    """Start and loads as equilibria take them."""
+    values = dict(options.set)
+    inputs = {name: value for name, value in values.items() if name in found.inputs}
+    parameters = {name: value for name, value in values.items() if name not in inputs}
+    q = {**scene.settings.get("q", {}), **dict(options.q)}
+    return {"q": q, "hold": dict(options.hold), "inputs": inputs, "parameters": parameters}
+
+
+def numbers(found: Equilibrium) -> dict[str, Any]:
+    """An equilibrium for JSON."""
+    model = found.model
+    return {
+        "converged": found.converged,
+        "message": found.message,
+        "stable": found.stable,
+        "unstable_directions": found.negative,
+        "free": list(found.loose),
+        "iterations": found.iterations,
+        "q": dict(zip(model.coordinates, found.q.tolist(), strict=True)),
+        "multipliers": dict(zip(model.multipliers_of, found.lam.tolist(), strict=True)),
+        "holding": dict(found.holding),
+    }
+
+
+def finite(value: float) -> float | None:
+    """A number as JSON has it."""
+    return float(value) if math.isfinite(value) else None

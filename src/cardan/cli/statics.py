@@ -1,0 +1,106 @@
+"""``cardan statics``: a mechanism under loads that change."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import warnings
+from typing import Any
+
+from . import resting, running
+
+DESCRIPTION = """\
+Equilibria under loads that change slowly: parameters, inputs and held coordinates are swept
+together, in steps that suit. Says where stability changes and why a path ends."""
+
+EPILOG = """\
+examples:
+  cardan statics column.yaml --sweep P=0,10
+        a parameter or input, from 0 to 10
+  cardan statics column.yaml --sweep P=0,10 --sweep F=0,1 --steps 50 --plot path.png
+        two together, in about 50 steps, as a picture
+  cardan statics press.yaml --sweep lever=0,0.5
+        a coordinate: what it takes to move it there (column lever.holding)
+  cardan statics arm.urdf --sweep gravity.z=-1,-9.81 --hold elbow=0.2 --json
+        from weak to full gravity, for another program
+
+exit status 1: the end was not reached; the path up to there is printed"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    group = resting.arguments(parser)
+    group.add_argument("--sweep", metavar="NAME=FROM,TO", type=swept, action="append",
+                       required=True, help="parameter, input or coordinate; repeat")  # fmt: skip
+    group.add_argument("--steps", metavar="COUNT", type=running.count, default=10,
+                       help="rows, more where the way is hard (default 10)")  # fmt: skip
+    parser.add_argument("--plot", metavar="PATH.png", type=running.file(".png", ".pdf", ".svg"),
+                        help="picture of all coordinates (needs matplotlib)")  # fmt: skip
+
+
+def swept(text: str) -> tuple[str, list[float]]:
+    """The type of ``P=0,10``."""
+    name, found, words = text.rpartition("=")
+    try:
+        values = [float(x) for x in words.split(",")]
+    except ValueError:
+        values = []
+    if not (found and name and len(values) > 1 and all(map(math.isfinite, values))):
+        raise argparse.ArgumentTypeError(f"'{text}' does not read NAME=FROM,TO, such as P=0,10")
+    return name, values
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, follow, report."""
+    scene, model = resting.model(options)
+    given = resting.loads(scene, model, options)
+    moved = {n: v for n, v in options.sweep if n in model.coordinates}
+    loads = {n: v for n, v in options.sweep if n not in moved}
+    given["hold"] = {**given["hold"], **moved}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        path = model.statics(loads, steps=options.steps, **given)
+    if options.plot is not None:
+        path.plot(options.plot)
+    if options.json:
+        print(json.dumps(numbers(path), indent=1))
+    else:
+        table(path)
+    return 0 if path.success else 1
+
+
+def numbers(path: Any) -> dict[str, Any]:
+    """A path for JSON."""
+    return {
+        "success": path.success,
+        "message": path.message,
+        "values": {name: column.tolist() for name, column in path.values.items()},
+        "rows": [resting.numbers(row) for row in path.rows],
+        "stability_changes": path.critical(),
+    }
+
+
+def table(path: Any) -> None:
+    """The path on a screen."""
+    from rich.table import Table
+
+    from .terminal import console
+
+    model = path.rows[0].model
+    names = [n for n in model.coordinates if n not in path.values][:8]
+    held = list(path.rows[0].holding)
+    rows = Table(box=None, pad_edge=False)
+    for heading in (*path.values, *names, *(f"{n}.holding" for n in held), "stable", "iterations"):
+        rows.add_column(heading, justify="right")
+    words = {True: "yes", False: "no", None: "-"}
+    for k, row in enumerate(path.rows):
+        values = [column[k] for column in path.values.values()]
+        values += [row.named[n] for n in names] + [row.holding[n] for n in held]
+        rows.add_row(*(f"{v:.6g}" for v in values), words[row.stable], str(row.iterations))
+    out = console()
+    out.print(rows)
+    for place in path.critical():
+        said = ", ".join(f"{name} = {value:.9g}" for name, value in place.items())
+        out.print(f"stability changes at {said}")
+    out.print(path.message, soft_wrap=True)
