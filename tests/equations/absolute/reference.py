@@ -78,7 +78,12 @@ class Reference:
 
     def rows(self, group: Group) -> Array:
         """Rows of every member (n, m of the kind)."""
-        return group.rows[:, None] + np.arange(group.kind.m)
+        kind = group.kind
+        own = (
+            group.rows[:, :1] + np.arange(kind.mp),
+            group.rows[:, 1:] + np.arange(kind.m - kind.mp),
+        )
+        return np.concatenate(own, axis=1)
 
     def call(
         self, group: Group, function: str, udot: Array | None = None, lam: Array | None = None

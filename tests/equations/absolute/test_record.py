@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import cardan as cd
 from cardan.equations.absolute.record import Absolute
+from cardan.ir.interpreter import evaluate
+from equations.absolute.reference import Reference
+from laws.cases import values
 from mechanisms import ZOO
 
 
@@ -101,3 +105,34 @@ def test_events_are_refused_with_the_cure() -> None:
     model.force("end", cd.Stop("hinge", upper=1.0, restitution=0.5))
     with pytest.raises(cd.DerivationError, match='coordinates="relative"'):
         cd.derive(model, coordinates="absolute")
+
+
+def test_rows_of_positions_come_first() -> None:
+    model = cd.Model("two")
+    for name in ("left", "right"):
+        disk = model.body(name, mass=1.0, inertia=(1, 2, 1))
+        model.joint(f"{name}.rolls", cd.RollingDisk(0.3), model.ground, disk)
+    found = cd.derive(model, coordinates="absolute")
+    slips = [name for name in found.multipliers if name.endswith(("itudinal", "lateral"))]
+    assert found.multipliers[found.mp :] == tuple(slips)
+    assert len(slips) == 4
+    (group,) = (group for group in found.groups if group.kind.m)
+    assert group.rows.tolist() == [[0, 12], [6, 14]]
+
+
+def test_data_follow_parameters() -> None:
+    """What members share is derived once, whatever their numbers."""
+    model = ZOO["springs"].build()
+    relative, absolute = (cd.derive(model, coordinates=c) for c in ("relative", "absolute"))
+    rng = np.random.default_rng(4)
+    p = np.array([entry.value for entry in relative.system.parameters])
+    p = p * rng.uniform(0.8, 1.2, len(p))
+    q, u = rng.uniform(0.1, 0.5, (2, relative.system.nq))
+    given = values(relative, q=q, u=u, p=p)
+    state = evaluate(absolute.states, given, "numpy")
+    reference = Reference(absolute, state["q"], state["u"], t=0.3)
+    reference.p = p
+    udot, _, bound = reference.solved()
+    expected = evaluate(relative.function("forward_dynamics"), given, "numpy")["udot"]
+    mine = [absolute.speeds.index(name) for name in relative.speeds]
+    assert np.abs(udot[mine] - expected).max() < 100 * bound * (1 + np.abs(expected).max())

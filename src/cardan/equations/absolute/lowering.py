@@ -39,10 +39,13 @@ def lowered(system: System) -> Absolute:
     beams = beamed(scene, at, kinds[0], powers)
     names = [*(scene.name(key) for key in scene.places), *beams.names]
     every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
-    groups, row = list[Group](), 0
+    groups, position = list[Group](), 0
+    other = sum(kind.mp * len(members) for kind, members in found)
     for kind, members in found:
-        groups.append(_group(kind, members, at, row, system, (results, powers)))
-        row += kind.m * len(members)
+        rows = _rows(kind, len(members), position, other)
+        groups.append(_group(kind, members, at, rows, system, (results, powers)))
+        position += kind.mp * len(members)
+        other += (kind.m - kind.mp) * len(members)
     joints = {
         piece.name: (g, e)
         for g, (_, members) in enumerate(found)
@@ -127,18 +130,18 @@ def _group(
     kind: Kind,
     members: list[Piece],
     at: Mapping[Key, int],
-    row: int,
+    rows: Integers,
     system: System,
     named: tuple[Mapping[str, int], Mapping[str, int]],
 ) -> Group:
-    """The table of the members of a kind, whose rows start at ``row``."""
+    """The table of the members of a kind."""
     results, powers = named
     has = kind.functions.keys()
     return Group(
         kind=kind,
         members=tuple(piece.name for piece in members),
         places=_table([[at[key] for key in piece.cutting.places] for piece in members]),
-        rows=np.arange(len(members), dtype=np.intp) * kind.m + row,
+        rows=rows,
         common=_common(kind, members, system),
         z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
         s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
@@ -147,6 +150,12 @@ def _group(
         else None,
         powers=_table([[powers[n] for n in p.powers] for p in members]) if "power" in has else None,
     )
+
+
+def _rows(kind: Kind, count: int, position: int, other: int) -> Integers:
+    """First rows of members that follow each other, of positions and of the others."""
+    each = np.arange(count, dtype=np.intp)
+    return np.stack([position + kind.mp * each, other + (kind.m - kind.mp) * each], axis=1)
 
 
 def _table(rows: Sequence[Sequence[int]]) -> Integers:

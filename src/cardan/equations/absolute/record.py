@@ -167,7 +167,8 @@ class Group:
         kind: What they share.
         members: Their names.
         places: Indices of their places (n, number of blocks).
-        rows: First of their rows among the multipliers of the scene (n,).
+        rows: First of their rows of positions and first of their others among the multipliers of
+            the scene (n, 2).
         common: Parameters p of the scene -> one output ``data``, (k1,) for all members or (n, k1);
             None without such data.
         own: Data that are numbers once and for all (n, k2).
@@ -253,13 +254,21 @@ class Absolute:
 
     @cached_property
     def multipliers(self) -> tuple[str, ...]:
-        """Names of lam: of the rows of all members, group by group."""
+        """Names of lam: rows of positions of all members, group by group, then the others."""
         return tuple(
             f"{member}.{row}" if row else member
+            for positions in (True, False)
             for group in self.groups
             for member in group.members
-            for row, _ in group.kind.rows
+            for row, _ in (
+                group.kind.rows[: group.kind.mp] if positions else group.kind.rows[group.kind.mp :]
+            )
         )
+
+    @cached_property
+    def mp(self) -> int:
+        """Number of rows of positions; they are the first."""
+        return sum(len(group) * group.kind.mp for group in self.groups)
 
     @property
     def parameters(self) -> tuple[str, ...]:

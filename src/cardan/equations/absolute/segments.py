@@ -161,7 +161,7 @@ class _Builder:
                 kind=kind,
                 members=[name for part in some for name in part.names],
                 places=np.concatenate([part.places for part in some]),
-                rows=np.zeros(sum(counts), dtype=np.intp),
+                rows=np.zeros((sum(counts), 2), dtype=np.intp),
                 common=self._common(kind, some),
                 own=np.concatenate([part.own for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
