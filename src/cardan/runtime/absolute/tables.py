@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -170,5 +169,3 @@ def _spread(starts: Integers, place: Integers) -> Integers:
     sizes = starts[place[0] + 1] - starts[place[0]]
     parts = [starts[place[:, k], None] + np.arange(sizes[k]) for k in range(place.shape[1])]
     return np.concatenate(parts, axis=1)
-
-
