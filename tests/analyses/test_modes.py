@@ -135,7 +135,10 @@ def test_jeffcott_rotor_in_ground_axes() -> None:
 def test_a_turning_observer() -> None:
     # a mass on springs that turn with the shaft: (omega -+ W), from equations in turning axes
     scene = cd.Model("turntable", gravity=(0, 0, 0))
-    table, slide = scene.body("table", mass=1.0, inertia=(1, 1, 1e6)), scene.body("slide", mass=0.0)
+    table, slide = (
+        scene.body("table", mass=1.0, inertia=(1e6, 1e6, 1e6)),
+        scene.body("slide", mass=0.0),
+    )
     mass = scene.body("mass", mass=1.0)
     scene.joint("turn", cd.Revolute("z"), scene.ground, table)
     scene.joint("x", cd.Prismatic("x"), table, slide)
