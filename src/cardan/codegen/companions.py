@@ -138,8 +138,8 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
             "",
             "This model has events: where a number of `events` falls through zero the states",
             "become those of `transition`. A run that calls `rhs` alone runs past them; exported",
-            "with integrators, `simulate` of `example.c` finds and prints them and goes on. Modes `s`",
-            "start from the defaults in `manifest.json`.",
+            "with integrators, `simulate` of `example.c` finds and prints them and goes on. Modes",
+            "`s` start from the defaults in `manifest.json`.",
         ]
     for title, key in (("q", "coordinates"), ("u", "speeds"), ("r", "inputs")):
         rows = [f"{_words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]
