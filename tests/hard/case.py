@@ -42,7 +42,6 @@ class Never:
 
 
 UNDAMPED = Never("it damps nothing, and what is held by constraints needs damping")
-ROUNDED = "energies of short steps round more than its equations allow"
 Table = Mapping[str, Cell | Never]
 
 

@@ -7,7 +7,7 @@ import sympy as sp
 
 import cardan as cd
 
-from .case import ROUNDED, UNDAMPED, Case, Cell, alike
+from .case import UNDAMPED, Case, alike
 
 BELT, STATIC, FALL = 0.2, 1.0, 3.0
 SLIP, PERIOD, END_OF_SLIP = 4.295999526464542, 12.00103129578276, -0.5410063538636437
@@ -51,6 +51,5 @@ CASE = Case(
         fixed=1e-6,
         energy=1e-3,
         Newmark=UNDAMPED,
-        EnergyMidpoint=Cell(1e-3, missed=ROUNDED),
     ),
 )
