@@ -11,7 +11,7 @@ from ..errors import BuildError
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
 NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
-UNSOLVED, STORM, CHATTER = -8, -9, -10
+UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
 # kinds of events, as in run.h
 MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 
@@ -27,7 +27,9 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
     (POINTER, "options"),
     (POINTER, "inputs signals quaternions"),
-    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
+    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count"),
+    (POINTER, "bounded"),
+    (COUNT, "bounded_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (POINTER, "constraint_jacobian constraint_jacobian_w columns"),
     (COUNT, "positions rates"),

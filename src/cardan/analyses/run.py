@@ -20,6 +20,7 @@ from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
 from . import record as abi
+from .bounded import bounded
 from .happenings import NOTHING, Happenings
 from .record import INPUTS, Run, Signal, Tick
 from .settings import Settings
@@ -153,6 +154,8 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
+        limited = np.array(bounded(model.manifest), dtype=np.intp)
+        run.bounded, run.bounded_count = self._pointer(limited), len(limited)
         options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
         run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol

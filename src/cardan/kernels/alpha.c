@@ -124,6 +124,8 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
     run->culprit = cardan_not_finite(run->trial, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    if (!cardan_follows(run, t, run->trial, run->k))
+        return CARDAN_WHIRLED;
     for (ptrdiff_t i = 0; i < run->n; i++) {
         const real before = run->f[i];
         run->f[i] = run->k[i];

@@ -43,7 +43,8 @@ enum {
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
     CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_STORM = -9,     /* events go on and on at one time */
-    CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
+    CARDAN_CHATTER = -10,  /* an event happens ever again within no time to speak of */
+    CARDAN_WHIRLED = -11  /* a given step does not tell how coordinates of a rotation turn */
 };
 
 /* What happens where the value of an event falls through zero. An event of the first four kinds is
@@ -100,6 +101,8 @@ struct cardan_run {
     const ptrdiff_t *quaternions; /* first entry of each in q */
     ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */
     ptrdiff_t signal_count, quaternion_count;
+    const ptrdiff_t *bounded; /* coordinates of rotations that are singular somewhere */
+    ptrdiff_t bounded_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
     ptrdiff_t charted; /* 1: an explicit method takes quaternions by their increments: chart.c */
 
@@ -242,6 +245,7 @@ void cardan_signals_at(cardan_run *run, real t);
 void cardan_keep(cardan_run *run, real t);
 int cardan_commit(cardan_run *run, real t, const real *y);
 int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
+int cardan_follows(cardan_run *run, real t, const real *next, const real *slope);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
