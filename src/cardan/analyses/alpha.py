@@ -170,6 +170,7 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
         source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
         "A. Cardona, Numer. Math. 129 (2015)",
         needs=("balance", "balance_tangent", "move", "qdot"),
+        differenced=("balance_tangent",),
         multipliers=True,
         options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index)),
         given_step=True,

@@ -39,9 +39,9 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         )
     if answer == abi.UNSOLVED:
         return "not_solved", (
-            f"stopped {at}: the equations{who} of a step of {abs(runner.record.h):g} s were not "
-            f"solved. {_rotation(runner)}Take step= or max_step= shorter; or the motion is "
-            "singular there"
+            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not solved"
+            f"{', at worst that' + who if who else ''}. {_rotation(runner)}Take step= or max_step= "
+            "shorter; or the motion is singular there"
         )
     if answer == abi.TURNED:
         return "step_too_long", (

@@ -138,7 +138,9 @@ def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
         first, second, third = solver.dense_output().Q.T
         return np.stack([first + second + third, -second - third, -third])
 
-    return adaptive(Radau, runner, stop, spread, right, jac=jacobian)
+    # SciPy takes differences itself
+    derived = "rhs_jacobian" in runner.settings.method.needs
+    return adaptive(Radau, runner, stop, spread, right, jac=jacobian if derived else None)
 
 
 def _tried(runner: PlainRunner) -> Callable[[float, Array], Array]:

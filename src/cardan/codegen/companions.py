@@ -23,8 +23,8 @@ INTEGRATORS = {
     "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
-        *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_matrix.c", "alpha_memory.c"),
-        *("alpha_newton.c", "linear.h"),
+        *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
+        *("alpha_memory.c", "alpha_newton.c", "linear.h"),
     ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
 }

@@ -47,6 +47,7 @@ typedef struct cardan_alpha {
     real *matrix;    /* (size, size) */
     real *order, *right; /* (size) */
     real *room;      /* (size, nu) */
+    real *probe;     /* speeds (nu), balances (2, size), q (nq), T (nu, nu): of differences */
 } cardan_alpha;
 
 /* alpha_memory.c */
@@ -67,6 +68,10 @@ int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t);
 int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new);
 real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
                        real atol, int *status);
+
+/* alpha_differences.c */
+int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, const real *y,
+                             const real *udot, const real *lam);
 
 /* alpha_dense.c */
 real cardan_alpha_misfit(cardan_run *run, const cardan_alpha *v, real h, int *status);

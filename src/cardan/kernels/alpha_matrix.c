@@ -53,7 +53,10 @@ int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const r
     in.udot = udot;
     in.lam = lam;
     run->jacobians++;
-    status = cardan_call_model(run, &run->balance_tangent, &in, v->tangent);
+    if (run->balance_tangent.function)
+        status = cardan_call_model(run, &run->balance_tangent, &in, v->tangent);
+    else
+        status = cardan_alpha_differences(run, v, t, y, udot, lam);
     if (status == 0)
         weigh(v);
     return status;

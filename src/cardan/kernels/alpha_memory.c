@@ -42,6 +42,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->order = piece(own, &used, size);
     v->right = piece(own, &used, size);
     v->room = piece(own, &used, (size + 1) * nu);
+    v->probe = piece(own, &used, nu + 2 * size + nq + nu * nu);
     return used;
 }
 
