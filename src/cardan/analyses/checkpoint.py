@@ -66,6 +66,7 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         "max_step": None if math.isinf(how.max_step) else how.max_step,
         "events": [dict(row) for row in runner.may.rows],
         "record": _record(runner),
+        "over": saved.over,
         **numbers,
     }
     parts: dict[str, Any] = {
@@ -79,8 +80,8 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
 
 def read(
     model: CompiledModel, path: Path, events: Mapping[str, Any] | None
-) -> tuple[Runner | PlainRunner, Settings]:
-    """The run of a checkpoint, where it was.
+) -> tuple[Runner | PlainRunner, Settings, str]:
+    """The run of a checkpoint, where it was, and why it has ended, "" where it goes on.
 
     Args:
         model: The model it is of.
@@ -115,7 +116,7 @@ def read(
         )
     runner.want(None, dense=False)
     runner.restore(_saved(runner, head["record"], memory, ticks, path))
-    return runner, how
+    return runner, how, str(head.get("over", ""))
 
 
 def _key(runner: Runner | PlainRunner) -> str:

@@ -35,12 +35,16 @@ LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 @dataclass(frozen=True)
 class Saved:
-    """A checkpoint of a run: its record and memory, to the bit, and whose they are."""
+    """A checkpoint of a run: its record and memory, to the bit, and whose they are.
+
+    ``over`` says why the run has ended, "" where it goes on.
+    """
 
     record: Any
     memory: bytes
     owner: int
     ticks: bytes = b""
+    over: str = ""
 
 
 class Runner:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, final
 
@@ -39,11 +40,11 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner | PlainRunner, how: Settings) -> None:
+    def __init__(self, runner: Runner | PlainRunner, how: Settings, over: str = "") -> None:
         self._runner, self._model, self._how = runner, runner.model, how
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         self._log = runner.drained()
-        self._over = ""
+        self._over = over
 
     def _start(self, begin: Array, t: float) -> None:
         runner = self._runner
@@ -138,7 +139,7 @@ class Stepper:
         Raises:
             ModelError: no such directory, or a method with choices of its own.
         """
-        saved = self._runner.save()
+        saved = replace(self._runner.save(), over=self._over)
         if path is not None:
             from .checkpoint import write
 
@@ -152,7 +153,7 @@ class Stepper:
             ModelError: it belongs to another one.
         """
         self._runner.restore(saved)
-        self._log, self._over = self._log[:0], ""
+        self._log, self._over = self._log[:0], saved.over
 
 
 def stepper(
@@ -218,7 +219,8 @@ def resume(
     """
     from .checkpoint import read
 
-    return Stepper(*read(model, Path(path), events))
+    runner, how, over = read(model, Path(path), events)
+    return Stepper(runner, how, over)
 
 
 def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array:
