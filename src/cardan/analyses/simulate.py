@@ -31,11 +31,10 @@ from .run import Runner
 from .run_file import RunFile, run_file
 from .settings import Settings, Start, Values, blocks, settings, start
 from .signals import Signals, signals
+from .spared import spared
 from .times import Span, span
 
 Array = NDArray[np.float64]
-
-LARGE = 40  # speeds of models that are not asked for derivatives
 
 
 def simulate(
@@ -177,7 +176,7 @@ def runner_of(
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
-    how = _spared(model, how)
+    how = spared(model, how)
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -199,19 +198,6 @@ def runner_of(
         return Runner(model, how, given, power, may)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
     return PlainRunner(model, replace(how, words=words), given, power, may)
-
-
-def _spared(model: CompiledModel, how: Settings) -> Settings:
-    """Settings that take by differences what a large model would derive for minutes."""
-    if model.nu <= LARGE:
-        return how
-    asked = how.method.needs
-    spared = [name for name in how.method.differenced if name in asked]
-    if not spared:
-        return how
-    needs = tuple(name for name in asked if name not in spared)
-    words = f"{how.words}, {' and '.join(spared)} by differences as there are {model.nu} speeds"
-    return replace(how, method=replace(how.method, needs=needs), words=words)
 
 
 def _integrators(model: CompiledModel) -> bool:

@@ -43,10 +43,32 @@ static real end_of(const cardan_run *run)
     return run->stops[run->stop_count - 1];
 }
 
-/* The smallest step that t can resolve. */
+/* The smallest step that t can resolve; beside t = 0 one that is nothing to the motion. */
 static real least(const cardan_run *run)
 {
-    return 16 * DBL_EPSILON * larger(fabs(run->t), fabs(end_of(run) - run->t_start));
+    const real span = smaller(fabs(end_of(run) - run->t_start), run->moment);
+
+    return 16 * DBL_EPSILON * larger(fabs(run->t), span);
+}
+
+/* The time in which the fastest speed leads by 1, or of systems without speeds the state by itself.
+ *
+ * It does not depend on how long the run is to be. Rates of coordinates tell nothing: they have no
+ * bounds where rotations are singular.
+ */
+void cardan_first_moment(cardan_run *run)
+{
+    const ptrdiff_t from = run->nu > 0 ? run->nq : 0, to = run->nu > 0 ? from + run->nu : run->nx;
+    real state = 0, slope = 0;
+
+    for (ptrdiff_t i = from; i < to; i++) {
+        state = fmax(state, fabs(run->y[i]));
+        slope = fmax(slope, fabs(run->f[i]));
+    }
+    if (run->nu > 0)
+        run->moment = 1 / fmax(state, sqrt(slope));
+    else
+        run->moment = state > 0 && slope > 0 ? state / slope : INFINITY;
 }
 
 /* Root mean square of v / scale over the state, at scales of the present state. */
