@@ -255,6 +255,7 @@ int cardan_close(cardan_run *run, real t, real *y, int noted);
 ptrdiff_t cardan_chart_length(const cardan_run *run);
 void cardan_leave_inside(const cardan_run *run, real theta, real *y);
 void cardan_first_moment(cardan_run *run);
+real cardan_least_span(const cardan_run *run);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);
