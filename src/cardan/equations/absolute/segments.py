@@ -154,7 +154,7 @@ class _Builder:
         for part in parts:
             apart = part.common if len(part.names) > FEW else ()
             sorted_by.setdefault((part.kind.name, apart), []).append(part)
-        for some in sorted_by.values():
+        for number, some in enumerate(sorted_by.values()):
             kind, counts = some[0].kind, [len(part.names) for part in some]
             power = np.repeat([part.power for part in some], counts)[:, None]
             yield Group(
@@ -162,14 +162,14 @@ class _Builder:
                 members=[name for part in some for name in part.names],
                 places=np.concatenate([part.places for part in some]),
                 rows=np.zeros((sum(counts), 2), dtype=np.intp),
-                common=self._common(kind, some),
+                common=self._common(f"{kind.name}__data_{number}", some),
                 own=np.concatenate([part.own for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
             )
 
-    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+    def _common(self, name: str, parts: Sequence[_Part]) -> Function:
         """Common data of a group as a function of the parameters of the scene."""
-        name, first = f"{kind.name}__data", parts[0].common
+        first = parts[0].common
         if all(part.common == first for part in parts):
             return self._function(name, first)
         nodes = [node for part in parts for node in part.common * len(part.names)]
