@@ -149,7 +149,7 @@ def test_a_path_that_cannot_begin() -> None:
 
 def test_a_path_that_begins_with_nothing_that_holds(double: cd.CompiledModel) -> None:
     with pytest.warns(cd.SolveWarning, match=r"nothing holds '.*' there. Begin where loads"):
-        path = double.statics({"gravity.z": (0, -9.81)})
+        path = double.statics({"gravity.z": (0, -9.81)}, q={"shoulder": 1.5})
     assert len(path) == 1
 
 

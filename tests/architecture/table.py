@@ -88,7 +88,17 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
 # family -> files in its folder that are not members: what every member builds on
 FAMILIES: dict[str, frozenset[str]] = {
     "elements.flexible": frozenset(
-        {"element", "ends", "relative", "section", "strain", "inertia", "loading"}
+        {
+            "element",
+            "ends",
+            "places",
+            "plane",
+            "relative",
+            "section",
+            "strain",
+            "inertia",
+            "loading",
+        }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force"}),

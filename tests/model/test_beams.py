@@ -13,6 +13,7 @@ import pytest
 import cardan as cd
 from cardan.errors import ModelError
 from cardan.topology import build
+from mechanisms.flexible import FLEXIBLE
 from model.scene_schema import schema
 from model.test_scene import assert_same
 from model.test_scene_round_trip import again
@@ -63,6 +64,12 @@ def test_round_trip(tmp_path: Path) -> None:
     assert not [error.message for error in validator.iter_errors(document(tmp_path / "first.yaml"))]
 
 
+@pytest.mark.parametrize("name", FLEXIBLE)
+def test_published_problems_come_back(name: str, tmp_path: Path) -> None:
+    scene = FLEXIBLE[name]()
+    assert_same(scene, again(scene, tmp_path))
+
+
 def test_included_beams_come_back(tmp_path: Path) -> None:
     scene = cd.Model("two")
     scene.include(frame(), "left", at=scene.ground.at(1, 0, 0))
@@ -94,6 +101,7 @@ forces:
   snow: {type: line_load, beam: boom, force: [0, 0, -100]}
 outputs:
   sag: {expression: "position(boom.end).z", unit: m}
+simulate: {time: 2, u: {boom.end.u.x: 0.5}}
 """
 
 
@@ -117,6 +125,7 @@ def test_scene_file(tmp_path: Path) -> None:
     made.output("sag", boom.end.position()[2], unit="m")
     assert_same(found, made)
     assert len(build(found).segments) == 3
+    assert found.settings["u"] == {"boom.end.u.x": 0.5}
 
 
 MISTAKES = {

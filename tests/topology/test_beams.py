@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from cardan.errors import ModelError, TopologyError
 from cardan.model import Model
 from cardan.topology import System, build
 from cardan.topology.beams import quaternion
+from mechanisms.flexible import FLEXIBLE
 from topology.numbers_of import body_poses, default_q, homogeneous, values
 
 GENERAL = cd.section.general(EA=1e6, GA=1e6, GJ=1e3, EI=1e3, rhoA=1)
@@ -67,6 +69,11 @@ def test_a_cantilever_has_one_node() -> None:
     np.testing.assert_allclose(segment.line.positions[:, 0], segment.line.stations)
     np.testing.assert_allclose(segment.line.rotations, np.broadcast_to(np.eye(3), (5, 3, 3)))
     assert_joined(system)
+
+
+@pytest.mark.parametrize("name", FLEXIBLE)
+def test_ends_of_published_problems_lie_where_they_are_joined(name: str) -> None:
+    assert_joined(build(FLEXIBLE[name]()))
 
 
 def test_named_nodes_cut_a_beam_into_segments() -> None:
@@ -155,6 +162,22 @@ def test_a_beam_between_bodies_that_joints_place() -> None:
     np.testing.assert_allclose(system.segments[0].line.positions[[0, -1]], [[0, 0, 1], [3, 0, 0]])
 
 
+def test_released_ends_have_coordinates(tmp_path: Path) -> None:
+    scene = Model("m")
+    beam = scene.beam("b", scene.ground, (1, 0, 0), GENERAL, release_start=("ry",))
+    scene.force("soft", cd.TorsionSpring("b.start", stiffness=10))
+    scene.output("angle", scene.q("b.start") + 2 * scene.u("b.start"))
+    scene.save(tmp_path / "soft.yaml")
+    for one in (scene, cd.load(tmp_path / "soft.yaml")):
+        system = build(one)
+        (joint,) = (joint for joint in system.joints if not joint.implicit)
+        assert (joint.name, joint.element.kind) == ("b.start", "revolute")
+        assert system.forces[0].joints == {"joint": system.joints.index(joint)}
+        assert values(system, [system.outputs[0].node], q=[3.0] * 8, u=[1.0] * 7) == 5
+    with pytest.raises(ModelError, match=r"no such joint.*b\.start"):
+        scene.q(beam.end.name)
+
+
 def test_joints_at_nodes_have_the_axes_of_the_parent() -> None:
     scene = Model("m")
     beam = scene.beam("b", (1, 0, 0), (1, 2, 0), GENERAL)
@@ -239,6 +262,13 @@ def test_a_beam_may_fly() -> None:
     system = build(scene)
     assert names(system) == [("b.start", "free"), ("b.end", "free")]
     assert_joined(system)
+    (note,) = system.notes
+    assert note.startswith("beam 'b' flies: nothing joins it to the ground")
+    # one note for all that fly together, none for what hangs on the ground
+    scene.beam("c", scene.beams["b"].end, (0, 0, 1), GENERAL)
+    held = scene.beam("d", (1, 1, 0), (1, 2, 0), GENERAL)
+    scene.joint("pin", cd.Revolute("z"), held.end, scene.ground)
+    assert build(scene).notes == (note,)
 
 
 def test_included_beams_move_with_their_ground() -> None:

@@ -144,7 +144,7 @@ class LinearModel:
         for value in shown:
             size = abs(value)
             value = complex(0.0 if abs(value.real) < ROUNDED * size else value.real, value.imag)
-            ratio = f"{-value.real / size:14.5g}" if size > 0 else f"{'-':>14}"
+            ratio = f"{0.0 - value.real / size:14.5g}" if size > 0 else f"{'-':>14}"
             text = f"{value.real:.6g}"
             text += f" +- {value.imag:.6g} i" if value.imag > 0 else ""
             lines.append(f"  {text:<30} {value.imag / (2 * np.pi):14.6g} {ratio}")

@@ -88,9 +88,8 @@ def moment(
 ) -> tuple[Moment, list[int], Array, Any]:
     """The state that is meant, what is held there and by which forces, and the model to take."""
     if x is None and q is None and u is None and z is None:
-        values = dict(r) if isinstance(r, Mapping) else {}
-        if r is not None and not isinstance(r, Mapping):
-            values = dict(zip(model.inputs, np.asarray(r, dtype=float).tolist(), strict=True))
+        given = contract_of(model).given_inputs(r)
+        values = dict(zip(model.inputs, given.tolist(), strict=True))
         x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
     if isinstance(x, Equilibrium):
         system = contract_of(x.model)

@@ -27,7 +27,7 @@ from .equilibrium import Equilibrium
 from .first_order import first_order
 from .linearize import moment
 from .mode_shapes import Modes
-from .saddle import Singular, near, near_quadratic, split
+from .saddle import Singular, is_small, near, near_quadratic, split
 from .static_problem import scaled
 
 Array = NDArray[np.float64]
@@ -102,6 +102,8 @@ def _found(
     found = system.tangents(at)
     K, C, M = (scaled(x, system.columns, system.columns) for x in (found.K, found.C, found.M))
     G = scaled(found.G, 1.0 / system.rows, system.columns)
+    if issparse(K) and is_small(G):
+        K, C, M, G = (x.toarray() for x in (K, C, M, G))
     if held and not issparse(G):
         G = np.concatenate([G, np.eye(len(system.columns))[held]])
     values: Complex

@@ -218,7 +218,7 @@ class Relative:
         """As the contract has them."""
         model, found = self.model, list[str]()
         q, u = model.split(model.random_state(0))
-        N = self.turning(Moment(0.0, q, u, u))
+        N = self.turning(Moment(0.0, q, u, u, r=self.given_inputs(None)))
         for k, name in enumerate(self.speeds):
             own = name.replace(".u", "", 1)
             place = self.coordinates.index(own) if own in self.coordinates else -1

@@ -19,6 +19,7 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
+SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
 
@@ -144,12 +145,19 @@ class Sparse:
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""
+        if is_small(G):
+            return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
         values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
         order = np.argsort(values)
         skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
         return Lowest(values[order], vectors[:, order], largest, skew)
+
+
+def is_small(G: Any) -> bool:
+    """Whether G (m, n) allows so few directions that all of them are looked at."""
+    return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
 def factored(K: Matrix, G: Matrix) -> Any:
@@ -184,7 +192,7 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
 
     operator = LinearOperator((n, n), matvec=apply, dtype=np.float64)
     start = apply(np.random.default_rng(0).normal(size=n))
-    count = min(count, n - 1)
+    count = min(count, n - m - 1)
     values, vectors = eigsh(K, count, M, sigma=shift, OPinv=operator, v0=start)
     return np.asarray(values), np.asarray(vectors)
 
@@ -212,5 +220,5 @@ def near_quadratic(
 
     operator = LinearOperator((2 * n, 2 * n), matvec=apply, dtype=np.float64)
     start = apply(np.random.default_rng(0).normal(size=2 * n))
-    values, vectors = eigs(operator, min(count, 2 * n - 2), v0=start)
+    values, vectors = eigs(operator, min(count, 2 * (n - m) - 2), v0=start)
     return shift + 1.0 / values, vectors[:n]

@@ -167,8 +167,8 @@ def _stopped(
     if last.loose:
         free = " and ".join(last.loose)
         return (
-            f"{ended}: nothing holds {free} there. Begin where loads or springs hold it, or hold it "
-            "yourself: hold={'...': value}"
+            f"{ended}: nothing holds {free} there. Begin where loads or springs hold it, or "
+            "hold it: hold={'...': value}"
         )
     return (
         f"{ended}: the stiffness gives way there{where} (lowest eigenvalue {last.least:.3g} J): a "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
         "mesh": {
             "places": [_place(kind) for kind in places.kinds],
             "kinds": [_kind(kind, absolute.groups) for kind in absolute.kinds],
-            "groups": [_group(group) for group in absolute.groups],
+            "groups": [_group(k, group) for k, group in enumerate(absolute.groups)],
             "frames": "frames__data",
             "states": absolute.states.name,
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
@@ -81,9 +82,17 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
 
 def saved(absolute: Absolute) -> tuple[Function, ...]:
     """Functions of the parameters that the runtime evaluates as they are."""
-    common = (group.common for group in absolute.groups)
-    found = [function for function in common if function is not None]
-    return (*{f.name: f for f in found}.values(), absolute.frames.poses, absolute.states)
+    found = [
+        replace(group.common, name=_common(k, group))
+        for k, group in enumerate(absolute.groups)
+        if group.common is not None
+    ]
+    return (*found, absolute.frames.poses, absolute.states)
+
+
+def _common(k: int, group: Group) -> str:
+    """Name of what gives the data of group k by the parameters, "" where nothing does."""
+    return f"data_{k}__{group.kind.name}" if group.common is not None else ""
 
 
 def functions(absolute: Absolute) -> tuple[Function, ...]:
@@ -164,10 +173,10 @@ def _parts(found: Mapping[str, Function]) -> dict[str, int]:
     return starts
 
 
-def _group(group: Group) -> dict[str, Any]:
+def _group(k: int, group: Group) -> dict[str, Any]:
     return {
         "kind": group.kind.name,
-        "common": group.common.name if group.common is not None else "",
+        "common": _common(k, group),
         "members": list(group.members),
     }
 
@@ -175,7 +184,12 @@ def _group(group: Group) -> dict[str, Any]:
 def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Rows of the coordinates and of the speeds."""
     places, system = absolute.places, absolute.system
-    starts = {j.name: j.q0 for j in system.joints if j.q0 is not None}
+    starts: dict[str, Sequence[float]] = {
+        joint.name: joint.q0 for joint in system.joints if joint.q0 is not None
+    }
+    inner = absolute.reference.reshape(-1, 7)
+    last = places.names[len(places) - len(inner) :]
+    starts |= dict(zip(last, inner.tolist(), strict=True))
     q: list[dict[str, Any]] = []
     u: list[dict[str, Any]] = []
     names = iter(absolute.coordinates), iter(absolute.speeds)

@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..elements.centerlines import Centerline, Straight
-from ..elements.joints.cylindrical import Cylindrical
-from ..elements.joints.joint import Joint as JointElement
-from ..elements.joints.planar import Planar
-from ..elements.joints.prismatic import Prismatic
-from ..elements.joints.revolute import Revolute
-from ..elements.joints.spherical import Spherical
-from ..elements.joints.universal import Universal
+from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..elements.written import axis, is_expression, number, vector
 from ..errors import ModelError, near
 from . import checks
-from .beam import Beam, End, node
+from .beam import RELEASED, Beam, End, node
 from .body import Body
 from .frame import Frame
 
@@ -26,23 +20,10 @@ if TYPE_CHECKING:
     from .model import Model
 
 ROLES = ("start", "end")
-ELEMENTS = ("hellinger_reissner",)
-INERTIAS = ("linked", "lumped")
+# what a beam is made of unless it says
+ELEMENT, INERTIA = "hellinger_reissner", "linked"
 # what an end may be let go in: displacements along and rotations about e1, e2, e3
 RELEASES = ("x", "y", "z", "rx", "ry", "rz")
-# what is let go at an end -> the joint that lets it
-RELEASED: dict[frozenset[str], JointElement] = {
-    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
-    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
-    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
-    frozenset({"rx", "ry"}): Universal("x", "y"),
-    frozenset({"ry", "rz"}): Universal("y", "z"),
-    frozenset({"rx", "rz"}): Universal("x", "z"),
-    frozenset({"x", "y", "rz"}): Planar("z"),
-    frozenset({"y", "z", "rx"}): Planar("x"),
-    frozenset({"x", "z", "ry"}): Planar("y"),
-    frozenset({"rx", "ry", "rz"}): Spherical(),
-}
 # what a beam may have without stress: its names in the order of the house, rotations first
 STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
 
@@ -87,7 +68,7 @@ def add_beam(
         count_of(who, elements),
         None if up is None else axis(who, "up", up),
         line_of(who, line),
-        chosen(who, "element", kinds[0], ELEMENTS),
+        chosen(who, "element", kinds[0], BEAMS),
         chosen(who, "inertia", kinds[1], INERTIAS),
         rise,
         prestrain_of(who, prestrain),
@@ -164,7 +145,7 @@ def count_of(who: str, elements: Any) -> int:
     return int(elements)
 
 
-def chosen(who: str, what: str, given: Any, known: Sequence[str]) -> str:
+def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
     """A word of a list.
 
     Raises:

@@ -9,6 +9,7 @@ from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
 from .ends import Ends
 from .relative import Relative, mean_axes
+from .section import flat
 from .strain import WHOLE, Elastic, Field, StrainElement
 
 # the upper triangle of a symmetric (6, 6) matrix, row by row
@@ -43,4 +44,4 @@ class Bushing(StrainElement):
         whole = Matrix.vstack(theta, e)
         names = [[f"k{min(i, j) + 1}{max(i, j) + 1}" for j in range(6)] for i in range(6)]
         stiffness = Matrix.of(ends.graph, [[ends.number(name) for name in row] for row in names])
-        return Elastic(whole - ends.vector(*WHOLE), whole, stiffness, None, 1.0)
+        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .ends import Ends, Pose
+from .ends import Ends
 from .loading import LoadElement
+from .places import Pose
 
 FORCE = ("dead_force_1", "dead_force_2", "dead_force_3")
 MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")

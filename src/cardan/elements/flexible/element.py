@@ -14,10 +14,9 @@ from typing import Any, ClassVar
 
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
-from ...ir.graph import ONE, ZERO, Graph
+from ...ir.graph import Graph
 from ...ir.matrix import Matrix
-from ...spatial.rotations.quaternion import Quaternion
-from .ends import LOADS, NAMES, NODE, SPEEDS, Ends
+from .ends import NODE, Ends
 
 
 class FlexibleElement(ABC):
@@ -66,7 +65,7 @@ class FlexibleElement(ABC):
         """Its functions between such ends.
 
         Args:
-            kinds: Of both ends: "node", "offset" or "ground"; one is no ground.
+            kinds: Of both ends, see :mod:`.places`; one is no ground.
         """
         return self.functions(self.ends(kinds))
 
@@ -99,16 +98,14 @@ class FlexibleElement(ABC):
 
 
 def balance(ends: Ends, loads: Matrix) -> Output:
-    """What the nodes must be held with (nu)."""
-    names = tuple(f"{NAMES[k]}.{speed}" for k in ends.nodes for speed in SPEEDS)
-    return Output("balance", (loads.rows,), loads.nodes, names, LOADS * len(ends.nodes))
+    """What the ends must be held with (nu)."""
+    return Output("balance", (loads.rows,), loads.nodes, ends.speeds, ends.load_units)
 
 
 def matrix(ends: Ends, name: str, values: Matrix) -> Output:
     """A tangent (nu, nu)."""
-    names = [f"{NAMES[k]}.{speed}" for k in ends.nodes for speed in SPEEDS]
-    entries = tuple(f"{a},{b}" for a in names for b in names)
-    return Output(name, (len(names), len(names)), values.nodes, entries)
+    entries = tuple(f"{a},{b}" for a in ends.speeds for b in ends.speeds)
+    return Output(name, (values.rows, values.columns), values.nodes, entries)
 
 
 def energy(kinetic: Matrix | None, potential: Matrix | None) -> Output:
@@ -129,33 +126,9 @@ def tangents(ends: Ends, loads: Matrix, *letters: str) -> tuple[Output, ...]:
     for letter, name in (("q", "K"), ("u", "C"), ("udot", "M")):
         if letter not in letters:
             continue
-        columns = directional(g, loads.nodes, list(_directions(ends, letter)))
-        values = Matrix(
-            g, loads.rows, loads.rows, [x for row in zip(*columns, strict=True) for x in row]
-        )
+        columns = directional(g, loads.nodes, ends.directions(letter))
+        rows = zip(*columns, strict=True)
+        values = Matrix(g, loads.rows, loads.rows, [x for row in rows for x in row])
         if not values.is_zero:
             found.append(matrix(ends, name, values))
     return tuple(found)
-
-
-def _directions(ends: Ends, letter: str) -> list[dict[int, int]]:
-    """Changes of the entries of a block at unit increments of each speed."""
-    found: list[dict[int, int]] = []
-    for k in ends.nodes:
-        for n in range(6):
-            if letter != "q":
-                found.append({ends.block(letter, k, n, 1).nodes[0]: ONE})
-            elif n < 3:
-                found.append(_turned(ends, k, n))
-            else:
-                found.append({ends.block("q", k, 1 + n, 1).nodes[0]: ONE})
-    return found
-
-
-def _turned(ends: Ends, k: int, n: int) -> dict[int, int]:
-    """Changes of the quaternion of a node, and of its rotation matrix, at unit rotation about n."""
-    axis = Matrix(ends.graph, 3, 1, [ONE if i == n else ZERO for i in range(3)])
-    quaternion, rotation = ends.block("q", k, 0, 4), ends.node_rotation(k)
-    rates, turned = Quaternion().rates(quaternion, axis), rotation @ axis.skew
-    nodes = (*quaternion.nodes, *rotation.nodes)
-    return dict(zip(nodes, (*rates.nodes, *turned.nodes), strict=True))

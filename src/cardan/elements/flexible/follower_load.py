@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .ends import Ends, Pose
+from .ends import Ends
 from .loading import LoadElement
+from .places import Pose
 
 FORCE = ("follower_force_1", "follower_force_2", "follower_force_3")
 MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")

@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from .ends import Ends, Motion, Pose
+from .ends import Ends
 from .inertia import DENSITY, GRAVITY, InertiaElement, spin
+from .places import Motion, Pose
 
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 

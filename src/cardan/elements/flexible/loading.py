@@ -9,7 +9,8 @@ from typing import ClassVar
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
-from .ends import Ends, Pose
+from .ends import Ends
+from .places import Pose
 
 
 class LoadElement(FlexibleElement):

@@ -19,10 +19,10 @@ from ...spatial.short_rotations import (
     HALF_SINE,
     INVERSE_TANGENT,
     Slopes,
-    rotation_vector,
     slopes,
 )
-from .ends import Pose, relative_quaternion
+from .ends import relative_rotation
+from .places import Pose
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,7 @@ class Relative:
     @staticmethod
     def of(start: Pose, end: Pose) -> Relative:
         """The pose of ``end`` seen from ``start``."""
-        w, v, rotation = relative_quaternion(start, end)
-        turn = rotation_vector(w, v)
+        turn, rotation = relative_rotation(start, end)
         inverse = slopes(INVERSE_TANGENT, turn.dot(turn))
         slope = carried_by(turn, Slopes(0.5), inverse)
         position = start.rotation.T @ (end.position - start.position)

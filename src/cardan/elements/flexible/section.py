@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
-from .ends import Ends
+from .ends import OUTSIDE, Ends
 
 # stiffness in the order of the stress [N m², N]; what there is without stress beyond the reference
 # shape, such as by temperature [rad/m, -]
@@ -42,8 +42,14 @@ class Section:
     def of(ends: Ends) -> Section:
         """From the data of an element that has ``SECTION`` and ``SHAPE``."""
         length = ends.number("length")
-        strain = ends.vector(*SHAPE[1:]) + ends.vector(*FREE)
+        strain = flat(ends, ends.vector(*SHAPE[1:]) + ends.vector(*FREE))
         return Section(length, tuple(ends.vector(*STIFFNESS)), strain * length)
+
+
+def flat(ends: Ends, column: Matrix) -> Matrix:
+    """Strain or stress (6, 1) without the entries that leave the plane, where there is one."""
+    nodes = [ZERO if ends.planar and k in OUTSIDE else x for k, x in enumerate(column.nodes)]
+    return Matrix(column.graph, 6, 1, nodes)
 
 
 def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:

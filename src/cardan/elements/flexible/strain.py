@@ -15,6 +15,7 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Number, Scalar
 from ...ir.function import Block, Function, Output
+from ...ir.graph import Graph
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
@@ -32,7 +33,7 @@ from .relative import (
     tangent,
     upper,
 )
-from .section import diagonal
+from .section import diagonal, flat
 
 STRAINS = ("K1", "K2", "K3", "E1", "E2", "E3")
 # the same of the whole element
@@ -140,7 +141,8 @@ class StrainElement(FlexibleElement):
     def _mixed(self, ends: Ends, at: Relative, field: Field) -> dict[str, Function]:
         """Balance and tangent at a stress that is not yet that of the strain, and its increment."""
         first, second = self.measures(at)
-        stress = Matrix(ends.graph, 6, 1, [ends.graph.var("z", k) for k in range(6)])
+        unknown = Matrix(ends.graph, 6, 1, [ends.graph.var("z", k) for k in range(6)])
+        stress = flat(ends, unknown)
         gap, slope, law = (
             field.strain - field.relaxed(stress),
             field.slope(stress),
@@ -171,7 +173,7 @@ class StrainElement(FlexibleElement):
 
     def reference(self) -> Function:
         """theta and e (6) of two poses q: what they are in the reference shape."""
-        ends = Ends(self.ends().graph, (NODE, NODE), ())
+        ends = Ends(Graph(), (NODE, NODE), ())
         at = Relative.of(ends.pose(0), ends.pose(1))
         e = carried_strain(at, *self.measures(at))
         output = Output("reference", (6,), Matrix.vstack(at.turn, e).nodes, STRAINS)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...elements.flexible import FLEXIBLE
+from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
 from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.ends import GROUND as AT_GROUND
 from ...elements.flexible.ends import NODE as AT_NODE
@@ -219,10 +219,10 @@ class _Builder:
 
     def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
         """The elements that a segment is made of."""
-        yield FLEXIBLE[segment.element]()
+        yield BEAMS[segment.element]
         data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
         if data["rhoA"] != (ZERO,):
-            yield FLEXIBLE[f"{segment.inertia}_inertia"]()
+            yield INERTIAS[segment.inertia]
         for kind, names in ASIDE.items():
             if any(node != ZERO for name in names for node in data[name]):
                 yield FLEXIBLE[kind]()

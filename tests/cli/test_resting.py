@@ -1,0 +1,99 @@
+"""``cardan equilibrium``, ``statics``, ``modes`` and ``linearize``: numbers, files, messages."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cardan.cli import main
+
+SCENE = """\
+cardan: 1
+name: column
+gravity: [0, 0, 0]
+parameters: {P: 0, k: 2}
+inputs: {torque: {}}
+bodies:
+  bar: {mass: 1, com: [0, 0, 0.5], inertia: [0.1, 0.1, 0.01]}
+joints:
+  foot: {type: revolute, axis: y, parent: ground, child: bar}
+forces:
+  spring: {type: joint_force, joint: foot, force: torque - k*q(foot)}
+  load: {type: force, frame: {body: bar, at: [0, 0, 1]}, force: [0, 0, -P]}
+"""
+
+
+@pytest.fixture
+def scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "column.yaml").write_text(SCENE, encoding="utf-8")
+    return "column.yaml"
+
+
+def status(*words: str) -> int:
+    try:
+        return main(words)
+    except SystemExit as stop:
+        return int(stop.code or 0)
+
+
+def test_equilibrium(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("equilibrium", scene, "--set", "torque=1") == 0
+    assert "foot = 0.5" in capsys.readouterr().out
+    assert status("equilibrium", scene, "--hold", "foot=0.25", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["holding"]["foot"] == pytest.approx(0.5)
+    assert found["stable"] is True
+    assert status("equilibrium", scene, "--set", "P=3", "--stable", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    angle = found["q"]["foot"]
+    assert 3 * np.sin(angle) == pytest.approx(2 * angle)
+    assert found["stable"] is True
+
+
+def test_no_equilibrium_is_1(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("equilibrium", scene, "--set", "k=0", "--set", "torque=1") == 1
+    said = capsys.readouterr()
+    assert "nothing holds 'foot'" in said.err
+    assert not said.out
+
+
+def test_statics(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    assert status("statics", scene, "--sweep", "P=0,3", "--plot", "path.png") == 0
+    assert "stability changes at P = 2" in capsys.readouterr().out
+    assert (tmp_path / "path.png").is_file()
+    assert status("statics", scene, "--sweep", "foot=0,1", "--steps", "4", "--json") == 0
+    rows = json.loads(capsys.readouterr().out)["rows"]
+    np.testing.assert_allclose([row["holding"]["foot"] for row in rows], [0, 0.5, 1, 1.5, 2])
+    assert status("statics", scene, "--sweep", "P") == 2
+    assert "NAME=FROM,TO" in capsys.readouterr().err
+    assert status("statics", scene, "--sweep", "Q=0,1") == 1
+    assert "no parameter or input 'Q'" in capsys.readouterr().err
+
+
+def test_modes(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("modes", scene, "--set", "P=1", "--view", "mode.html") == 0
+    said = capsys.readouterr().out
+    assert "1 modes" in said
+    assert "wrote mode.html" in said
+    assert "<script" in (tmp_path / "mode.html").read_text("utf-8")
+    assert status("modes", scene, "--json") == 0
+    (mode,) = json.loads(capsys.readouterr().out)["modes"]
+    assert mode["eigenvalue"][1] == pytest.approx(np.sqrt(2 / 0.35))
+    assert status("modes", scene, "--mode", "5", "--view", "mode.html") == 1
+    assert "no mode 5" in capsys.readouterr().err
+
+
+def test_linearize(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("linearize", scene, "--output", "foot", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    np.testing.assert_allclose(found["A"], [[0, 1], [-2 / 0.35, 0]], atol=1e-12)
+    np.testing.assert_allclose(found["B"], [[0], [1 / 0.35]], atol=1e-12)
+    assert found["states"] == ["foot", "foot.u"]
+    assert found["inputs"] == ["torque"]
+    assert status("linearize", scene, "--output", "fot") == 1
+    assert "Did you mean 'foot'" in capsys.readouterr().err
