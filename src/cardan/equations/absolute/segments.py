@@ -114,6 +114,9 @@ def _poses(segment: Segment) -> Numbers:
     from scipy.spatial.transform import Rotation
 
     xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    # of q and -q that beside the one before
+    turned = np.sum(xyzw[1:] * xyzw[:-1], axis=1) < 0
+    xyzw[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
     return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
 
 
@@ -240,9 +243,14 @@ class _Builder:
 def _parts(
     count: int, ends: Sequence[_End]
 ) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
-    """Runs of elements between ends of the same kinds, with the data of these ends."""
+    """Runs of elements between ends of the same kinds, with the data of these ends.
+
+    One element from ground to ground cannot move: it is left out.
+    """
     first, last = ends
     if count == 1:
+        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+            return
         yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
     start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)
