@@ -135,6 +135,23 @@ def test_another_process_goes_on_to_the_bit(double: cd.CompiledModel, tmp_path: 
     assert done.stdout.strip() == stepper.step(0.7).tobytes().hex()
 
 
+def test_a_run_that_an_event_ended_stays_ended(double: cd.CompiledModel, tmp_path: Path) -> None:
+    watched = {"up": ("elbow", 0.2)}
+    stepper = double.stepper(q={"elbow": 0.4}, events=watched)
+    before = stepper.save()
+    stepper.step(5.0)
+    assert stepper.t < 5.0
+    ended = stepper.save(tmp_path / "run.npz")
+    for again in (stepper, double.resume(tmp_path / "run.npz", events=watched)):
+        with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+            again.step(0.1)
+    stepper.restore(before)
+    stepper.step(0.01)
+    stepper.restore(ended)
+    with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+        stepper.step(0.1)
+
+
 def test_files_that_are_no_checkpoint_of_this(
     double: cd.CompiledModel, ball: cd.CompiledModel, tmp_path: Path
 ) -> None:

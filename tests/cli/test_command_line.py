@@ -133,6 +133,16 @@ def test_simulate_by_a_method_from_internal_states(
     assert "DOP853, rtol 1e-06, atol 1e-09" in capsys.readouterr().out
 
 
+def test_simulate_goes_on_from_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (str(ARM), "--time", "2", "--q", "elbow=0.3", "--checkpoint", str(tmp_path / "run"))
+    assert status("simulate", *words, "--json") == 0
+    first = capsys.readouterr().out
+    assert status("simulate", *words, "--json") == 0
+    assert capsys.readouterr().out == first
+    assert status("simulate", *words, "--rtol", "1e-3") == 1
+    assert "belongs to another run" in capsys.readouterr().err
+
+
 def test_defaults_are_those_of_python(capsys: pytest.CaptureFixture[str]) -> None:
     assert status("simulate", str(ARM), "--q", "elbow=0.3", "--json") == 0
     end = json.loads(capsys.readouterr().out)["end"]

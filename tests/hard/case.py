@@ -24,14 +24,11 @@ class Cell:
         bound: Of the error, in the measure of the case.
         how: Tolerances or step, where others than those of the case.
         status: How the run ends.
-        missed: Why it is not met, where that is known: said in the page, and looked at by a test
-            that fails once it is met.
     """
 
     bound: float
     how: Mapping[str, Any] = field(default_factory=dict)
     status: str = FINISHED
-    missed: str = ""
 
 
 @dataclass(frozen=True)

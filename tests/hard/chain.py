@@ -50,7 +50,7 @@ CASE = Case(
         implicit=1e-6,
         damped=1e-2,
         fixed=1e-6,
-        energy=1e-2,
-        EnergyMidpoint=Cell(1e-2, {"step": 1e-2}),
+        energy=5e-3,
+        EnergyMidpoint=Cell(5e-3, {"step": 1e-2}),
     ),
 )

@@ -44,12 +44,12 @@ CASE = Case(
     error=error,
     step=1e-3,
     expected=alike(
-        explicit=1e-7,
-        lower=1e-7,
-        implicit=1e-7,
+        explicit=1e-8,
+        lower=5e-8,
+        implicit=1e-8,
         damped=1e-2,
-        fixed=1e-6,
-        energy=1e-3,
+        fixed=1e-8,
+        energy=1e-5,
         Newmark=UNDAMPED,
     ),
 )

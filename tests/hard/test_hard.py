@@ -23,8 +23,6 @@ def cells() -> Iterator[Any]:
         for method, cell in case.expected.items():
             if isinstance(cell, Cell):
                 marks = [pytest.mark.slow, ASKED] if method in case.slow else []
-                if cell.missed:
-                    marks.append(pytest.mark.xfail(reason=cell.missed, strict=True))
                 yield pytest.param(case, method, marks=marks, id=f"{case.name}-{method}")
 
 

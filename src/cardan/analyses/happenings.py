@@ -80,6 +80,11 @@ class Happenings:
         return tuple(row["name"] for row, kind in pairs if kind <= abi.TICK)
 
     @property
+    def described(self) -> list[Any]:
+        """What may happen in words that are the same in every process."""
+        return [self.rows, [(w.name, w.kind, w.direction) for w in self.watches]]
+
+    @property
     def functions(self) -> tuple[str, ...]:
         """Functions of the model that are called for them."""
         return ("events", "transition") if self.model else ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -50,5 +50,8 @@ class Integrator:
     multipliers: bool = False
     options: tuple[float, ...] = ()
     given_step: bool = False
-    suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = None
+    # in words a method is the same in every process
+    suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = field(
+        default=None, repr=False
+    )
     lanes: bool = False

@@ -33,6 +33,7 @@ class Kept:
     def __init__(self, runner: Runner | PlainRunner) -> None:
         self.runner = runner
         self.rows, self.spreads, self.logs = list[Array](), list[Array](), list[Array]()
+        self._told = 0
 
     def take(self) -> None:
         """Copy what is new, and give the room back."""
@@ -41,6 +42,13 @@ class Kept:
         self.spreads.append(self.runner.spreads[: run.count].copy())
         self.logs.append(self.runner.drained())
         run.count = 0
+
+    def fresh(self) -> tuple[Array, Array, Array]:
+        """Rows, dense output and log since the last call of this."""
+        new = [parts[self._told :] for parts in (self.rows, self.spreads, self.logs)]
+        self._told = len(self.rows)
+        rows, spreads, logs = (np.concatenate(parts) for parts in new)
+        return rows, spreads, logs
 
     def motion(
         self, over: Span, begin: Start, told: tuple[str, str], milliseconds: float

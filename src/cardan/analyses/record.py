@@ -43,7 +43,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment until"),
     (COUNT, "in_segment"),
-    (REAL, "rtol atol max_step h correction"),
+    (REAL, "rtol atol max_step h moment correction"),
     (COUNT, "fresh is_dense rejected on_grid"),
     (REAL, "hold best_hold pass_start pass_length"),
     (COUNT, "held ranks pass_points pass_part pass_parts"),

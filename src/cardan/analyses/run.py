@@ -179,6 +179,7 @@ class Runner:
     def _connect_signals(self) -> None:
         run, pieces = self.record, self.signals.pieces
         table = (Signal * max(1, len(pieces)))()
+        self.pieces = [table[k] for k in range(len(pieces))]
         for row, piece in zip(table, pieces, strict=False):
             row.input, row.pieces, row.where = piece.input, len(piece.coefficients), 0
             row.breaks = self._pointer(np.ascontiguousarray(piece.breaks))

@@ -6,6 +6,7 @@ import time
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,13 +28,13 @@ from .outcome import explain
 from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
+from .run_file import RunFile, run_file
 from .settings import Settings, Start, Values, blocks, settings, start
 from .signals import Signals, signals
+from .spared import spared
 from .times import Span, span
 
 Array = NDArray[np.float64]
-
-LARGE = 40  # speeds of models that are not asked for derivatives
 
 
 def simulate(
@@ -52,6 +53,8 @@ def simulate(
     max_step: float | None = None,
     inputs: Mapping[str, Any] | None = None,
     sample: float | None = None,
+    checkpoint: str | Path | None = None,
+    every: float = 10.0,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Trajectory:
@@ -82,6 +85,8 @@ def simulate(
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
         sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
             a digital controller does. Without it they are called at every stage of every step.
+        checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
+            same call goes on from there, to the bit.
         check: Raise instead of warn when the run does not reach its end.
         progress: True, False or a function of the fraction done; None: a bar on a terminal once
             the run takes longer than a second.
@@ -105,17 +110,40 @@ def simulate(
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
     check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
-    runner = runner_of(model, chosen(how, case), given, may)
-    try:
-        motion = driven(runner, over, begin, progress, case)
-    except Limited as found:
-        runner = runner_of(model, chosen(how, found.case), given, may)
-        motion = driven(runner, over, begin, progress)
+    with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
+        motion = _settled(model, how, given, may, over, begin, case, progress, file)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
-        warnings.warn(motion.message, SolveWarning, stacklevel=3)
+        warnings.warn(motion.message, SolveWarning, stacklevel=4)
     return motion
+
+
+def _settled(
+    model: CompiledModel,
+    how: Settings,
+    given: Signals,
+    may: Happenings,
+    over: Span,
+    begin: Start,
+    case: Case | None,
+    progress: bool | Callable[[float], None] | None,
+    file: RunFile | None,
+) -> Trajectory:
+    """The motion by the method asked for, or by that which its first steps ask for."""
+    first = chosen(how, case)
+    if file is not None and file.method not in ("", first.method.name):
+        # that was settled before the run was left
+        first = replace(how, method=INTEGRATORS[file.method], reason=file.reason)
+        case = None
+    try:
+        runner = runner_of(model, first, given, may)
+        return driven(runner, over, begin, progress, case, file)
+    except Limited as found:
+        if file is not None:
+            file.begin()
+        runner = runner_of(model, chosen(how, found.case), given, may)
+        return driven(runner, over, begin, progress, None, file)
 
 
 def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
@@ -148,7 +176,7 @@ def runner_of(
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
-    how = _spared(model, how)
+    how = spared(model, how)
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -172,19 +200,6 @@ def runner_of(
     return PlainRunner(model, replace(how, words=words), given, power, may)
 
 
-def _spared(model: CompiledModel, how: Settings) -> Settings:
-    """Settings that take by differences what a large model would derive for minutes."""
-    if model.nu <= LARGE:
-        return how
-    asked = how.method.needs
-    spared = [name for name in how.method.differenced if name in asked]
-    if not spared:
-        return how
-    needs = tuple(name for name in asked if name not in spared)
-    words = f"{how.words}, {' and '.join(spared)} by differences as there are {model.nu} speeds"
-    return replace(how, method=replace(how.method, needs=needs), words=words)
-
-
 def _integrators(model: CompiledModel) -> bool:
     """Whether the integrators exist as C here: not without a compiler."""
     try:
@@ -200,6 +215,7 @@ def driven(
     begin: Start,
     progress: bool | Callable[[float], None] | None,
     case: Case | None = None,
+    file: RunFile | None = None,
 ) -> Trajectory:
     """Drive the run to its end and collect what came out.
 
@@ -213,12 +229,14 @@ def driven(
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
         try:
-            answer = _loop(runner, over, begin, kept, show, case)
+            answer = _loop(runner, over, begin, kept, show, case, file)
         except FunctionError as raised:
             answer, problem = abi.INPUT, raised
             kept.take()
     milliseconds = 1e3 * (time.perf_counter() - clock)
     told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    if file is not None and answer == abi.STOPPED:
+        told = told[0], f"{told[1]} in {file.path}, and the same call goes on from there"
     motion = kept.motion(over, begin, told, milliseconds)
     if problem is not None:
         problem.motion = motion
@@ -233,14 +251,21 @@ def _loop(
     kept: Kept,
     show: Callable[[float], None],
     case: Case | None,
+    file: RunFile | None,
 ) -> int:
     """Go on until the run is over. Returns the last answer of the kernels."""
     stops = [*runner.signals.corners(over.start, over.end), over.end]
     answer = runner.start(over.start, begin.x, stops)
+    if file is not None and isinstance(runner, Runner) and answer >= 0:
+        known = file.go_on(runner, kept)
+        if known in (abi.DONE, abi.EVENT):
+            return known
     for said in runner.slices() if answer >= 0 else ():
         answer = said
         if answer != abi.MORE:
             kept.take()
+        if file is not None and isinstance(runner, Runner):
+            file.note(runner, kept, answer)
         done = abs(runner.record.t - over.start) / over.length
         if case is not None and done < 0.5:
             reconsider(case, runner, over, begin.x)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import INTERRUPTED, reading, running
@@ -44,6 +45,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
     reading.arguments(parser)
     running.arguments(parser)
+    parser.add_argument(
+        "--checkpoint",
+        metavar="FILE",
+        type=Path,
+        help="keeps what is computed; the same command goes on from there",
+    )
     results = parser.add_argument_group("results")
     results.add_argument(
         "-o", "--output", metavar="RUN.nc", type=running.file(".nc"), help="netCDF file"
@@ -72,6 +79,7 @@ def run(options: argparse.Namespace) -> int:
         show("simulating", 0.0)
         motion = model.simulate(
             **running.settings(scene, options),
+            checkpoint=options.checkpoint,
             progress=lambda fraction: show("simulating", fraction),
         )
     written = write(motion, options)

@@ -174,6 +174,7 @@ int cardan_run_start(cardan_run *run)
         status = cardan_refresh(run);
     if (status == 0) {
         run->culprit = cardan_not_finite(run->f, run->n);
+        cardan_first_moment(run);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
     if (status == 0 && run->constraint_jacobian.function)

@@ -157,6 +157,7 @@ struct cardan_run {
     /* step size control */
     real rtol, atol, max_step;
     real h; /* next step, signed */
+    real moment; /* in which the state at the start does something: beside t = 0 what counts as time */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
     ptrdiff_t fresh, is_dense, rejected;
     ptrdiff_t on_grid; /* 1: every step is h long */
@@ -253,6 +254,8 @@ ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
 ptrdiff_t cardan_chart_length(const cardan_run *run);
 void cardan_leave_inside(const cardan_run *run, real theta, real *y);
+void cardan_first_moment(cardan_run *run);
+real cardan_least_span(const cardan_run *run);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);

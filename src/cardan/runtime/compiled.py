@@ -288,6 +288,8 @@ class CompiledModel(Analyzed):
         max_step: float | None = None,
         inputs: Mapping[str, Any] | None = None,
         sample: float | None = None,
+        checkpoint: str | Path | None = None,
+        every: float = 10.0,
         check: bool = False,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Trajectory:
@@ -300,12 +302,14 @@ class CompiledModel(Analyzed):
                 noted.
             method, rtol, atol, step, max_step: Such as ``"DOP853"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
+            checkpoint, every: A file that keeps what is computed, and how often [s].
             check, progress: Raise where the end is not reached; show how far it is.
         """
         from ..analyses.simulate import simulate
 
         start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "z": z, "events": events}
         given: dict[str, Any] = {"inputs": inputs, "sample": sample, "progress": progress}
+        given |= {"checkpoint": checkpoint, "every": every}
         how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
         return simulate(self, t, method=method, check=check, **start, **given, **how)
 

@@ -20,7 +20,8 @@ from ...errors import CardanError, ModelError, SolveError, SolveWarning, spelled
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
 from ..choice import Limited
-from ..happenings import Happenings, happenings
+from ..growing import build_key, digest, model_key
+from ..happenings import happenings
 from ..progress import showing
 from ..sample import Plan
 from ..settings import settings
@@ -30,7 +31,7 @@ from .checkpoint import Checkpoint
 from .crew import suits, width_of
 from .gathered import UNFINISHED, Gathered
 from .hands import Block, Client, Threads, interruptible
-from .job import Job, build_key, digest, histories_of
+from .job import Job, histories_of
 from .reductions import reductions
 from .result import Ensemble
 from .single import motion
@@ -202,23 +203,17 @@ def blocks(job: Job) -> list[Block]:
 def whose(job: Job) -> dict[str, str]:
     """Hashes of everything that decides about the answers."""
     model, given = job.model, job.given
-    texts = {name: entry["sha256"] for name, entry in model.manifest["functions"].items()}
     columns = [x for c in job.varied.columns for x in (c.block, c.name, repr(c.place), c.values)]
     pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if job.over.times is None else job.over.times
     functions = sorted(given.functions), given.sample
     return {
-        "model": digest(model.name, texts.get("rhs"), model.parameters.vector),
+        "model": model_key(model),
         "build": job.build,
         "plan": digest(job.varied.runs, *columns, given.constants, *pieces, functions),
-        "settings": digest(job.how, job.over.start, job.over.end, times, _watched(job.may)),
+        "settings": digest(job.how, job.over.start, job.over.end, times, job.may.described),
         "reductions": digest({name: _told(one) for name, one in job.kept.items()}),
     }
-
-
-def _watched(may: Happenings) -> list[Any]:
-    """Events in words that are the same in every process."""
-    return [may.rows, [(w.name, w.kind, w.direction) for w in may.watches]]
 
 
 def _told(reduction: Any) -> str:
@@ -262,5 +257,5 @@ def _judged(result: Ensemble, check: bool) -> Ensemble:
         text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
     if check:
         raise SolveError(text)
-    warnings.warn(text, SolveWarning, stacklevel=4)
+    warnings.warn(text, SolveWarning, stacklevel=5)
     return result
