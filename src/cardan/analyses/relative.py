@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, initial_state, missing
+from ..runtime.initial import entries, missing, start_of
 from .assemble import assemble
 from .closed_start import closed_start
 from .consistent import speeds
@@ -81,7 +81,7 @@ class Relative:
             if array.shape != (model.nq,):
                 raise ModelError(f"q has shape {array.shape}, expected ({model.nq},)")
             named = dict(zip(model.coordinates, array.tolist(), strict=True))
-        x = initial_state(model.manifest, {**named, **hold}, {})[0]
+        x = start_of(model, {**named, **hold}, {})[0]
         place, rest = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
             place = assemble(model, hold, start=place, t=t, r=r).q

@@ -178,6 +178,8 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
         "dead_load": 2,
     }
     assert scene.powers == ("rod", "other")
+    names = [group.common.name for group in scene.groups if group.common is not None]
+    assert len(set(names)) == len(names)
     reference = at_rest(scene)
     u = np.random.default_rng(3).normal(size=scene.places.nu)
     power = Reference(scene, reference.q, u).listed("power", 0 * u, np.zeros(0))

@@ -114,6 +114,9 @@ def _poses(segment: Segment) -> Numbers:
     from scipy.spatial.transform import Rotation
 
     xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    # of q and -q that beside the one before
+    turned = np.sum(xyzw[1:] * xyzw[:-1], axis=1) < 0
+    xyzw[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
     return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
 
 
@@ -154,7 +157,7 @@ class _Builder:
         for part in parts:
             apart = part.common if len(part.names) > FEW else ()
             sorted_by.setdefault((part.kind.name, apart), []).append(part)
-        for some in sorted_by.values():
+        for number, some in enumerate(sorted_by.values()):
             kind, counts = some[0].kind, [len(part.names) for part in some]
             power = np.repeat([part.power for part in some], counts)[:, None]
             yield Group(
@@ -162,14 +165,14 @@ class _Builder:
                 members=[name for part in some for name in part.names],
                 places=np.concatenate([part.places for part in some]),
                 rows=np.zeros((sum(counts), 2), dtype=np.intp),
-                common=self._common(kind, some),
+                common=self._common(f"{kind.name}__data_{number}", some),
                 own=np.concatenate([part.own for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
             )
 
-    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+    def _common(self, name: str, parts: Sequence[_Part]) -> Function:
         """Common data of a group as a function of the parameters of the scene."""
-        name, first = f"{kind.name}__data", parts[0].common
+        first = parts[0].common
         if all(part.common == first for part in parts):
             return self._function(name, first)
         nodes = [node for part in parts for node in part.common * len(part.names)]
@@ -240,9 +243,14 @@ class _Builder:
 def _parts(
     count: int, ends: Sequence[_End]
 ) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
-    """Runs of elements between ends of the same kinds, with the data of these ends."""
+    """Runs of elements between ends of the same kinds, with the data of these ends.
+
+    One element from ground to ground cannot move: it is left out.
+    """
     first, last = ends
     if count == 1:
+        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+            return
         yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
     start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)
