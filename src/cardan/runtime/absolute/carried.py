@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..calling import Array
+from . import loading
+from .trailing import trailed
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -40,12 +42,16 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
         r=inputs[: len(blocks["r"])],
         p=model.parameters.vector,
     )
-    free, moved = set(rest), x.copy()
-    for names, first, values in (
-        (model.coordinates, 0, found["q"]),
-        (model.speeds, model.nq, found["u"]),
-    ):
+    free, moved, names = set(rest), x.copy(), model.coordinates
+    for entries, first, values in ((names, 0, found["q"]), (model.speeds, model.nq, found["u"])):
         for k, value in enumerate(values):
-            if names[k] in free:
+            if entries[k] in free:
                 moved[first + k] = value
-    return moved
+    tables = loading.tables(model.manifest, model.directory)
+    if not tables.beams:
+        return moved
+    # nodes that only beams hold go along, unless somebody says where they are
+    own = {k: names[tables.q[k] : tables.q[k + 1]] for k in model.manifest["mesh"]["loose"]}
+    loose = {k for k, entries in own.items() if free.issuperset(entries)}
+    held = set(range(len(tables.kind))) - loose
+    return trailed(tables, tables.beams, model._layout.start("q"), moved, held)
