@@ -10,7 +10,7 @@ from .naming import comment
 
 # files every integrator needs, and those of each with the functions it calls beside rhs
 RUN = (
-    *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
+    *("run.h", "run.c", "close.c", "control.h", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "happening.c", "search.c", "dips.c"),
     *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),

@@ -1,8 +1,8 @@
 /* Many runs by one thread: one after the other, or each lane its own with its own steps.
  *
- * Part of cardan. Caller owns all memory. What decides about a run, from its first step to the
- * control of every one, is done by the functions of single runs on the record of its lane; lanes
- * only share the arithmetic of trial steps. So a run does not know whether it was alone.
+ * Part of cardan. Caller owns all memory. How a run begins, passes a stop, writes rows and ends is
+ * done by the functions of single runs on the record of its lane; trial steps and their control
+ * are those of single runs in lanes, of the same text. So a run does not know whether it was alone.
  */
 #include "ensemble.h"
 #include <string.h>

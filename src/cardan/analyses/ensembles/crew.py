@@ -147,7 +147,9 @@ class Crew:
         x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
         width = 1 + run.n + run.nr + run.ns + run.nlam
         rows = np.full((count, len(self.times), width), np.nan)
-        ends = (abi.Run * count).from_buffer(bytearray(count * ctypes.sizeof(abi.Run)))
+        # memory that nobody writes to is never touched
+        zeros = np.zeros(count * ctypes.sizeof(abi.Run), np.uint8)
+        ends = (abi.Run * count).from_buffer(zeros.data)
         numbers = np.zeros((count, len(NUMBERS)))
         d = self.driver
         keep = self._own(p)
