@@ -14,6 +14,7 @@
 typedef double cardan_eight __attribute__((vector_size(64), aligned(8), may_alias));
 typedef double cardan_four __attribute__((vector_size(32), aligned(8), may_alias));
 typedef double cardan_two __attribute__((vector_size(16), aligned(8), may_alias));
+typedef uint64_t cardan_four_bits __attribute__((vector_size(32), aligned(8), may_alias));
 #endif
 
 /* Flush denormals to zero: along a chain they cost six times as much. Returns the mode before. */
@@ -67,6 +68,45 @@ static inline void cardan_minus(ptrdiff_t n, double factor, const double *x, dou
 #endif
     for (; j < n; j++)
         y[j] -= factor * x[j];
+}
+
+/* y = factor x unit, n numbers each */
+static inline void cardan_scaled(ptrdiff_t n, double factor, const double *x, const double *unit,
+                                 double *y)
+{
+    ptrdiff_t j = 0;
+
+#if CARDAN_PACK > 1
+    for (; j + 4 <= n; j += 4)
+        *(cardan_four *)(y + j) =
+            factor * *(const cardan_four *)(x + j) * *(const cardan_four *)(unit + j);
+    if (j + 2 <= n) {
+        *(cardan_two *)(y + j) =
+            factor * *(const cardan_two *)(x + j) * *(const cardan_two *)(unit + j);
+        j += 2;
+    }
+#endif
+    for (; j < n; j++)
+        y[j] = factor * x[j] * unit[j];
+}
+
+/* y = the larger of y and |x|, n numbers */
+static inline void cardan_larger(ptrdiff_t n, const double *x, double *y)
+{
+    ptrdiff_t j = 0;
+
+#if CARDAN_PACK > 1
+    for (; j + 4 <= n; j += 4) {
+        const cardan_four_bits size = *(const cardan_four_bits *)(x + j) & ~CARDAN_SIGN;
+        const cardan_four before = *(cardan_four *)(y + j);
+        const cardan_four_bits more = (cardan_four_bits)((cardan_four)size > before);
+        *(cardan_four_bits *)(y + j) = (more & size) | (~more & (cardan_four_bits)before);
+    }
+#endif
+    for (; j < n; j++) {
+        const double size = fabs(x[j]);
+        y[j] = size > y[j] ? size : y[j];
+    }
 }
 
 /* the sum of x y, n numbers */

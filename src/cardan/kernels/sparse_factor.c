@@ -11,18 +11,20 @@
 static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
                  ptrdiff_t width)
 {
-    const ptrdiff_t across = item->turned ? width : 1, down = item->turned ? 1 : width;
-    const double *from = a + item->from;
+    const double *columns = f->columns ? f->columns + item->column : NULL, *from = a + item->from;
     double *to = f->values + item->to;
 
-    for (ptrdiff_t i = 0; i < item->rows; i++, from += item->stride, to += down) {
+    for (ptrdiff_t i = 0; i < item->rows; i++, from += item->stride) {
         const double row = f->rows ? f->rows[item->row + i] : 1;
-        if (f->columns)
+        if (item->turned)
             for (ptrdiff_t j = 0; j < item->columns; j++)
-                to[j * across] = row * from[j] * f->columns[item->column + j];
+                to[j * width] = row * from[j] * (columns ? columns[j] : 1);
+        else if (columns)
+            cardan_scaled(item->columns, row, from, columns, to);
         else
             for (ptrdiff_t j = 0; j < item->columns; j++)
-                to[j * across] = row * from[j];
+                to[j] = row * from[j];
+        to += item->turned ? 1 : width;
     }
 }
 
@@ -36,16 +38,6 @@ static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan
     memset(f->scale + first, 0, (size_t)n * sizeof(double));
     for (ptrdiff_t i = plan->load_start[s]; i < plan->load_start[s + 1]; i++)
         load(plan->load + i, a, f, width);
-}
-
-/* The largest number in each of n columns of D, if larger than what was there. */
-static void judge(ptrdiff_t n, const double *d, ptrdiff_t width, double *scale)
-{
-    for (ptrdiff_t i = 0; i < n; i++, d += width)
-        for (ptrdiff_t j = 0; j < n; j++) {
-            const double size = fabs(d[j]);
-            scale[j] = size > scale[j] ? size : scale[j];
-        }
 }
 
 /* Up to which size a pivot is nothing but rounding. */
@@ -212,7 +204,9 @@ static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_fact
 
         for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
             fill(plan, plan->open[i], a, f);
-        judge(n, panel, width, f->scale + plan->start[s]);
+        /* the largest number in each column of D, or what was there before */
+        for (ptrdiff_t i = 0; i < n; i++)
+            cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
         if (f->count)
             count(plan, s, panel, f);
         if (eliminate(plan, s, panel, f))

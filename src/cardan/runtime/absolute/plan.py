@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError
-from . import ordering
+from . import ordering, stages
 from .pattern import LARGEST, Ints, Longs, Pattern, pattern, ranges
 
 WIDEST = 48
@@ -169,7 +169,7 @@ class _Panels:
     @staticmethod
     def of(matrix: Pattern) -> _Panels:
         """Order, sets, fill and supernodes of a matrix."""
-        order, vertices = ordering.together(matrix)
+        order, vertices = stages.together(matrix)
         nv = int(vertices[-1]) + 1 if len(vertices) else 0
         vertex = np.empty_like(vertices)
         vertex[order] = vertices
