@@ -3,7 +3,7 @@
 #include "sparse_dense.h"
 
 /* pivots below these parts of their size count as zero; what stands for them then */
-#define SPEED_NOISE 4e-15
+#define SPEED_NOISE 3e-14
 #define MULTIPLIER_NOISE 1e-12
 #define REPLACEMENT 1e-8
 

@@ -14,6 +14,7 @@ from .plan import Plan
 
 Reals = NDArray[np.float64]
 ENOUGH = 1e-14
+GOOD = 1e-9
 CARRIED = 1e-3
 
 
@@ -90,13 +91,14 @@ def solution(by: Solver, b: ArrayLike) -> Reals:
     x = by.solve(b)
     if not len(by.weak):
         return x
-    x, _ = by.refine(b, x)
+    x, error = by.refine(b, x)
     carried, unknown = by.carried(b, x)
-    if not carried <= CARRIED:
-        raise SolveError(
-            f"the matrix is singular: nothing but rounding holds {named(by.plan, unknown)}"
-        )
-    return x
+    if carried <= CARRIED and error <= GOOD:
+        return x
+    raise SolveError(
+        f"the matrix is singular: nothing but rounding holds {named(by.plan, unknown)}"
+        f" (backward error {error:.1e})"
+    )
 
 
 def assembled(plan: Plan, values: ArrayLike) -> csr_array:

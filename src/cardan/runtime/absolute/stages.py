@@ -55,9 +55,8 @@ def stages(pattern: Pattern) -> Longs:
     for at, row in held.items():
         stage[row] = stage[at]
     for row in np.flatnonzero(lam & (stage < 0)).tolist():
-        start = _nodes(pattern, row, node)
-        if start:
-            stage[row] = max(_closing(pattern, node, stage, held, start), int(beyond[row]))
+        at = _closing(pattern, node, stage, held, row)
+        stage[row] = at if at < 0 else max(at, int(beyond[row]))
     by_rows = lam[columns] & (stage[columns] >= 0)
     first = nb - _most(rows, columns, waiting[rows] & by_rows, nb - stage)
     stage[waiting] = np.maximum(on_nodes, np.where(first <= nb, first, -1))[waiting]
@@ -103,25 +102,28 @@ def _nodes(pattern: Pattern, row: int, node: Bools) -> list[int]:
     return [int(x) for x in met[node[met]]]
 
 
-def _closing(
-    pattern: Pattern, node: Bools, stage: Longs, held: Mapping[int, int], start: list[int]
-) -> int:
-    """The stage at which the ways from some nodes meet, each going on with what holds it.
+def _closing(pattern: Pattern, node: Bools, stage: Longs, held: Mapping[int, int], row: int) -> int:
+    """The stage at which the ways from the nodes of a row block meet, -1 if it meets none.
 
-    Ways that end on the ground leave all the others to be gone to their ends.
+    Each way goes from a node to those that its own rows hang it on. Ways that end on the ground, or
+    at nodes too small to give way to all rows, leave the others to be gone to their ends.
     """
-    front = [(int(stage[x]), x) for x in start]
+    front = [(int(stage[x]), x) for x in _nodes(pattern, row, node)]
     heapify(front)
-    grounded, at = False, -1
+    missing, at = int(pattern.sizes[row]), -1
+    to_ends = len(front) == 1
     while front:
         at, here = heappop(front)
         while front and front[0][1] == here:
             heappop(front)
-        if not front and not grounded:
+        if not front and not to_ends:
             break
-        if here in held:
-            later = [x for x in _nodes(pattern, held[here], node) if stage[x] > at]
-            grounded = grounded or not later
-            for x in later:
-                heappush(front, (int(stage[x]), x))
+        if here not in held:
+            missing -= int(pattern.sizes[here])
+            to_ends = missing > 0
+            continue
+        later = [x for x in _nodes(pattern, held[here], node) if stage[x] > at]
+        to_ends = to_ends or not later
+        for x in later:
+            heappush(front, (int(stage[x]), x))
     return at
