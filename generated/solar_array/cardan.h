@@ -186,15 +186,27 @@ CARDAN_INLINE void cardan_sincos_any(double x, double *sine, double *cosine)
 #define CARDAN_ANY(x) ((x)[0] | (x)[1])
 #endif
 
+/* whether a mask is set anywhere */
+CARDAN_INLINE int cardan_some(const cardan_mask *mask)
+{
+#if defined __AVX512F__ && CARDAN_PACK == 8
+    int some;
+    __asm__("vptestmq %1, %1, %%k1\n\tkmovw %%k1, %0" : "=r"(some) : "v"(*mask) : "k1");
+    return some != 0;
+#else
+    uint64_t each[CARDAN_PACK];
+    memcpy(each, mask, sizeof each);
+    return CARDAN_ANY(each) != 0;
+#endif
+}
+
 /* whether all numbers of n vectors lie in the range; conservative: their sum may be too large */
 CARDAN_INLINE int cardan_in_range(int n, const cardan_pack *x)
 {
     cardan_pack sum = {0.0};
     for (int i = 0; i < n; ++i) sum += (cardan_pack)((cardan_mask)x[i] & ~CARDAN_SIGN);
     const cardan_mask far = ~(cardan_mask)(sum <= CARDAN_SINCOS_RANGE);
-    uint64_t outside[CARDAN_PACK];
-    memcpy(outside, &far, sizeof far);
-    return CARDAN_ANY(outside) == 0;
+    return !cardan_some(&far);
 }
 
 /* sines and cosines of n vectors of any numbers */

@@ -26,6 +26,10 @@ _PUBLIC: dict[str, str] = {
     "inertia": "model.inertia",
     "shape": "model.shape",
     "table": "elements.tables",
+    "section": "elements.sections",
+    "material": "elements.material",
+    "arc": "elements.centerlines",
+    "spline": "elements.centerlines",
     **dict.fromkeys(
         (
             "Fixed",
@@ -64,6 +68,7 @@ _PUBLIC: dict[str, str] = {
             "Contact",
             "Watch",
             "Drive",
+            "LineLoad",
         ),
         "elements.forces",
     ),
@@ -101,6 +106,7 @@ _PUBLIC: dict[str, str] = {
             "BuildError",
             "CompilerMissing",
             "ArgumentError",
+            "FunctionError",
             "SolveError",
             "BuildWarning",
             "SolveWarning",
@@ -108,7 +114,7 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
-_MODULES = frozenset({"inertia", "shape", "sample", "stability"})
+_MODULES = frozenset({"inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]

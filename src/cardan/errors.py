@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
 
 
 class CardanError(Exception):
@@ -38,6 +40,17 @@ class ArgumentError(CardanError, ValueError, TypeError):
     """An argument of a function is missing, or is not of the kind or shape it must have."""
 
 
+class FunctionError(ArgumentError):
+    """A function that the caller gave raised in a run, or gave no number.
+
+    Attributes:
+        motion: What ``simulate`` had computed until then, a :class:`cardan.Trajectory`; None
+            elsewhere.
+    """
+
+    motion: Any = None
+
+
 class SolveError(CardanError, ArithmeticError):
     """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
 
@@ -61,6 +74,45 @@ def listed(word: str, given: object, example: str) -> list[str]:
     if not all(isinstance(name, str) for name in found):
         raise ModelError(f"{word}={given!r}: give a list of names, such as ['{example}']")
     return [str(name) for name in found]
+
+
+def named(word: str, given: object, example: str) -> Mapping[str, Any]:
+    """Values by name, as the user gave them; nothing of None.
+
+    Raises:
+        ModelError: it is something else.
+    """
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
+        raise ModelError(f"{word}={given!r}: give names with values, such as {word}={{{example}}}")
+    return given
+
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def spelled(function: Callable[P, R]) -> Callable[P, R]:
+    """A function that tells misspelt arguments by the near ones.
+
+    Raises:
+        ArgumentError: on a call with a keyword that it does not have.
+    """
+    code = function.__code__
+    known = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+
+    @wraps(function)
+    def called(*given: P.args, **named: P.kwargs) -> R:
+        unknown = next((name for name in named if name not in known), None)
+        if unknown is None:
+            return function(*given, **named)
+        names = [name for name in known if name not in ("self", "model")]
+        raise ArgumentError(
+            f"{function.__name__}({unknown}=...): there is no such argument.{near(unknown, names)}"
+        )
+
+    return called
 
 
 def near(name: str, known: Iterable[str]) -> str:

@@ -8,22 +8,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import __version__, topology
-from .codegen import generate, layout, manifest
+from .codegen import generate, layout, manifest, mesh
+from .equations.absolute.lowering import lowered
+from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
 from .equations.choice import chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
-from .errors import BuildError, DerivationError, SolveWarning
+from .errors import BuildError, DerivationError, SolveWarning, near
 from .runtime import folder as cache
+from .runtime.absolute.evaluated import FUNCTIONS as OF_ELEMENTS
 from .runtime.compiled import CompiledModel
 
 if TYPE_CHECKING:
     from .model import Model
     from .topology.system import Named, System
 
+COORDINATES = ("auto", "relative", "absolute")
 # what compile() may be asked for unless functions= says otherwise
 STANDARD = (
     "rhs",
@@ -66,21 +70,45 @@ STANDARD = (
 )
 
 
+@overload
 def derive(
     scene: Model,
-    coordinates: str = "relative",
+    coordinates: Literal["auto", "relative"] = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
     rewrites: Sequence[str] | None = None,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
-) -> Equations:
+) -> Equations: ...
+
+
+@overload
+def derive(
+    scene: Model,
+    coordinates: Literal["absolute"],
+    *,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+) -> Absolute: ...
+
+
+def derive(
+    scene: Model,
+    coordinates: str = "auto",
+    method: str = "auto",
+    speeds: Mapping[str, Any] | None = None,
+    rewrites: Sequence[str] | None = None,
+    specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    constraints: str | Treatment = "auto",
+    branches: Mapping[str, str] | None = None,
+) -> Equations | Absolute:
     """Equations of motion of a scene.
 
     Args:
         scene: The model.
-        coordinates: ``"relative"``: joint coordinates over the spanning tree.
+        coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
+            body has six of its own and joints hold them, element by element; ``"auto"``: absolute
+            if there are beams, else relative.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
         speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
             joint speeds ``scene.u(...)``; as many as the system has speeds.
@@ -99,18 +127,31 @@ def derive(
             default what is nearest to the initial values of its joints.
 
     Returns:
-        The record that says everything else: matrices, counts, functions.
+        The record that says everything else: matrices, counts, functions; in absolute coordinates
+        the kinds of elements, their members and functions.
 
     Raises:
         ModelError, TopologyError: the scene is at fault.
         DerivationError: no such method, or it does not take this system.
     """
-    if coordinates != "relative":
-        raise DerivationError(f"coordinates '{coordinates}' do not exist. Known: relative.")
+    if coordinates not in COORDINATES:
+        raise DerivationError(
+            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
+        )
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    if coordinates == "absolute" or (coordinates == "auto" and system.segments):
+        options = {"method": method, "constraints": constraints}
+        given = [name for name, value in options.items() if value != "auto"]
+        others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        return _absolute(system, [*given, *(n for n, x in others.items() if x is not None)])
+    if system.segments:
+        raise DerivationError(
+            f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
+            "scene with beams needs coordinates='absolute'"
+        )
     if system.closures:
         system = with_branches(system)
     chosen: tuple[Named, ...] = ()
@@ -120,8 +161,22 @@ def derive(
     return replace(found, free=topology.build(scene)) if specialize else found
 
 
+def _absolute(system: System, given: Sequence[str]) -> Absolute:
+    """Equations in absolute coordinates.
+
+    Raises:
+        DerivationError: options of joint coordinates.
+    """
+    if given:
+        raise DerivationError(
+            f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
+            "out, or take coordinates='relative'"
+        )
+    return lowered(system)
+
+
 def compile(
-    scene: Model | Equations,
+    scene: Model | Equations | Absolute,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
     *,
@@ -163,6 +218,8 @@ def compile(
         constraints=constraints,
         branches=branches,
     )
+    if isinstance(equations, Absolute):
+        return _of_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
@@ -223,15 +280,32 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
         warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
 
 
-def _derived(scene: Model | Equations, **options: Any) -> Equations:
+def _of_elements(
+    equations: Absolute, directory: str | Path | None, threads: int | None
+) -> CompiledModel:
+    """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
+    folder = Path(directory) if directory is not None else _workspace(equations, None)
+    try:
+        mesh.write(folder, equations, OF_ELEMENTS)
+    except OSError as error:
+        if directory is not None:
+            raise _unwritable(folder, error) from error
+        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
+        mesh.write(folder, equations, OF_ELEMENTS)
+    cache.used(folder)
+    return CompiledModel(folder, threads=threads)
+
+
+def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations | Absolute:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, Equations):
-        return derive(scene, **given)
+    if not isinstance(scene, (Equations, Absolute)):
+        found: Equations | Absolute = derive(scene, **given)
+        return found
     if given:
         raise DerivationError(
             f"{', '.join(given)}: the equations are derived already; give it to derive()"
@@ -239,17 +313,14 @@ def _derived(scene: Model | Equations, **options: Any) -> Equations:
     return scene
 
 
-def fingerprint(equations: Equations, loops: bool | None = None) -> str:
+def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
     digest = hashlib.sha256()
     for part in (
         __version__,
         _compiler_state(),
-        equations.method,
-        equations.rewrites,
-        equations.chosen,
-        equations.treatment,
+        *_choices(equations),
         loops,
         system.graph.nodes,
         system.graph.tables,
@@ -262,6 +333,13 @@ def fingerprint(equations: Equations, loops: bool | None = None) -> str:
     return digest.hexdigest()
 
 
+def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
+    """How equations were derived, besides the system."""
+    if isinstance(equations, Absolute):
+        return "absolute", mesh.numbers(equations)
+    return equations.method, equations.rewrites, equations.chosen, equations.treatment
+
+
 @lru_cache(maxsize=1)
 def _compiler_state() -> list[tuple[str, int, int]]:
     """Size and time of change of every file of this package: an edited compiler starts anew."""
@@ -270,7 +348,7 @@ def _compiler_state() -> list[tuple[str, int, int]]:
     return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
-def _workspace(equations: Equations, loops: bool | None) -> Path:
+def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
 

@@ -47,6 +47,27 @@ def test_closed_circuits(name: str, step: float) -> None:
     assert max(row.after for row in motion.drift.position.values()) <= 1e-14
 
 
+@pytest.mark.parametrize(
+    ("name", "step"),
+    [
+        *(
+            (name, step)
+            for name in ("four_bar", "slider_crank", "andrews")
+            for step in (1e-6, 1e-5)
+        ),
+        ("slider_crank", 2e-4),
+    ],
+)
+def test_circuits_from_rest_in_short_steps(name: str, step: float) -> None:
+    model = cd.compile(CLOSED[name].build())
+    start: dict[str, Any] = {"q": {"A": -0.870175036}} if name == "slider_crank" else {}
+    motion = model.simulate(300 * step, method="EnergyMidpoint", step=step, **start)
+    assert motion.status == "finished"
+    known = model.simulate(300 * step, rtol=1e-11, atol=1e-13, **start)
+    # energies round by some 1e-15 J, and speeds by what that is of them
+    assert np.abs(motion.x[-1] - known.x[-1]).max() <= 1e-3 * np.abs(known.u[-1]).max()
+
+
 def test_the_function_it_needs_is_named() -> None:
     model = cd.compile(ZOO["double_pendulum"].build(), functions=["rhs"])
     with pytest.raises(cd.ModelError, match=r"'EnergyMidpoint' needs the function 'energy'"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import re
 import warnings
 from pathlib import Path
 from typing import Any
@@ -77,6 +78,25 @@ def test_summary_says_what_happened(ball: cd.CompiledModel) -> None:
     assert "events    none" in repr(ball.simulate(0.1, q=START))
 
 
+def test_samples_stay_out_of_the_way(servo: cd.CompiledModel) -> None:
+    motion = servo.simulate(
+        2.0, events={"half": ("x", 0.5), "soon": (lambda t, x: t - 0.07, "mark")}
+    )
+    assert [event.name for event in motion.events] == ["soon", "half"]
+    text = repr(motion)
+    assert "events    soon (mark): 0.07 s\n            half (end): " in text
+    assert f"samples   pid.sample {len(motion.ticks)} times" in text
+    assert motion.statistics["events"] == 2
+    assert motion.statistics["ticks"] == len(motion.ticks)
+    assert motion.ticks[1].kind == "tick"
+    # rows are those of steps, and between them what was held last holds
+    assert len(np.unique(motion.t)) == len(motion) == motion.statistics["steps"] + 1
+    forces = [tick.s_after[1] for tick in motion.ticks]
+    times = np.array([tick.t for tick in motion.ticks])
+    np.testing.assert_array_equal(motion.resample(times)["pid.force"], forces)
+    np.testing.assert_array_equal(motion.resample(times[:-1] + 0.02)["pid.force"], forces[:-1])
+
+
 def test_histories_by_name(ball: cd.CompiledModel) -> None:
     motion = ball.simulate(8.0, q=START, inputs={"push": 0.5}, z={"motor.force": 2.0}, **FINE)
     np.testing.assert_allclose(
@@ -131,9 +151,10 @@ def test_steppers_go_over_events(servo: cd.CompiledModel, ball: cd.CompiledModel
     ticks = 0
     while stepper.t < 1.99:
         stepper.step(0.125)
-        ticks += len(stepper.events)
+        ticks += len(stepper.ticks)
+        assert stepper.events == ()
     np.testing.assert_allclose(stepper.state, whole.x[-1], rtol=0, atol=1e-9)
-    assert ticks == len(whole.events) == 41
+    assert ticks == len(whole.ticks) == 41
     assert stepper.modes["pid.integral"] == pytest.approx(whole["pid.integral"][-1], abs=1e-9)
     falling = ball.stepper(q=START, events={"low": ("z", 0.25)}, **FINE)
     falling.step(0.1)
@@ -290,3 +311,63 @@ def test_reports_of_models_with_states_and_modes(ball: cd.CompiledModel) -> None
     report = ball.report()
     assert {row.function for row in report.rows} >= {"rhs", "forward_dynamics"}
     assert all(row.error is not None and row.error < 1e-14 for row in report.rows)
+
+
+def test_a_first_decision_is_no_event() -> None:
+    scene = cd.Model("box", gravity=(0, 0, -G))
+    box = scene.body("box", mass=1.0)
+    scene.joint("z", cd.Prismatic("z"), scene.ground, box)
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
+    scene.force("rail", cd.Friction("x", coulomb=0.5))
+    scene.force("floor", cd.Contact(box, scene.ground, radius=0.1, stiffness=1e4, damping=0.1))
+    motion = cd.compile(scene).simulate(0.5, q={"z": 0.3}, u={"x": 0.2})
+    assert [e.name for e in motion.events if e.name != "floor.part"][:2] == [
+        "floor.touch",
+        "rail.stop",
+    ]
+    assert motion.statistics["events"] == len(motion.events)
+    assert motion.t[:2].tolist() != [0, 0]
+    assert (motion["rail"][0], motion["floor"][0]) == (1, 1)
+    assert "stop (mode), 2" not in repr(motion)
+
+
+CHANGED: list[tuple[dict[str, float], str]] = [
+    ({"end.lower": 2.0}, "stop of joint 'z': lower=2 must be below upper=1"),
+    ({"end.lower": 2.0, "end.upper": 2.0}, "lower=2 must be below upper=2"),
+    ({"e": 1.5}, "parameter 'e': stop of joint 'z': restitution is 1.5; give 0 ... 1"),
+    ({"end.settle": -1.0}, "settle is -1; give a speed of 0 or more"),
+    ({"rub.coulomb": 3.0}, "friction on joint 'z': static is 2, less than the 3 of sliding"),
+    ({"motor.lag": 0.0}, "actuator of joint 'z': lag is 0; give a time of more than 0"),
+]
+
+
+@pytest.fixture(scope="module")
+def bounded() -> cd.CompiledModel:
+    """Elements whose numbers have limits."""
+    scene = cd.Model("bounded", gravity=(0, 0, -G))
+    scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=2.0))
+    e = scene.parameter("e", 0.3)
+    scene.force("end", cd.Stop("z", lower=-1.0, upper=1.0, restitution=e, settle=1e-3))
+    scene.force("rub", cd.Friction("z", coulomb=0.5, static=2.0))
+    scene.force("motor", cd.Actuator("z", command=1.0, lag=0.1))
+    return cd.compile(scene)
+
+
+@pytest.mark.parametrize(("values", "words"), CHANGED)
+def test_numbers_of_elements_are_judged_when_they_change(
+    bounded: cd.CompiledModel, values: dict[str, float], words: str
+) -> None:
+    with pytest.raises(cd.ModelError, match=re.escape(words)):
+        bounded.with_parameters(values)
+    many = {name: np.array([bounded.parameters[name], value]) for name, value in values.items()}
+    with pytest.raises(cd.ModelError, match=re.escape(words.rpartition(": ")[2])):
+        bounded.ensemble(0.1, parameters=many)
+    with pytest.raises(cd.ModelError, match=r"at \(1,\): "):
+        bounded.mass_matrix(np.zeros((2, 1)), parameters=many)
+
+
+def test_numbers_within_their_limits_are_taken(bounded: cd.CompiledModel) -> None:
+    changed = bounded.with_parameters({"end.lower": 2.0, "end.upper": 3.0, "e": 1.0})
+    assert changed.parameters["e"] == 1.0
+    again = pickle.loads(pickle.dumps(changed))
+    assert dict(again.parameters) == dict(changed.parameters)

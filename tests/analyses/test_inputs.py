@@ -72,12 +72,37 @@ def test_inputs_between_rows(cart: cd.CompiledModel) -> None:
     np.testing.assert_allclose(motion.resample(times)["push"], [0, 0.25, 0.5, 1, 0.25], atol=1e-15)
 
 
-def test_an_error_in_a_function_comes_through(cart: cd.CompiledModel) -> None:
-    def broken(t: float, x: np.ndarray) -> float:
+def broken(t: float, x: np.ndarray) -> float:
+    """A function that works for half a second."""
+    if t > 0.5:
         raise LookupError("no such gain")
+    return 1.0
 
-    with pytest.raises(LookupError, match="no such gain"):
-        cart.simulate(1.0, inputs={"push": broken})
+
+@pytest.mark.parametrize("where", ["inputs", "events"])
+def test_an_error_in_a_function_says_where(cart: cd.CompiledModel, where: str) -> None:
+    name = {"inputs": "push", "events": "bumper"}[where]
+    with pytest.raises(cd.FunctionError) as told:
+        cart.simulate(1.0, max_step=0.1, **{where: {name: broken}})
+    error = told.value
+    assert f"{where}: the function of '{name}' raised at t = " in str(error)
+    assert "LookupError: no such gain" in str(error)
+    assert isinstance(error.__cause__, LookupError)
+    # what was computed until then is kept
+    assert error.motion.status == "function_failed"
+    assert error.motion.message == str(error)
+    assert 0.3 < error.motion.t[-1] <= 0.5
+    push = 1.0 if where == "inputs" else 0.0
+    np.testing.assert_allclose(error.motion["rail.u"], push / 2 * error.motion.t, atol=1e-12)
+
+
+def test_a_stepper_stays_where_a_function_failed(cart: cd.CompiledModel) -> None:
+    stepper = cart.stepper(events={"bumper": broken}, max_step=0.1)
+    there = stepper.step(0.4)
+    with pytest.raises(cd.FunctionError, match="'bumper' raised at t = 0"):
+        stepper.step(0.3)
+    assert stepper.t == 0.4
+    assert (stepper.state == there).all()
 
 
 def test_prescribed_motion_by_values(crank: cd.CompiledModel) -> None:

@@ -133,10 +133,14 @@ def test_interrupt_keeps_what_was_computed(double: cd.CompiledModel, bare: Any) 
 
 def test_error_of_an_input_is_the_users(double: cd.CompiledModel, bare: Any) -> None:
     def torque(t: float, x: np.ndarray) -> float:
-        raise ZeroDivisionError("mine")
+        if t > 0.5:
+            raise ZeroDivisionError("mine")
+        return 0.0
 
-    with pytest.raises(ZeroDivisionError, match="mine"):
+    with pytest.raises(cd.FunctionError, match="ZeroDivisionError: mine") as told:
         bare(double).simulate(1.0, inputs={"torque": torque})
+    assert isinstance(told.value.__cause__, ZeroDivisionError)
+    assert 0 < told.value.motion.t[-1] <= 0.5
 
 
 def test_breakdown_is_told(bare: Any) -> None:
@@ -150,6 +154,22 @@ def test_breakdown_is_told(bare: Any) -> None:
         motion = model.simulate(2.0)
     assert motion.status in ("step_too_small", "not_finite")
     assert motion.t[-1] == pytest.approx(1.0, abs=1e-3)
+
+
+def test_given_steps_in_a_gimbal_lock_end_alike(bare: Any) -> None:
+    scene = cd.Model("ball", gravity=(0, 0, 0))
+    ball = scene.body("ball", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
+    scene.joint("pivot", cd.Spherical(rotation="XYZ"), scene.ground, ball)
+    start: dict[str, Any] = {"q": {"pivot": [0.3, 1.57, -0.5]}, "u": {"pivot": [0.0, 1.0, 0.3]}}
+    start |= {"t": 1.0, "method": "RK4", "step": 0.05}
+    model = cd.compile(scene)
+    with pytest.warns(cd.SolveWarning, match="rotation='quaternion' has no such limits"):
+        compiled = model.simulate(**start)
+    with pytest.warns(cd.SolveWarning, match="rotation='quaternion' has no such limits"):
+        plain = bare(model).simulate(**start)
+    assert plain.status == compiled.status == "singular_rotation"
+    assert plain.message == compiled.message
+    np.testing.assert_allclose(plain.x, compiled.x, **AGREE)
 
 
 def test_steps_into_a_contact_that_go_too_far_are_shortened(bare: Any) -> None:

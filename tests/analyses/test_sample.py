@@ -58,6 +58,7 @@ def test_a_name_is_drawn_on_its_own() -> None:
 
 
 def test_distributions_in_an_ensemble(double: cd.CompiledModel) -> None:
+    plan = {"elbow": cd.sample.normal(0, 0.1)}
     made = double.ensemble(
         0.1, q={"elbow": cd.sample.normal(0, 0.1)}, parameters={"upper.mass": (1.0)}, runs=16
     )
@@ -68,6 +69,8 @@ def test_distributions_in_an_ensemble(double: cd.CompiledModel) -> None:
     )
     np.testing.assert_array_equal(made.varied["elbow"], again.varied["elbow"])
     assert made.varied.keys() == {"elbow"}
+    mixed = double.ensemble(0.1, vary=plan, runs=16, inputs={"torque": [0.0] * 16})
+    np.testing.assert_array_equal(mixed.final, made.final)
 
 
 REFUSED: list[tuple[Any, type[Exception], str]] = [
@@ -76,7 +79,9 @@ REFUSED: list[tuple[Any, type[Exception], str]] = [
     (lambda: cd.sample.grid(m=(1, np.inf, 3)), cd.SolveError, "'m': value 1 is inf"),
     (lambda: cd.sample.grid(m=3.0), cd.ArgumentError, "give .low, high, count."),
     (lambda: cd.sample.grid(a=(0, 1, 1 << 20), b=(0, 1, 1 << 20)), cd.ModelError, "are more than"),
-    (lambda: cd.sample.listed(a=[1, 2], b=[1]), cd.ArgumentError, "one value per run"),
+    (lambda: cd.sample.grid([1, 2]), cd.ModelError, "does not say what is varied"),
+    (lambda: cd.sample.random(9, {"a": (0, 1)}, seed=-1), cd.ModelError, "seed=-1: a whole number"),
+    (lambda: cd.sample.uniform("a", 1), cd.ArgumentError, "must be real numbers"),
     (lambda: cd.sample.random(0, {"a": (0, 1)}), cd.ModelError, "0 is no number of runs"),
     (lambda: cd.sample.random(9, {"a": (1, 0)}), cd.ModelError, "low must be below high"),
     (lambda: cd.sample.random(9, {"a": "x"}), cd.ArgumentError, "'a' is 'x'; give"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -104,6 +105,8 @@ WAYS = [
     {"method": "RK4", "step": 0.003},
     {"method": "Radau"},
     {"method": "Rosenbrock"},
+    {"method": "GeneralizedAlpha"},
+    {"method": "EnergyMidpoint", "step": 0.01},
 ]
 
 
@@ -132,6 +135,23 @@ def test_another_process_goes_on_to_the_bit(double: cd.CompiledModel, tmp_path: 
     assert done.stdout.strip() == stepper.step(0.7).tobytes().hex()
 
 
+def test_a_run_that_an_event_ended_stays_ended(double: cd.CompiledModel, tmp_path: Path) -> None:
+    watched = {"up": ("elbow", 0.2)}
+    stepper = double.stepper(q={"elbow": 0.4}, events=watched)
+    before = stepper.save()
+    stepper.step(5.0)
+    assert stepper.t < 5.0
+    ended = stepper.save(tmp_path / "run.npz")
+    for again in (stepper, double.resume(tmp_path / "run.npz", events=watched)):
+        with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+            again.step(0.1)
+    stepper.restore(before)
+    stepper.step(0.01)
+    stepper.restore(ended)
+    with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+        stepper.step(0.1)
+
+
 def test_files_that_are_no_checkpoint_of_this(
     double: cd.CompiledModel, ball: cd.CompiledModel, tmp_path: Path
 ) -> None:
@@ -148,7 +168,41 @@ def test_files_that_are_no_checkpoint_of_this(
         double.resume(tmp_path / "none.npz")
     with pytest.raises(cd.ModelError, match="does not exist"):
         stepper.save(tmp_path / "none" / "run.npz")
-    for content in (b"", b"PK not at all", path.read_bytes()[:500]):
+    objects = pickle.dumps({"a": 1})
+    for content in (b"", b"PK not at all", b"junk" * 99, objects, path.read_bytes()[:500]):
         (tmp_path / "bad.npz").write_bytes(content)
-        with pytest.raises(cd.ModelError, match=r"bad\.npz is no checkpoint"):
+        with pytest.raises(cd.ModelError, match=r"bad\.npz is no checkpoint") as told:
             double.resume(tmp_path / "bad.npz")
+        assert "pickle" not in str(told.value)
+    np.save(tmp_path / "bad.npy", np.zeros(3))
+    with pytest.raises(cd.ModelError, match="is no checkpoint"):
+        double.resume(tmp_path / "bad.npy")
+    with pytest.raises(cd.ModelError, match=r"cannot be read: Is a directory|is no checkpoint"):
+        double.resume(tmp_path)
+    with pytest.raises(cd.ModelError, match="name the file"):
+        double.resume(3)
+
+
+def test_an_end_is_remembered(double: cd.CompiledModel, tmp_path: Path) -> None:
+    events = {"up": ("elbow", 0.3)}
+    stepper = double.stepper(q={"elbow": 0.4}, events=events)
+    before = stepper.save()
+    stepper.step(2.0)
+    ended = stepper.save(tmp_path / "run.npz")
+    with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+        double.resume(tmp_path / "run.npz", events=events).step(0.1)
+    stepper.restore(before)
+    stepper.step(0.01)
+    stepper.restore(ended)
+    with pytest.raises(cd.SolveError, match="by 'up'; restore an earlier state"):
+        stepper.step(0.1)
+
+
+def test_misspelt_arguments_are_told(double: cd.CompiledModel) -> None:
+    for call in (double.simulate, double.ensemble, double.report, double.step):
+        with pytest.raises(cd.ArgumentError, match=r"\(rtoll=...\).* Did you mean 'rtol'"):
+            call(1.0, *([1.0] if call == double.step else []), rtoll=1e-3)
+    with pytest.raises(TypeError, match=r"stepper\(event=...\).* Did you mean 'events'"):
+        double.stepper(event={})
+    with pytest.raises(TypeError, match=r"no such argument\. .*: path, events"):
+        double.resume("run.npz", evnt={})

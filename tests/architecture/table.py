@@ -87,8 +87,23 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
 
 # family -> files in its folder that are not members: what every member builds on
 FAMILIES: dict[str, frozenset[str]] = {
+    "elements.flexible": frozenset(
+        {
+            "element",
+            "ends",
+            "places",
+            "plane",
+            "relative",
+            "section",
+            "strain",
+            "inertia",
+            "loading",
+        }
+    ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
     "elements.forces": frozenset({"force"}),
+    "elements.sections": frozenset({"section"}),
+    "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
     "equations.relative": frozenset(),
     "equations.treatments": frozenset({"treatment"}),

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import math
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+import cardan as cd
+from cardan.analyses.simulate import simulate
 from cardan.cli import COMMANDS, main
 
 ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"
@@ -92,6 +96,66 @@ def test_simulate_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert found["files"] == ["run.nc", "run.html"]
     assert (tmp_path / "run.nc").stat().st_size > 0
     assert "<html" in (tmp_path / "run.html").read_text(encoding="utf-8").lower()
+
+
+ACTUATED = """\
+cardan: 1
+name: actuated
+gravity: [0, 0, 0]
+bodies: {cart: {mass: 1.0}}
+joints: {slide: {type: prismatic, parent: ground, child: cart, axis: x}}
+forces: {motor: {type: actuator, joint: slide, command: 0.0, lag: 0.5}}
+"""
+
+
+def test_simulate_by_a_method_from_internal_states(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(ACTUATED)
+    words = (str(scene), "--time", "1", "--z", "motor.force=2", "--json")
+    assert status("simulate", *words, "--method", "RK4", "--step", "0.01") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["method"], found["steps"]) == ("RK4", 100)
+    assert found["start"]["motor.force"] == 2.0
+    assert found["end"]["motor.force"] == pytest.approx(2 * math.exp(-2), rel=1e-6)
+    assert status("simulate", *words, "--method", "RK54") == 1
+    assert "Did you mean 'RK4'" in capsys.readouterr().err
+    assert status("simulate", *words[:-3], "--z", "motor.forc=2") == 1
+    assert "Did you mean 'motor.force'" in capsys.readouterr().err
+    # the file may say so too, and typed words come first
+    scene.write_text(ACTUATED + "simulate: {time: 1, z: {motor.force: 3}, method: RK45}\n")
+    assert status("simulate", str(scene), "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["method"], found["start"]["motor.force"]) == ("RK45", 3.0)
+    many = (str(scene), "--vary", "slide.u=0,1", "--z", "motor.force=1", "--method", "DOP853")
+    assert status("ensemble", *many) == 0
+    assert "DOP853, rtol 1e-06, atol 1e-09" in capsys.readouterr().out
+
+
+def test_simulate_goes_on_from_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (str(ARM), "--time", "2", "--q", "elbow=0.3", "--checkpoint", str(tmp_path / "run"))
+    assert status("simulate", *words, "--json") == 0
+    first = capsys.readouterr().out
+    assert status("simulate", *words, "--json") == 0
+    assert capsys.readouterr().out == first
+    assert status("simulate", *words, "--rtol", "1e-3") == 1
+    assert "belongs to another run" in capsys.readouterr().err
+
+
+def test_defaults_are_those_of_python(capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("simulate", str(ARM), "--q", "elbow=0.3", "--json") == 0
+    end = json.loads(capsys.readouterr().out)["end"]
+    model = cd.compile(cd.load(ARM))
+    motion = model.simulate(10.0, q={"elbow": 0.3})
+    assert list(end.values()) == motion.x[-1].tolist()
+    with pytest.raises(SystemExit):
+        main(("simulate", "--help"))
+    text = " ".join(capsys.readouterr().out.split())
+    usual = inspect.signature(simulate).parameters
+    for word in ("rtol", "atol"):
+        default = f"{usual[word].default:.0e}".replace("e-0", "e-")
+        assert f"tolerance per step (default {default})" in text
 
 
 def test_simulate_says_how_well_constraints_are_kept(capsys: pytest.CaptureFixture[str]) -> None:

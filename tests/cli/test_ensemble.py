@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -111,3 +116,22 @@ COUNTS = {
 def test_runs_that_do_not_fit(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     assert status("ensemble", ARM, "--time", "0.1", *words) == 1
     assert COUNTS[words] in capsys.readouterr().err
+
+
+def test_ctrl_c_says_what_is_kept_and_how_to_go_on(tmp_path: Path) -> None:
+    path = tmp_path / "runs.part"
+    words = [ARM, "--vary", "waist=uniform(-1, 1)", "--runs", "2000000", "--threads", "1"]
+    command = [sys.executable, "-m", "cardan", "ensemble", *words, "--checkpoint", str(path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as it:
+        until = time.monotonic() + 120
+        while not path.exists() or path.stat().st_size < 100_000:
+            assert it.poll() is None
+            assert time.monotonic() < until
+            time.sleep(0.02)
+        it.send_signal(signal.SIGINT)
+        out, err = it.communicate(timeout=60)
+    assert it.returncode == 130
+    assert "not_run" in out
+    assert re.search(r"cardan ensemble: interrupted when \d+ of 2000000 runs were done", err)
+    assert re.search(r"\d+ runs are kept in .*runs.part, and the same call goes on", err)
+    assert "Warning" not in err

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import companions
+from cardan.codegen import companions, simulating
 from cardan.codegen.export import export
 from cardan.codegen.layout import KERNELS
 from cardan.equations.recipes import RECIPES
@@ -161,7 +161,7 @@ def test_integrators_keep_what_their_records_say() -> None:
         assert f"cardan_{method.kernel}_rows = {method.dense_rows}" in text
     by_kernel = {method.kernel: method for method in INTEGRATORS.values()}
     for kernel in companions.INTEGRATORS:
-        assert companions.NEEDS.get(kernel, ()) == by_kernel[kernel].needs
+        assert simulating.NEEDS.get(kernel, ()) == by_kernel[kernel].needs
 
 
 def test_the_package_runs_without_cardan(tmp_path: Path) -> None:
@@ -295,7 +295,54 @@ def test_scenes_with_states_and_events(tmp_path: Path) -> None:
     flags = ["-std=c99", "-O1", "-ffp-contract=on", "-DCARDAN_EXAMPLE"]
     subprocess.run(["cc", *flags, "-o", "example", *sources, "-lm"], cwd=directory, check=True)
     done = subprocess.run(["./example"], cwd=directory, capture_output=True, text=True, check=True)
-    # a fall of one second, past the stop, with the force of the motor
-    speed = float(re.findall(r"x\[1\] = (\S+)", done.stdout)[0])
-    pushed = (1.0 - 0.7 * 0.1 * (1 - np.exp(-10.0))) / 2.0
-    assert speed == pytest.approx(pushed - 9.81, abs=1e-9)
+    # a fall of one second, over the stop, with the force of the motor
+    motion = cd.compile(scene).simulate(1.0, rtol=1e-9, atol=1e-12)
+    happens(done.stdout, motion)
+
+
+def happens(text: str, motion: cd.Trajectory) -> None:
+    """A program in C has printed the motion: its events, state and modes."""
+    found = re.findall(r"^event at (\S+): (\S+)$", text, re.MULTILINE)
+    assert [name for _, name in found] == [event.name for event in motion.events]
+    times = [event.t for event in motion.events]
+    assert [float(t) for t, _ in found] == pytest.approx(times, rel=0, abs=1e-9)
+    lines = text.splitlines()
+    assert numbers(lines, "x") == pytest.approx(motion.x[-1].tolist(), rel=0, abs=1e-8)
+    assert numbers(lines, "s") == pytest.approx(motion.s[-1].tolist(), rel=0, abs=1e-8)
+
+
+def machine() -> cd.Model:
+    """Stops, sticking, a contact, samples and an end of the run."""
+    scene = cd.Model("machine", gravity=(0, 0, -9.81))
+    ball = scene.body("ball", mass=2.0)
+    scene.joint("z", cd.Prismatic("z"), scene.ground, ball, q0=0.6, u0=0.5)
+    scene.joint("x", cd.Prismatic("x"), ball, scene.body("slider", mass=0.5), u0=2.0)
+    scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.6))
+    scene.force("rail", cd.Friction("x", coulomb=2.0, static=2.5))
+    x, v = scene.q("x"), scene.u("x")
+    pid = cd.Controller.pid("x", x, v, target=0.4, kp=30.0, ki=1.0, kd=1.0, sample=0.02)
+    scene.force("pid", pid)
+    scene.force('a"bell"?', cd.Watch(scene.q("z") - 0.3, then="mark"))
+    return scene
+
+
+@pytest.mark.parametrize("method", ["dop853", "radau"])
+def test_the_example_runs_over_events(method: str, tmp_path: Path) -> None:
+    scene = machine()
+    folder = cd.derive(scene).export(tmp_path / "c", language="c", integrators=(method,))
+    assert "`simulate` of `example.c` finds" in (folder / "README.md").read_text("utf-8")
+    known = {"dop853": "DOP853", "radau": "Radau"}
+    motion = cd.compile(scene).simulate(1.0, method=known[method], rtol=1e-9, atol=1e-12)
+    names = {event.name for event in motion.events}
+    assert {"floor.lower", "rail.stop", 'a"bell"?'} <= names
+    assert len(motion.ticks) == 51
+    happens("\n".join(example_of(folder)), motion)
+
+
+def test_the_example_ends_where_an_event_ends_it(tmp_path: Path) -> None:
+    scene = machine()
+    scene.force("top", cd.Watch(scene.u("z"), then="end", direction="down"))
+    folder = cd.derive(scene).export(tmp_path / "c", language="c", integrators=("dop853",))
+    motion = cd.compile(scene).simulate(1.0, rtol=1e-9, atol=1e-12)
+    assert motion.status == "event"
+    happens("\n".join(example_of(folder)), motion)

@@ -25,6 +25,7 @@ from spatial.numbers_of import block, close, difference, moving, numbers
 INSTANCES: dict[str, ForceElement] = {
     "force": cd.Force("A", (1.0, -2.0, 0.5)),
     "force in axes": cd.Force("A", (1.0, -2.0, 0.5), in_="B"),
+    "line load": cd.LineLoad("blade", force=(1.0, 0.0, -2.0), moment=(0.0, 3.0, 0.0)),
     "torque": cd.Torque("A", (0.3, 0.0, -2.0)),
     "torque in axes": cd.Torque("A", (0.3, 0.0, -2.0), in_="B"),
     "spring": cd.SpringDamper("A", "B", stiffness=30.0, length=0.4),

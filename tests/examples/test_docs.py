@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+import cardan as cd
+
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
 SHOWN = [
@@ -35,3 +37,20 @@ def test_links(page: Path) -> None:
     links = re.findall(r"\]\(([^)#]+)[^)]*\)", page.read_text(encoding="utf-8"))
     missing = [x for x in links if "://" not in x and not (page.parent / x).exists()]
     assert not missing
+
+
+def test_the_table_of_modes_is_that_of_the_elements() -> None:
+    page = (DOCS / "forces.md").read_text(encoding="utf-8")
+    body = cd.Model("scene").body("ball", mass=1.0)
+    elements = (
+        cd.Friction("x", coulomb=1.0),
+        cd.Stop("x", lower=0.0),
+        cd.Lock("x", when=1.0),
+        cd.Contact(body, body, radius=0.1, stiffness=1e5),
+    )
+    table = page[page.index("| element | its mode") :]
+    for element in elements:
+        (mode,) = element.modes()
+        found = re.search(rf"^\| `{type(element).__name__}` \| (.*) \|$", table, re.MULTILINE)
+        assert found is not None
+        assert set(found[1].split(", ")) == {f"{value} {words}" for value, words in mode.labels}

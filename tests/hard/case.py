@@ -24,14 +24,11 @@ class Cell:
         bound: Of the error, in the measure of the case.
         how: Tolerances or step, where others than those of the case.
         status: How the run ends.
-        missed: Why it is not met, where that is known: said in the page, and looked at by a test
-            that fails once it is met.
     """
 
     bound: float
     how: Mapping[str, Any] = field(default_factory=dict)
     status: str = FINISHED
-    missed: str = ""
 
 
 @dataclass(frozen=True)
@@ -42,7 +39,6 @@ class Never:
 
 
 UNDAMPED = Never("it damps nothing, and what is held by constraints needs damping")
-ROUNDED = "energies of short steps round more than its equations allow"
 Table = Mapping[str, Cell | Never]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import cardan as cd
 from mechanisms.chain import chain
 
-from .case import DAMPED, Case, Cell, Never, alike
+from .case import Case, Cell, alike
 
 LINKS = 100
 TIMES = np.linspace(0, 1.0, 6)
@@ -34,7 +34,6 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
     return float(np.abs(motion.q - known(model)[: len(motion), :LINKS]).max())
 
 
-LARGE = Never("deriving the derivatives it needs takes minutes for so many links")
 CASE = Case(
     name="100 links",
     hard="a chain of 100 rods in space, let go from horizontal, for 1 s",
@@ -51,8 +50,7 @@ CASE = Case(
         implicit=1e-6,
         damped=1e-2,
         fixed=1e-6,
-        energy=1e-2,
-        EnergyMidpoint=Cell(1e-2, {"step": 1e-2}),
-        **dict.fromkeys(("Radau", "Rosenbrock", *DAMPED), LARGE),
+        energy=5e-3,
+        EnergyMidpoint=Cell(5e-3, {"step": 1e-2}),
     ),
 )

@@ -107,6 +107,19 @@ def test_from_rest(start: list[float], tmp_path: Path) -> None:
     np.testing.assert_allclose(motion.x[-1], known.x[-1], rtol=0, atol=5e-3 * max(start))
 
 
+@pytest.mark.parametrize("step", [1e-3, 1e-5, 1e-7])
+@pytest.mark.parametrize("start", [[1.0, 0.0], [1.0, 1e-6], [3.0, 0.0]])
+def test_short_steps_from_rest(start: list[float], step: float, tmp_path: Path) -> None:
+    # what a step changes at first is far below what the energy rounds by
+    motion = quartic(tmp_path).run(500 * step, start, step=step, **METHOD)
+    assert motion.status == "finished"
+    assert len(motion) == 501
+    known = quartic(tmp_path).run(500 * step, start, rtol=1e-13, atol=1e-15)
+    # of order 2, and roundings in every step
+    allowed = 2 * step**2 * np.abs(known.x).max() + 2e-13
+    assert np.abs(motion.x[-1] - known.x[-1]).max() <= allowed
+
+
 def test_no_solution_is_said(tmp_path: Path) -> None:
     # nothing can have this energy but the start
     other = quartic(tmp_path, energy_of="out[0] = 0; out[1] = out[2] = t > 0.35;")

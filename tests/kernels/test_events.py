@@ -309,7 +309,12 @@ def test_internal_states_and_ticks(bare: bool, tmp_path: Path) -> None:
         bare=bare,
     )
     motion = lag.run(1.1, [0, 0, 0], rtol=1e-11, atol=1e-12)
-    np.testing.assert_array_equal(when(motion), [0, 0.25, 0.5, 0.75, 1.0])
+    assert motion.events == ()
+    np.testing.assert_array_equal([tick.t for tick in motion.ticks], [0, 0.25, 0.5, 0.75, 1.0])
+    # one row of each time, with what is held from there on
+    assert len(np.unique(motion.t)) == len(motion)
+    for tick in motion.ticks:
+        assert motion["held"][motion.t == tick.t] == tick.s_after
     z, wanted = 0.0, []
     for _ in range(4):
         held = 1 - z

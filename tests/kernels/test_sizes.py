@@ -64,6 +64,7 @@ ABSURD = [
     ("stop_count", 0),
     ("signal_count", -1),
     ("quaternion_count", 2**61),
+    ("bounded_count", -1),
     ("positions", -1),
     ("rates", 2**61),
 ]

@@ -90,6 +90,18 @@ def test_robertson(method: str, tmp_path: Path) -> None:
     assert motion.statistics["steps"] < 200
 
 
+@METHODS
+@pytest.mark.parametrize("first", [{}, {"step": 1e-6}])
+def test_a_long_run_begins_with_short_steps(
+    method: str, first: dict[str, float], tmp_path: Path
+) -> None:
+    problem = Problem(tmp_path, ROBERTSON, nq=3, nu=0, jacobian=BY_HAND)
+    motion = problem.run([0, 1e11], [1, 0, 0], method=method, rtol=1e-6, atol=1e-14, **first)
+    # the same source: what is left after 1e11 s
+    np.testing.assert_allclose(motion.q[-1, :2], (2.083340149701e-8, 8.333360770334e-14), rtol=1e-3)
+    assert motion.statistics["steps"] < 800
+
+
 def test_factors_are_kept(tmp_path: Path) -> None:
     problem = Problem(tmp_path, VAN_DER_POL)
     motion = problem.run([0, 2000.0], [2, 0], method="Radau", rtol=1e-8, atol=1e-10)

@@ -28,7 +28,7 @@ def test_dry_friction_takes_the_same_amplitude_every_half_cycle() -> None:
     scene.force("rail", cd.Friction("x", coulomb=friction))
     motion = cd.compile(scene).simulate(12.0, q={"x": 1.0}, **FINE)
     half = np.pi * np.sqrt(m / k)
-    stops = [event for event in motion.events if event.name == "rail.stop"][1:]
+    stops = [event for event in motion.events if event.name == "rail.stop"]
     # until the spring is too weak to pull it loose
     count = int(np.ceil((1.0 - friction / k) / (2 * friction / k)))
     assert np.allclose([e.t for e in stops], half * np.arange(1, count + 1), rtol=0, atol=1e-9)
@@ -202,7 +202,7 @@ def test_a_contact_bounces_as_its_equation_says() -> None:
     wanted = solve_ivp(falls, (0, 1), [0.5, 0], rtol=1e-12, atol=1e-13, max_step=1e-3).y[:, -1]
     assert motion.x[-1] == pytest.approx(wanted, abs=1e-7)
     names = [event.name for event in motion.events]
-    assert names[:4] == ["floor.touch", "floor.touch", "floor.part", "floor.touch"][: len(names)]
+    assert names[:3] == ["floor.touch", "floor.part", "floor.touch"][: len(names)]
     assert np.abs(motion.drift.energy).max() < 1e-8
 
 
@@ -343,7 +343,7 @@ def test_friction_turns_round_where_the_mechanism_has_a_dead_point(treatment: st
     model = cd.compile(cd.derive(scene, constraints=treatment))
     motion = model.simulate(1.0, q={"A": 1.0}, **FINE)
     assert motion.success, motion.message
-    stops = [event for event in motion.events[1:] if event.name == "pivot.stop"]
+    stops = [event for event in motion.events if event.name == "pivot.stop"]
     # the crank moves: no end of the motion itself
     at_dead_points = [event for event in stops if abs(event.x[model.nq]) > 1]
     assert len(at_dead_points) >= 3
@@ -363,9 +363,9 @@ def test_a_sliding_block_bounces_against_its_friction() -> None:
     # 0.5 m/s^2 on the way there, back with half of what is left, again 0.5 m/s^2
     back = 0.5 * np.sqrt(4.0 - 2 * 0.5)
     assert motion["x"][-1] == pytest.approx(1.0 - back**2 / (2 * 0.5), abs=1e-9)
-    assert [e.name for e in motion.events] == ["rail.stop", "end.upper", "rail.stop"]
-    assert motion.events[1].s_after.tolist() == [0, -1]
-    assert motion.events[2].t == pytest.approx((2 - 2 * back) / 0.5 + back / 0.5, abs=1e-9)
+    assert [e.name for e in motion.events] == ["end.upper", "rail.stop"]
+    assert motion.events[0].s_after.tolist() == [0, -1]
+    assert motion.events[1].t == pytest.approx((2 - 2 * back) / 0.5 + back / 0.5, abs=1e-9)
     assert np.abs(motion.drift.energy).max() < 1e-12
 
 

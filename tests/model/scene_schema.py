@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from cardan.analyses.integrators import INTEGRATORS
+from cardan.elements.flexible import BEAMS, INERTIAS
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
 from cardan.elements.tables import KINDS as CURVES
 from cardan.elements.written import AXES
+from cardan.model.beam_arguments import RELEASES
 from cardan.model.body import INERTIA_ENTRIES
 from cardan.model.dh import CONVENTIONS
 from cardan.model.dh import KINDS as DH_TYPES
@@ -101,6 +103,16 @@ def members(family: dict[str, Any], known: Any) -> Schema:
     return by_name({"oneOf": [record(known(kind), type={"const": kind}) for kind in family]})
 
 
+def chosen(what: str) -> Schema:
+    """{kind: {...}}, a member of a family."""
+    return {
+        "anyOf": [
+            record([Key(kind, kind, True)], **{kind: record(keys.of_element(member))})
+            for kind, member in keys.CHOICES[what].items()
+        ]
+    }
+
+
 # kinds of values; filled in the order in which records need them
 KINDS: dict[str, Schema] = {
     "version": {"const": keys.VERSION},
@@ -169,6 +181,22 @@ KINDS |= {
     "outputs": by_name({"anyOf": [EXPRESSION, record(keys.OUTPUT)]}),
     "simulate": record(keys.SIMULATE, method={"enum": ["auto", *INTEGRATORS]}),
 }
+KINDS |= {
+    "end": {"anyOf": [reference("vector"), reference("place")]},
+    "section": chosen("section"),
+    "line": chosen("line"),
+    "material": record(keys.MATERIAL),
+    "prestrain": record(keys.PRESTRAIN),
+}
+KINDS["beams"] = by_name(
+    record(
+        keys.BEAM,
+        element={"enum": list(BEAMS)},
+        inertia={"enum": list(INERTIAS)},
+        release_start={"type": "array", "items": {"enum": list(RELEASES)}},
+        release_end={"type": "array", "items": {"enum": list(RELEASES)}},
+    )
+)
 KINDS["dh"] = by_name(record(keys.DH, convention={"enum": list(CONVENTIONS)}))
 
 

@@ -18,6 +18,7 @@ from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
 from cardan.model.files.scene import from_text, keys
 from cardan.pipeline import fingerprint
+from cardan.topology import build
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -27,6 +28,12 @@ def scene(text: str) -> cd.Model:
 
 
 def assert_same(one: cd.Model, other: cd.Model) -> None:
+    if one.beams:
+        first, second = (
+            (repr(system), system.graph.nodes) for system in (build(one), build(other))
+        )
+        assert first == second
+        return
     assert fingerprint(cd.derive(one)) == fingerprint(cd.derive(other))
 
 
@@ -139,6 +146,7 @@ FITTING: dict[str, dict[str, Any]] = {
     "lock": {"locked": True},
     "contact": {"sphere": "a", "other": "ground", "normal": "x"},
     "watch": {"then": "end", "direction": "up"},
+    "line_load": {"beam": "b", "force": [0, 1.5, 0], "moment": [0, 0, 2.0], "follower": True},
 }  # fmt: skip
 
 
@@ -154,11 +162,19 @@ def test_every_force_takes_its_own_keys(kind: str) -> None:
     found = scene(
         "bodies: {a: {mass: 1, inertia: [1, 1, 1]}}\n"
         "joints: {j: {type: revolute, parent: ground, child: a}}\n"
-        f"forces: {{f: {text}}}\n"
+        + (
+            "beams: {b: {start: ground, end: [1, 0, 0], section: {general: {EA: 1, GA: 1, GJ: 1, "
+            "EI: 1}}}}\n"
+            if kind == "line_load"
+            else ""
+        )
+        + f"forces: {{f: {text}}}\n"
     )
     made = cd.Model("scene")
     places = {"ground": made.ground, "a": made.body("a", mass=1, inertia=(1, 1, 1))}
     made.joint("j", cd.Revolute(), made.ground, places["a"])
+    if kind == "line_load":
+        made.beam("b", made.ground, (1, 0, 0), cd.section.general(EA=1, GA=1, GJ=1, EI=1))
     arguments = {
         name: places[value] if isinstance(value, str) and value in places else value
         for name, value in given.items()

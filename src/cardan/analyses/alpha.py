@@ -170,6 +170,7 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
         source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
         "A. Cardona, Numer. Math. 129 (2015)",
         needs=("balance", "balance_tangent", "move", "qdot"),
+        differenced=("balance_tangent",),
         multipliers=True,
         options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index)),
         given_step=True,
@@ -199,6 +200,9 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
         ModelError: the model is not one for it.
     """
     alpha, index = Alpha(*method.options[:4]), int(method.options[4])
+    if "mesh" in model.manifest:
+        # matrices are assembled where the elements are
+        method = replace(method, needs=("balance", "move", "qdot"))
     if any(row["joint"] is None for row in model.manifest["speeds"]):
         raise ModelError(
             f"method '{method.name}' moves along the speeds of the joints, and those of model "

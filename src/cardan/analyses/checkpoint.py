@@ -7,7 +7,6 @@ import json
 import math
 import zipfile
 from collections.abc import Mapping
-from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,22 +16,17 @@ from .. import __version__
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.storage import replaced
-from . import record as abi
 from .happenings import happenings
 from .integrators import INTEGRATORS
 from .plain import PlainRunner
-from .plain_record import Progress
 from .run import Runner, Saved
+from .saved_record import record_of, saved_of
 from .settings import Settings
 from .signals import signals
 from .simulate import runner_of
 
-FORMAT = 1
-# of the record: what belongs to a process, or to the room that rows have there
-PASSING = {
-    *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
-    *("time_count", "next_time", "budget", "stop"),
-}
+FORMAT = 2
+NONE = "give a file that stepper.save(path) wrote"
 
 
 def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path) -> None:
@@ -65,7 +59,8 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         "words": how.words,
         "max_step": None if math.isinf(how.max_step) else how.max_step,
         "events": [dict(row) for row in runner.may.rows],
-        "record": _record(runner),
+        "record": record_of(runner),
+        "over": saved.over,
         **numbers,
     }
     parts: dict[str, Any] = {
@@ -79,8 +74,8 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
 
 def read(
     model: CompiledModel, path: Path, events: Mapping[str, Any] | None
-) -> tuple[Runner | PlainRunner, Settings]:
-    """The run of a checkpoint, where it was.
+) -> tuple[Runner | PlainRunner, Settings, str]:
+    """The run of a checkpoint, where it was, and what ended it.
 
     Args:
         model: The model it is of.
@@ -114,8 +109,8 @@ def read(
             "would go on otherwise: bits differ"
         )
     runner.want(None, dense=False)
-    runner.restore(_saved(runner, head["record"], memory, ticks, path))
-    return runner, how
+    runner.restore(saved_of(runner, head["record"], memory, ticks, path))
+    return runner, how, str(head["over"])
 
 
 def _key(runner: Runner | PlainRunner) -> str:
@@ -130,55 +125,24 @@ def _key(runner: Runner | PlainRunner) -> str:
     return found.hexdigest()
 
 
-def _record(runner: Runner | PlainRunner) -> dict[str, float]:
-    """The numbers of the record that a run goes on from."""
-    run = runner.record
-    if isinstance(run, Progress):
-        return asdict(run)
-    return {name: getattr(run, name) for name in _fields()}
-
-
-def _fields() -> list[str]:
-    """Fields of the record that are numbers, and belong to the run."""
-    numbers = [name for kind, names in abi.FIELDS if kind != abi.POINTER for name in names.split()]
-    return [name for name in numbers if name not in PASSING]
-
-
-def _saved(
-    runner: Runner | PlainRunner, numbers: Mapping[str, Any], memory: Any, ticks: bytes, path: Path
-) -> Saved:
-    """The checkpoint as the run takes it."""
-    run = runner.record
-    known = [f.name for f in fields(run)] if isinstance(run, Progress) else _fields()
-    whole = runner.save()
-    if set(numbers) != set(known) or len(whole.memory) != memory.nbytes:
-        raise ModelError(f"{path} was written by another version of cardan; start the run anew")
-    record: Any
-    if isinstance(run, Progress):
-        record = replace(run, **numbers)
-    else:
-        other = abi.Run.from_buffer_copy(whole.record)
-        for name, value in numbers.items():
-            setattr(other, name, value)
-        record = bytes(other)
-    if len(ticks) != len(whole.ticks):
-        raise ModelError(f"{path}: its samples are not those of the model")
-    return Saved(record, memory.tobytes(), whole.owner, ticks)
-
-
 def _parts(path: Path) -> tuple[dict[str, Any], Any, bytes]:
     """Head, memory and ticks of a file."""
     try:
+        # other files than archives may hold objects, about which NumPy has advice
+        if path.exists() and not zipfile.is_zipfile(path):
+            raise zipfile.BadZipFile
         with np.load(path, allow_pickle=False) as file:
             head = json.loads(file["head"].tobytes())
             memory, ticks = file["memory"], file["ticks"].tobytes()
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
-    except (OSError, ValueError, KeyError, AttributeError, EOFError, zipfile.BadZipFile) as error:
-        raise ModelError(f"{path} is no checkpoint that cardan can read: {error}") from error
-    needed = {"cardan_checkpoint", "key", "method", "record", "events", "words", "max_step"}
+    except OSError as error:
+        raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
+    except (ValueError, KeyError, AttributeError, EOFError, zipfile.BadZipFile) as error:
+        raise ModelError(f"{path} is no checkpoint, or is damaged: {NONE}") from error
+    needed = {"cardan_checkpoint", "key", "method", "record", "events", "words", "max_step", "over"}
     if not isinstance(head, dict) or not needed <= set(head) or memory.dtype != np.float64:
-        raise ModelError(f"{path} is no checkpoint of cardan")
+        raise ModelError(f"{path} is no checkpoint: {NONE}")
     if head["cardan_checkpoint"] != FORMAT:
         raise ModelError(f"{path} was written by another version of cardan; start the run anew")
     return head, memory, ticks

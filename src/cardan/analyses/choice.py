@@ -29,6 +29,7 @@ class Case:
         derived: Whether the model has the Jacobian of its right-hand side.
         asked: Whether inputs are functions of the user, of which no derivative is known.
         stiff: Whether stability has limited the steps of an explicit method.
+        elements: Whether the model is one of elements in absolute coordinates.
     """
 
     rtol: float
@@ -37,6 +38,7 @@ class Case:
     derived: bool = True
     asked: bool = False
     stiff: bool = False
+    elements: bool = False
 
     @property
     def hurried(self) -> bool:
@@ -69,6 +71,11 @@ class Rule:
 
 STIFF = "stability limited the steps of DOP853, not accuracy"
 RULES: tuple[Rule, ...] = (
+    Rule(
+        "GeneralizedAlpha",
+        lambda case: case.elements,
+        "elements in absolute coordinates: stiff, with constraints, solved with sparse matrices",
+    ),
     Rule(
         "DOP853",
         lambda case: case.stiff and not case.derived,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, named, near
 from ..runtime.compiled import CompiledModel
 from . import record as abi
 from .signals import checked
@@ -59,14 +59,15 @@ class Happenings:
     """Everything that may happen in a run.
 
     Attributes:
-        rows: name, element and kind of every event: those of the model, then those watched.
+        rows: name, element and kind of every event: those of the model, then those watched; some
+            with ``decides``, see :class:`.Happened`.
         kinds: The same as numbers of the kernels (ne,).
         model: How many of them are the model's.
         ticks: Rows event, period, phase of the manifest.
         watches: What the caller watches.
     """
 
-    rows: tuple[dict[str, str], ...]
+    rows: tuple[dict[str, Any], ...]
     kinds: tuple[int, ...]
     model: int
     ticks: tuple[Mapping[str, Any], ...]
@@ -77,6 +78,11 @@ class Happenings:
         """Names of the events that change something, which no run can go back over."""
         pairs = zip(self.rows, self.kinds, strict=True)
         return tuple(row["name"] for row, kind in pairs if kind <= abi.TICK)
+
+    @property
+    def described(self) -> list[Any]:
+        """What may happen in words that are the same in every process."""
+        return [self.rows, [(w.name, w.kind, w.direction) for w in self.watches]]
 
     @property
     def functions(self) -> tuple[str, ...]:
@@ -143,18 +149,12 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
         ModelError: an unknown name, kind or direction. ArgumentError: nothing to watch.
         SolveError: a value that is not finite.
     """
-    rows = [
-        {key: str(row[key]) for key in ("name", "element", "kind")}
-        for row in model.manifest.get("events", ())
-    ]
+    rows = [_row(model, row) for row in model.manifest.get("events", ())]
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
-    if given is not None and not isinstance(given, Mapping):
-        raise ModelError(
-            f"events={given!r}: names with what to watch are wanted: events={{'a': f}}"
-        )
-    watches = [_watch(model, name, what) for name, what in (given or {}).items()]
+    watched = named("events", given, "'up': ('elbow', 0.5)")
+    watches = [_watch(model, name, what) for name, what in watched.items()]
     for watch in watches:
         if watch.name in taken:
             raise ModelError(f"events: the model has an event '{watch.name}': name yours otherwise")
@@ -167,6 +167,15 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
             name = rows[tick["event"]]["name"]
             raise ModelError(f"'{name}' has a period of {tick['period']:g} s: it must be positive")
     return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
+
+
+def _row(model: CompiledModel, stated: Mapping[str, Any]) -> dict[str, Any]:
+    """An event of the model, as runs keep it."""
+    row = {key: stated[key] for key in ("name", "element", "kind")}
+    for mode, value in stated.get("decides", {}).items():
+        # counted from the end, as the length of what lies before the modes differs
+        row["decides"] = [model.mode_names.index(mode) - model.ns, value]
+    return row
 
 
 def _watch(model: CompiledModel, name: str, given: Any) -> Watch:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ class Integrator:
         applies: Where it is the one to take, in words.
         source: Where it comes from.
         needs: Functions of the model that it calls besides ``rhs``: fields of the run record.
+        differenced: Those of them that it takes by differences where the model is large.
         multipliers: Whether it finds multipliers along with the motion.
         options: Numbers that its kernel reads, before the one that says whether it is adaptive.
         given_step: Whether it is adaptive, but steps as told where a step is given.
@@ -45,8 +46,12 @@ class Integrator:
     source: str
     charted: bool = False
     needs: tuple[str, ...] = ()
+    differenced: tuple[str, ...] = ()
     multipliers: bool = False
     options: tuple[float, ...] = ()
     given_step: bool = False
-    suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = None
+    # in words a method is the same in every process
+    suited: Callable[[CompiledModel, Integrator], tuple[Integrator, str]] | None = field(
+        default=None, repr=False
+    )
     lanes: bool = False

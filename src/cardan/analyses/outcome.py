@@ -9,6 +9,7 @@ import numpy as np
 
 from ..runtime.conduct import FINISHED
 from . import record as abi
+from .bounded import is_bounded
 from .plain import PlainRunner
 from .run import Runner
 from .times import Span
@@ -38,13 +39,20 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         )
     if answer == abi.UNSOLVED:
         return "not_solved", (
-            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not "
-            f"solved{who}. Take step= or max_step= shorter; or the motion is singular there"
+            f"stopped {at}: the equations of a step of {abs(runner.record.h):g} s were not solved"
+            f"{', at worst that' + who if who else ''}. {_rotation(runner)}Take step= or max_step= "
+            "shorter; or the motion is singular there"
         )
     if answer == abi.TURNED:
         return "step_too_long", (
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
             "more than its increment can tell. Take step= shorter"
+        )
+    if answer == abi.WHIRLED:
+        return "singular_rotation", (
+            f"stopped {at}: a step of {abs(runner.record.h):g} s does not tell how "
+            f"'{runner.model.coordinates[runner.record.culprit]}' turns. {_rotation(runner)}"
+            "Otherwise take step= shorter, or a method that chooses its steps"
         )
     if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
         return _event(runner, answer, at)
@@ -106,7 +114,7 @@ def _rotation(runner: Runner | PlainRunner) -> str:
     owner = model.manifest["coordinates"][k].get("joint")
     rows = [row for row in model.manifest["joints"] if row["name"] == owner]
     joint: dict[str, Any] = rows[0] if rows else {}
-    if not (joint.get("rotation") and joint.get("domain")):
+    if not is_bounded(joint):
         return ""
     return (
         f"Joint '{owner}' turns by rotation='{joint['rotation']}' ({joint['domain']}); "
@@ -175,6 +183,6 @@ def _event(runner: Runner | PlainRunner, answer: int, at: str) -> tuple[str, str
         )
     return "chatter", (
         f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
-        "bounces of a ball that comes to rest. Let it stick below a speed, take a smooth law, or "
-        "end the run there with events="
+        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), take a "
+        "smooth law (Friction: smooth=), or end the run there with events="
     )

@@ -19,6 +19,7 @@ from ..runtime.ledger import Ledger
 from ..runtime.loaded import LoadedFunction
 from ..runtime.slots import ORDER, SLOT
 from . import record as abi
+from .bounded import bounded
 from .happenings import NOTHING, Happenings
 from .plain_closing import PlainCloser
 from .plain_events import PlainEvents
@@ -74,6 +75,7 @@ class PlainRunner:
         self.views["s"] = model._layout.start("s")
         self._rest = np.zeros(max(model.nu, 6 * len(model.bodies)))
         self.quaternions = tuple(model.manifest["quaternions"])
+        self.bounded = bounded(model.manifest)
         self.closer = PlainCloser(self)
         self.events = PlainEvents(self)
         self.happened = np.empty((0, 1 + len(may.rows) + 2 * (model.nx + model.ns)))

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 LEAST = 2.3e-14  # SciPy takes no smaller rtol
 FAR = 1e150
+BENT = 0.3  # as in derivative.c
 
 
 class Broken(Exception):
@@ -69,6 +70,7 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
         if run.correction > runner.passer.hold.bearable():
             raise Broken(abi.OPEN)
         last = f(end, new)
+        _check_rotations(runner, new - y - d / 2 * (first + last))
 
         def spread(
             y: Array = y, new: Array = new, a: Array = d * first, b: Array = d * last
@@ -78,6 +80,18 @@ def rk4(runner: PlainRunner, stop: float) -> Iterator[Step]:
 
         yield Step(end, new, spread)
         t, y, first = end, new, last
+
+
+def _check_rotations(runner: PlainRunner, bent: Array) -> None:
+    """Whether a step follows coordinates of rotations: what ``cardan_follows`` does.
+
+    Raises:
+        Broken: it does not.
+    """
+    for k in runner.bounded:
+        if not abs(bent[k]) <= BENT:
+            runner.record.culprit = k
+            raise Broken(abi.WHIRLED)
 
 
 def dop853(runner: PlainRunner, stop: float) -> Iterator[Step]:
@@ -124,7 +138,9 @@ def radau(runner: PlainRunner, stop: float) -> Iterator[Step]:
         first, second, third = solver.dense_output().Q.T
         return np.stack([first + second + third, -second - third, -third])
 
-    return adaptive(Radau, runner, stop, spread, right, jac=jacobian)
+    # SciPy takes differences itself
+    derived = "rhs_jacobian" in runner.settings.method.needs
+    return adaptive(Radau, runner, stop, spread, right, jac=jacobian if derived else None)
 
 
 def _tried(runner: PlainRunner) -> Callable[[float, Array], Array]:

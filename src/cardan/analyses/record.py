@@ -11,7 +11,7 @@ from ..errors import BuildError
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
 NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
-UNSOLVED, STORM, CHATTER = -8, -9, -10
+UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
 # kinds of events, as in run.h
 MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 
@@ -25,9 +25,11 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (POINTER, "rhs rhs_w power power_w"),
     (POINTER, "energy energy_w rhs_jacobian rhs_jacobian_w"),
     (POINTER, "balance balance_w balance_tangent balance_tangent_w move move_w qdot qdot_w"),
-    (POINTER, "options"),
+    (POINTER, "mesh options"),
     (POINTER, "inputs signals quaternions"),
-    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count sampled charted"),
+    (COUNT, "nq nu nz nx n nr ns signal_count quaternion_count"),
+    (POINTER, "bounded"),
+    (COUNT, "bounded_count sampled charted"),
     (POINTER, "close_position close_position_w close_velocity close_velocity_w"),
     (POINTER, "constraint_jacobian constraint_jacobian_w columns"),
     (COUNT, "positions rates"),
@@ -41,7 +43,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "stop_count next_stop"),
     (REAL, "t t_old t_start segment until"),
     (COUNT, "in_segment"),
-    (REAL, "rtol atol max_step h correction"),
+    (REAL, "rtol atol max_step h moment correction"),
     (COUNT, "fresh is_dense rejected on_grid"),
     (REAL, "hold best_hold pass_start pass_length"),
     (COUNT, "held ranks pass_points pass_part pass_parts"),

@@ -20,6 +20,7 @@ from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
 from . import record as abi
+from .bounded import bounded
 from .happenings import NOTHING, Happenings
 from .record import INPUTS, Run, Signal, Tick
 from .settings import Settings
@@ -34,12 +35,20 @@ LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 @dataclass(frozen=True)
 class Saved:
-    """A checkpoint of a run: its record and memory, to the bit, and whose they are."""
+    """A checkpoint of a run.
+
+    Attributes:
+        record, memory: Of the run, to the bit.
+        owner: Whose they are.
+        ticks: When the next samples are due.
+        over: What ended it, in words; "" if it may go on.
+    """
 
     record: Any
     memory: bytes
     owner: int
     ticks: bytes = b""
+    over: str = ""
 
 
 class Runner:
@@ -101,6 +110,8 @@ class Runner:
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
         run.columns = self._pointer(columns_of(model, run.size))
+        if "mesh" in model.manifest:
+            run.mesh = model._source.mesh(model)
 
     def loosen(self, slack: float) -> None:
         """Let residuals up to a slack, without units, count as none."""
@@ -153,6 +164,8 @@ class Runner:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
         quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
+        limited = np.array(bounded(model.manifest), dtype=np.intp)
+        run.bounded, run.bounded_count = self._pointer(limited), len(limited)
         options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
         run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol
@@ -166,6 +179,7 @@ class Runner:
     def _connect_signals(self) -> None:
         run, pieces = self.record, self.signals.pieces
         table = (Signal * max(1, len(pieces)))()
+        self.pieces = [table[k] for k in range(len(pieces))]
         for row, piece in zip(table, pieces, strict=False):
             row.input, row.pieces, row.where = piece.input, len(piece.coefficients), 0
             row.breaks = self._pointer(np.ascontiguousarray(piece.breaks))
@@ -316,7 +330,8 @@ class Runner:
     def check(self) -> None:
         """Raise what an input function raised."""
         if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
-            raise self.error
+            error, self.error = self.error, None
+            raise error
 
     def slices(self) -> Iterator[int]:
         """Drive to the end in slices of about 10 ms; yields the answer of each."""

@@ -79,6 +79,7 @@ def uniform(low: float, high: float) -> Uniform:
     Raises:
         ModelError: ``low`` is not below ``high``, or one is not finite.
     """
+    low, high = _reals("uniform", low, high)
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise ModelError(f"uniform({low:g}, {high:g}): low must be below high, both finite")
     return Uniform(float(low), float(high))
@@ -90,6 +91,7 @@ def normal(mean: float, deviation: float) -> Normal:
     Raises:
         ModelError: a deviation that is not positive, or a number that is not finite.
     """
+    mean, deviation = _reals("normal", mean, deviation)
     if not (math.isfinite(mean) and math.isfinite(deviation) and deviation > 0):
         raise ModelError(f"normal({mean:g}, {deviation:g}): the deviation must be positive")
     return Normal(float(mean), float(deviation))
@@ -101,6 +103,7 @@ def log_uniform(low: float, high: float) -> LogUniform:
     Raises:
         ModelError: not 0 < low < high.
     """
+    low, high = _reals("log_uniform", low, high)
     if not (math.isfinite(high) and 0 < low < high):
         raise ModelError(f"log_uniform({low:g}, {high:g}): it must be 0 < low < high")
     return LogUniform(float(low), float(high))
@@ -111,7 +114,7 @@ class Plan:
     """Values of every run.
 
     Attributes:
-        kind: ``grid``, ``latin hypercube``, ``sobol``, ``random`` or ``listed``.
+        kind: ``grid``, ``latin hypercube``, ``sobol`` or ``random``.
         values: Name -> (runs,): coordinates, speeds (``elbow.u``), parameters or inputs.
     """
 
@@ -152,21 +155,6 @@ def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
     return Plan("grid", {n: m.reshape(-1) for n, m in zip(axes, meshes, strict=True)})
 
 
-def listed(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
-    """Runs one by one: name -> values (runs,), all of one length.
-
-    Raises:
-        ModelError: nothing to vary. ArgumentError: lengths that differ.
-    """
-    given = _given("listed", values, named)
-    columns = {name: _finite(name, numbers(f"'{name}'", value)) for name, value in given.items()}
-    shapes = {name: column.shape for name, column in columns.items()}
-    if len(set(shapes.values())) > 1 or any(len(s) != 1 for s in shapes.values()):
-        text = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
-        raise ArgumentError(f"listed: one value per run and name is expected: {text}")
-    return Plan("listed", columns)
-
-
 def random(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
     """Independent values.
 
@@ -180,7 +168,7 @@ def random(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
         ModelError: nothing to vary, or no number of runs.
     """
     kinds = _distributions("random", runs, values)
-    cube = np.random.default_rng(seed).random((runs, len(kinds)))
+    cube = np.random.default_rng(checked_seed(seed)).random((runs, len(kinds)))
     return _filled("random", kinds, cube)
 
 
@@ -192,7 +180,9 @@ def latin_hypercube(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> P
     from scipy.stats import qmc
 
     kinds = _distributions("latin_hypercube", runs, values)
-    cube = qmc.LatinHypercube(len(kinds), rng=np.random.default_rng(seed)).random(runs)
+    cube = qmc.LatinHypercube(len(kinds), rng=np.random.default_rng(checked_seed(seed))).random(
+        runs
+    )
     return _filled("latin hypercube", kinds, cube)
 
 
@@ -211,7 +201,7 @@ def sobol(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
             f"sobol: {runs} runs lose the balance of the sequence. Take {1 << power} or "
             f"{2 << power}, or latin_hypercube for any number"
         )
-    cube = qmc.Sobol(len(kinds), rng=np.random.default_rng(seed)).random_base2(power)
+    cube = qmc.Sobol(len(kinds), rng=np.random.default_rng(checked_seed(seed))).random_base2(power)
     return _filled("sobol", kinds, cube)
 
 
@@ -232,7 +222,29 @@ def distribution(name: str, value: Any) -> Distribution:
     )
 
 
+def checked_seed(seed: Any) -> int:
+    """A seed.
+
+    Raises:
+        ModelError: it is no whole number from 0 on.
+    """
+    if not isinstance(seed, int | np.integer) or seed < 0:
+        raise ModelError(f"seed={seed!r}: a whole number from 0 on is wanted")
+    return int(seed)
+
+
+def _reals(where: str, first: Any, second: Any) -> tuple[float, float]:
+    """The two numbers of a distribution."""
+    array = numbers(f"{where}({first!r}, {second!r})", [first, second])
+    return float(array[0]), float(array[1])
+
+
 def _given(where: str, values: Mapping[str, Any] | None, named: Mapping[str, Any]) -> Any:
+    if values is not None and not isinstance(values, Mapping):
+        raise ModelError(
+            f"{where}: {values!r} does not say what is varied: give names with values, "
+            f"{where}({{'m': ...}})"
+        )
     given = {**(values or {}), **named}
     if not given:
         raise ModelError(f"{where}: name what is varied, such as {where}(m=(1, 2, 100))")

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, FunctionError, ModelError, SolveError, named, near
 from ..runtime.calling import numbers
 
 Array = NDArray[np.float64]
@@ -49,13 +49,18 @@ class Checked:
         """The result.
 
         Raises:
-            ArgumentError: it is no number.
+            FunctionError: it is no number, or the function raised, which is the cause.
         """
-        found = self.function(t, x)
+        try:
+            found = self.function(t, x)
+        except Exception as problem:
+            what = f"{type(problem).__name__}: {problem}"
+            raise FunctionError(f"{self.who} raised at t = {t:.9g} s: {what}") from problem
         try:
             return float(found)
         except (TypeError, ValueError):
-            raise ArgumentError(f"{self.who} gave {found!r}, which is no number") from None
+            at = f"at t = {t:.9g} s"
+            raise FunctionError(f"{self.who} gave {found!r}, which is no number, {at}") from None
 
 
 @dataclass(frozen=True)
@@ -164,7 +169,7 @@ def signals(
     constants = np.array([row.get("default") or 0.0 for row in rows], dtype=np.float64)
     pieces: list[Pieces] = []
     functions: dict[int, InputFunction] = {}
-    for name, value in (given or {}).items():
+    for name, value in named("inputs", given, f"'{own[0] if own else 'force'}': 1.0").items():
         if name not in names:
             raise ModelError(f"inputs: there is no input '{name}'.{near(name, own)}")
         k = names.index(name)

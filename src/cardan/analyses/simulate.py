@@ -6,31 +6,32 @@ import time
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CompilerMissing, ModelError, SolveError, SolveWarning
+from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
-from ..runtime.conduct import Conduct
-from ..runtime.dense import Dense
-from ..runtime.events import Happened
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
 from .alpha import GeneralizedAlpha
-from .choice import JACOBIAN, Case, Limited, choose, reconsider, remark
+from .choice import JACOBIAN, Case, Limited, choose, reconsider
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, check_start, happenings
 from .integrators import INTEGRATORS
+from .kept import Kept
 from .outcome import explain
 from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
+from .run_file import RunFile, run_file
 from .settings import Settings, Start, Values, blocks, settings, start
 from .signals import Signals, signals
+from .spared import spared
 from .times import Span, span
 
 Array = NDArray[np.float64]
@@ -52,6 +53,8 @@ def simulate(
     max_step: float | None = None,
     inputs: Mapping[str, Any] | None = None,
     sample: float | None = None,
+    checkpoint: str | Path | None = None,
+    every: float = 10.0,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Trajectory:
@@ -82,18 +85,20 @@ def simulate(
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
         sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
             a digital controller does. Without it they are called at every stage of every step.
+        checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
+            same call goes on from there, to the bit.
         check: Raise instead of warn when the run does not reach its end.
         progress: True, False or a function of the fraction done; None: a bar on a terminal once
             the run takes longer than a second.
 
     Returns:
-        The motion; ``motion.events`` says what happened. If the run breaks down or is interrupted
-        (Ctrl-C): what was computed, with ``status``, ``message`` and a
-        :class:`~cardan.errors.SolveWarning`.
+        The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
+        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`.
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
-        ArgumentError: wrong shapes.
+        ArgumentError: wrong shapes. FunctionError: a function of yours raised, or gave no number;
+            ``motion`` of the error is what was computed until then.
         SolveError: a number that is not finite; with ``check``, an early end.
     """
     over = span(t)
@@ -105,17 +110,40 @@ def simulate(
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
     check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
-    try:
-        runner = runner_of(model, chosen(how, case), given, may)
-        motion = driven(runner, over, begin, progress, case)
-    except Limited as found:
-        how = chosen(how, found.case)
-        motion = driven(runner_of(model, how, given, may), over, begin, progress)
+    with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
+        motion = _settled(model, how, given, may, over, begin, case, progress, file)
     if not motion.success:
         if check:
             raise SolveError(motion.message)
-        warnings.warn(motion.message, SolveWarning, stacklevel=3)
+        warnings.warn(motion.message, SolveWarning, stacklevel=4)
     return motion
+
+
+def _settled(
+    model: CompiledModel,
+    how: Settings,
+    given: Signals,
+    may: Happenings,
+    over: Span,
+    begin: Start,
+    case: Case | None,
+    progress: bool | Callable[[float], None] | None,
+    file: RunFile | None,
+) -> Trajectory:
+    """The motion by the method asked for, or by that which its first steps ask for."""
+    first = chosen(how, case)
+    if file is not None and file.method not in ("", first.method.name):
+        # that was settled before the run was left
+        first = replace(how, method=INTEGRATORS[file.method], reason=file.reason)
+        case = None
+    try:
+        runner = runner_of(model, first, given, may)
+        return driven(runner, over, begin, progress, case, file)
+    except Limited as found:
+        if file is not None:
+            file.begin()
+        runner = runner_of(model, chosen(how, found.case), given, may)
+        return driven(runner, over, begin, progress, None, file)
 
 
 def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
@@ -129,6 +157,7 @@ def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: 
         length=over.length,
         derived=JACOBIAN in model.manifest["available"],
         asked=bool(given.functions),
+        elements="mesh" in model.manifest,
     )
 
 
@@ -147,6 +176,7 @@ def runner_of(
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
+    how = spared(model, how)
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -185,103 +215,59 @@ def driven(
     begin: Start,
     progress: bool | Callable[[float], None] | None,
     case: Case | None = None,
+    file: RunFile | None = None,
 ) -> Trajectory:
     """Drive the run to its end and collect what came out.
 
     Raises:
         Limited: another method would be chosen, and less than half of the run is done.
+        FunctionError: a function of the caller raised; it has the motion until then.
     """
-    run, how, rows, spreads = runner.record, runner.settings, list[Array](), list[Array]()
-    given = runner.signals
+    kept, problem = Kept(runner), None
     runner.loosen(begin.slack)
-    logs: list[Array] = []
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
-        stops = [*given.corners(over.start, over.end), over.end]
-        answer = runner.start(over.start, begin.x, stops)
-        for said in runner.slices() if answer >= 0 else ():
-            answer = said
-            if answer != abi.MORE:
-                rows.append(runner.rows[: run.count].copy())
-                spreads.append(runner.spreads[: run.count].copy())
-                logs.append(runner.drained())
-                run.count = 0
-            done = abs(run.t - over.start) / over.length
-            if case is not None and done < 0.5:
-                reconsider(case, runner, over, begin.x)
-            show(min(1.0, done))
+        try:
+            answer = _loop(runner, over, begin, kept, show, case, file)
+        except FunctionError as raised:
+            answer, problem = abi.INPUT, raised
+            kept.take()
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    width = 1 + runner.n + run.nr + runner.model.ns + run.nlam
-    table = np.concatenate(rows) if rows else np.empty((0, width))
-    if not len(table):
-        table = _first_row(runner, over, begin)
-    status, message = explain(runner, answer, over)
-    statistics = {
-        "steps": run.steps,
-        "rejections": run.rejections,
-        "evaluations": run.evaluations,
-        "looked": run.looked,
-        "limited": run.limited,
-        "jacobians": run.jacobians,
-        "factorizations": run.factorizations,
-        "projections": run.projections,
-        "passed": run.passed,
-        "events": run.occurred,
-        "milliseconds": milliseconds,
-    }
-    defaulted = (*begin.defaulted, *given.defaulted)
-    initial = begin.named(runner.model)
-    initial |= {n: float(table[0, 1 + runner.n + k]) for k, n in enumerate(runner.model.inputs)}
-    conduct = Conduct(
-        how.method.name,
-        how.words,
-        initial,
-        defaulted,
-        status,
-        message,
-        dict(statistics),
-        remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"]) or how.reason,
-    )
-    log = np.concatenate([*logs, runner.drained()])
-    return _trajectory(runner, table, spreads if over.times is None else None, log, conduct)
+    told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    if file is not None and answer == abi.STOPPED:
+        told = told[0], f"{told[1]} in {file.path}, and the same call goes on from there"
+    motion = kept.motion(over, begin, told, milliseconds)
+    if problem is not None:
+        problem.motion = motion
+        raise problem
+    return motion
 
 
-def _first_row(runner: Runner | PlainRunner, over: Span, begin: Start) -> Array:
-    """The start alone, for a run that broke down there."""
-    rest = np.zeros(runner.n - len(begin.x))
-    modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
-    known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
-    return np.concatenate(known)[None, :]
-
-
-def _trajectory(
+def _loop(
     runner: Runner | PlainRunner,
-    table: Array,
-    spreads: list[Array] | None,
-    log: Array,
-    conduct: Conduct,
-) -> Trajectory:
-    model, n, end = runner.model, runner.n, 1 + runner.n + runner.model.nr
-    t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
-    s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
-    quaternions = tuple(model.manifest["quaternions"])
-    dense = None
-    if spreads and len(t) > 1:
-        charted = runner.settings.method.charted
-        dense = Dense(t, y, np.concatenate(spreads)[1:], quaternions, charted)
-    return Trajectory(
-        t=t,
-        x=y[:, : model.nx].copy(),
-        r=r,
-        given=y[:, model.nx :].copy(),
-        sources=runner.sources if runner.powered else None,
-        manifest=model.manifest,
-        conduct=conduct,
-        model=model,
-        dense=dense,
-        inputs_at=runner.signals.recorded(t, r).at,
-        ledger=runner.ledger,
-        stored={"multipliers": lam.copy()} if runner.record.nlam else {},
-        happened=Happened(s.copy(), runner.may.rows, log),
-    )
+    over: Span,
+    begin: Start,
+    kept: Kept,
+    show: Callable[[float], None],
+    case: Case | None,
+    file: RunFile | None,
+) -> int:
+    """Go on until the run is over. Returns the last answer of the kernels."""
+    stops = [*runner.signals.corners(over.start, over.end), over.end]
+    answer = runner.start(over.start, begin.x, stops)
+    if file is not None and isinstance(runner, Runner) and answer >= 0:
+        known = file.go_on(runner, kept)
+        if known in (abi.DONE, abi.EVENT):
+            return known
+    for said in runner.slices() if answer >= 0 else ():
+        answer = said
+        if answer != abi.MORE:
+            kept.take()
+        if file is not None and isinstance(runner, Runner):
+            file.note(runner, kept, answer)
+        done = abs(runner.record.t - over.start) / over.length
+        if case is not None and done < 0.5:
+            reconsider(case, runner, over, begin.x)
+        show(min(1.0, done))
+    return answer

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, near
+from ..errors import FunctionError, ModelError, SolveError, near, spelled
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
@@ -39,11 +40,11 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner | PlainRunner, how: Settings) -> None:
+    def __init__(self, runner: Runner | PlainRunner, how: Settings, over: str = "") -> None:
         self._runner, self._model, self._how = runner, runner.model, how
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         self._log = runner.drained()
-        self._over = ""
+        self._over = over
 
     def _start(self, begin: Array, t: float) -> None:
         runner = self._runner
@@ -68,8 +69,14 @@ class Stepper:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What happened in the last step."""
+        """What happened in the last step, but for samples."""
         return Happened(rows=self._runner.may.rows, log=self._log).events(self._model.nx)
+
+    @property
+    def ticks(self) -> tuple[Event, ...]:
+        """Samples of controllers in the last step."""
+        known = Happened(rows=self._runner.may.rows, log=self._log)
+        return known.events(self._model.nx, ticks=True)
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -102,7 +109,8 @@ class Stepper:
         Raises:
             ModelError: an unknown input, no time, or backward over events that change something.
             SolveError: the motion broke down; the stepper is where it still was good. Or an event
-                has ended it.
+                has ended it. FunctionError: a function of ``events=`` raised; the stepper is where
+                it was before the step.
         """
         if not (math.isfinite(dt) and dt != 0):
             raise ModelError(f"dt={dt:g}: a step takes some time [s]")
@@ -111,7 +119,14 @@ class Stepper:
         self._set(inputs or {})
         start, end = self.t, self.t + dt
         self._runner.may.forward(start, end)
-        answer = self._runner.advance(end)
+        # what the caller watches may raise behind a step: go back to before it
+        before = self._runner.save() if self._runner.may.watches else None
+        try:
+            answer = self._runner.advance(end)
+        except FunctionError:
+            if before is not None:
+                self._runner.restore(before)
+            raise
         self._log = self._runner.happened
         run = self._runner.record
         if answer == abi.EVENT:
@@ -138,7 +153,7 @@ class Stepper:
         Raises:
             ModelError: no such directory, or a method with choices of its own.
         """
-        saved = self._runner.save()
+        saved = replace(self._runner.save(), over=self._over)
         if path is not None:
             from .checkpoint import write
 
@@ -152,9 +167,10 @@ class Stepper:
             ModelError: it belongs to another one.
         """
         self._runner.restore(saved)
-        self._log, self._over = self._log[:0], ""
+        self._log, self._over = self._log[:0], saved.over
 
 
+@spelled
 def stepper(
     model: CompiledModel,
     *,
@@ -218,6 +234,8 @@ def resume(
     """
     from .checkpoint import read
 
+    if not isinstance(path, str | Path):
+        raise ModelError(f"resume({path!r}): name the file that stepper.save(path) wrote")
     return Stepper(*read(model, Path(path), events))
 
 

@@ -1,7 +1,7 @@
 """The command line: one command per file, loaded when it is called.
 
-Exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use. Messages go to standard
-error, results to standard output.
+Exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use, 130 interrupted.
+Messages go to standard error, results to standard output.
 """
 
 from __future__ import annotations
@@ -10,13 +10,16 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib import import_module
-from typing import NoReturn
+from typing import Any, NoReturn, cast
 
 from .. import __version__
-from ..errors import CardanError
+from ..errors import BuildWarning, CardanError, SolveWarning
 
+INTERRUPTED = 128 + signal.SIGINT
 # command -> module of this package and what it does, in one line
 COMMANDS = {
     "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
@@ -55,7 +58,8 @@ start here:
 
 completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
 
-exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use"""
+exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use,
+130 interrupted (what was computed until then is told)"""
 
 
 class Parser(argparse.ArgumentParser):
@@ -107,6 +111,23 @@ def build_parser(*loaded: str) -> Parser:
     return top
 
 
+@contextmanager
+def _warnings(command: str) -> Iterator[None]:
+    """Warnings of cardan as messages of a command, without the line of code that gave them."""
+    usual = warnings.showwarning
+
+    def show(message: Any, category: type[Warning], *where: Any, **more: Any) -> None:
+        if issubclass(category, SolveWarning | BuildWarning):
+            print(f"cardan {command}: {message}", file=sys.stderr)
+        else:
+            usual(message, category, *where, **more)
+
+    with warnings.catch_warnings():
+        # typeshed knows no other function there than the usual one
+        warnings.showwarning = cast(Any, show)
+        yield
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
 
@@ -121,7 +142,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         top.print_help(sys.stderr)
         return 2
     try:
-        status = int(options.run(options))
+        with _warnings(options.command):
+            status = int(options.run(options))
         sys.stdout.flush()
         return status
     except BrokenPipeError:
@@ -133,4 +155,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     except KeyboardInterrupt:
         print(f"cardan {options.command}: interrupted", file=sys.stderr)
-        return 128 + signal.SIGINT
+        return INTERRUPTED

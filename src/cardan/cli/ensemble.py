@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import reading, running, varying
+from . import INTERRUPTED, reading, running, varying
 
 if TYPE_CHECKING:
     from ..analyses.ensembles import Ensemble
@@ -90,14 +90,14 @@ def run(options: argparse.Namespace) -> int:
         out = console()
         for line in (repr(made), *told(made), *(f"wrote {path}" for path in written)):
             out.print(line, soft_wrap=True)
-    return 0 if made.success else 1
+    return INTERRUPTED if made.interrupted else 0 if made.success else 1
 
 
 def settings(scene: Any, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the runs; what is varied comes before what the file says."""
     found = running.settings(scene, options)
     varied = {name for name, _ in options.vary}
-    for block, ending in (("q", ""), ("u", ".u")):
+    for block, ending in (("q", ""), ("u", ".u"), ("z", "")):
         typed = dict(getattr(options, block))
         found[block] = {
             name: value
@@ -114,10 +114,12 @@ def summary(made: Ensemble) -> dict[str, Any]:
     words, counts = np.unique(made.status, return_counts=True)
     return {
         "success": made.success,
+        "interrupted": made.interrupted,
         "runs": len(made),
         "statuses": dict(zip(words.tolist(), counts.tolist(), strict=True)),
         "messages": {str(k): text for k, text in list(made.messages.items())[:10]},
         "seconds": made.seconds,
+        "restored": made.restored,
         "varied": {name: _range(values) for name, values in made.varied.items()},
         "steps": _range(made.statistics["steps"]),
         "results": {name: _numbers(made, value) for name, value in made.results.items()},

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..analyses.integrators import INTEGRATORS
-from . import reading, running
+from . import INTERRUPTED, reading, running
 
 if TYPE_CHECKING:
     from ..analyses.precision import Precision
@@ -75,7 +75,7 @@ def run(options: argparse.Namespace) -> int:
         out.print(made.recommendation, soft_wrap=True)
         for path in written:
             out.print(f"wrote {path}", soft_wrap=True)
-    return 130 if made.interrupted else 0
+    return INTERRUPTED if made.interrupted else 0
 
 
 def write(made: Precision, path: Path) -> str:

@@ -11,14 +11,18 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from ..model import Model
 
-DEFAULTS: dict[str, Any] = {"t": 10.0, "rtol": 1e-8, "atol": 1e-10}
+DEFAULTS: dict[str, Any] = {"t": 10.0}
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what a run takes."""
     run = start(parser)
-    run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-8)")
-    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-10)")
+    run.add_argument("--method", metavar="NAME",
+                     help="integrator, such as DOP853, Radau or RK4 (default auto)")  # fmt: skip
+    run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-6)")
+    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-9)")
+    run.add_argument("--step", metavar="SECONDS", type=positive,
+                     help="step of a method of fixed step, else the first one")  # fmt: skip
 
 
 def start(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
@@ -29,6 +33,8 @@ def start(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
                      help="initial coordinate of a joint; give it again for another")  # fmt: skip
     run.add_argument("--u", metavar="JOINT=VALUE", type=named, action="append", default=[],
                      help="initial speed of a joint")  # fmt: skip
+    run.add_argument("--z", metavar="STATE=VALUE", type=named, action="append", default=[],
+                     help="initial internal state of an element, such as motor.force")  # fmt: skip
     return run
 
 
@@ -76,7 +82,8 @@ def named(text: str) -> tuple[str, float | list[float]]:
 
 def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the run: the defaults, then what the file says, then what was typed."""
-    typed = {"t": options.time, "rtol": options.rtol, "atol": options.atol}
+    words = ("method", "rtol", "atol", "step")
+    typed = {"t": options.time} | {word: getattr(options, word) for word in words}
     found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
     return found | _blocks(found, options)
 
@@ -90,4 +97,4 @@ def begin(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
 
 def _blocks(found: dict[str, Any], options: argparse.Namespace) -> dict[str, Any]:
     """Initial values: what the file says, then what was typed."""
-    return {b: {**found.get(b, {}), **dict(getattr(options, b))} for b in ("q", "u")}
+    return {b: {**found.get(b, {}), **dict(getattr(options, b))} for b in ("q", "u", "z")}

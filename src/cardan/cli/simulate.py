@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import reading, running
+from . import INTERRUPTED, reading, running
 
 if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
@@ -33,13 +34,23 @@ examples:
   cardan simulate dog.urdf --base free --q base=1,0,0,0,0,0,0.5
         on a floating base: quaternion (w x y z), then position; several numbers for one joint
 
-A smaller --rtol costs little: the integrator has order 8. The energy line tells if it helped."""
+  cardan simulate lift.yaml --method Radau --z motor.force=100
+        another integrator (cardan report compares them), an initial state of an element
+
+A smaller --rtol costs little: the integrator has order 8. The energy line tells if it helped.
+Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-9."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
     reading.arguments(parser)
     running.arguments(parser)
+    parser.add_argument(
+        "--checkpoint",
+        metavar="FILE",
+        type=Path,
+        help="keeps what is computed; the same command goes on from there",
+    )
     results = parser.add_argument_group("results")
     results.add_argument(
         "-o", "--output", metavar="RUN.nc", type=running.file(".nc"), help="netCDF file"
@@ -68,6 +79,7 @@ def run(options: argparse.Namespace) -> int:
         show("simulating", 0.0)
         motion = model.simulate(
             **running.settings(scene, options),
+            checkpoint=options.checkpoint,
             progress=lambda fraction: show("simulating", fraction),
         )
     written = write(motion, options)
@@ -75,6 +87,8 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps(summary(model, motion) | {"files": written}, indent=1))
     else:
         table(model, motion, written)
+    if motion.status == "interrupted":
+        return INTERRUPTED
     return 0 if motion.success else 1
 
 
@@ -102,10 +116,9 @@ def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
         "success": bool(motion.success),
         "message": motion.message,
         "time": float(motion.t[-1]),
+        "method": motion.conduct.method,
         "steps": int(motion.statistics["steps"]),
-        "events": [
-            {"time": event.t, "name": event.name} for event in motion.events if event.kind != "tick"
-        ],
+        "events": [{"time": event.t, "name": event.name} for event in motion.events],
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
         "energy_drift": float(motion.drift[-1]),
@@ -142,7 +155,8 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
         )
     out = console()
     out.print(rows)
-    out.print(f"{found['message']}: t = {found['time']:g} s in {found['steps']} steps")
+    how = f"{found['steps']} steps of {found['method']}"
+    out.print(f"{found['message']}: t = {found['time']:g} s in {how}")
     if found["events"]:
         last = found["events"][-1]
         out.print(f"events {len(found['events'])}, last '{last['name']}' at {last['time']:g} s")

@@ -7,10 +7,11 @@ from typing import Any
 
 from . import header
 from .naming import comment
+from .simulating import CLOSING, HAPPENING, NEEDS, simulation
 
-# files every integrator needs, and those of each with the functions it calls beside rhs
+# files every integrator needs, and those of each
 RUN = (
-    *("run.h", "run.c", "close.c", "control.c", "derivative.c", "memory.c"),
+    *("run.h", "run.c", "close.c", "control.h", "control.c", "derivative.c", "memory.c"),
     *("explicit.h", "explicit.c", "chart.c"),
     *("events.h", "happening.c", "search.c", "dips.c"),
     *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
@@ -23,21 +24,11 @@ INTEGRATORS = {
     "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
     "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
-        *("alpha.h", "alpha.c", "alpha_matrix.c", "alpha_memory.c", "alpha_newton.c"),
-        "linear.h",
+        *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
+        *("alpha_memory.c", "alpha_newton.c", "linear.h"),
     ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
 }
-NEEDS = {
-    "midpoint": ("energy",),
-    "radau": ("rhs_jacobian",),
-    "rosenbrock": ("rhs_jacobian",),
-    "alpha": ("balance", "balance_tangent", "move", "qdot"),
-}
-# what a run of a closed system calls beside rhs
-CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
-# what a run of a system with events must call, and when
-HAPPENING = ("events", "transition")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:
@@ -72,7 +63,7 @@ def prototypes(manifest: dict[str, Any]) -> str:
 
 def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the first function at the start, and one second of motion if it can."""
-    called = {*CLOSING, *(name for names in NEEDS.values() for name in names)}
+    called = {*CLOSING, *HAPPENING, *(name for names in NEEDS.values() for name in names)}
     name = min(manifest["functions"], key=called.__contains__)
     fields = _fields(manifest["functions"][name]["inputs"])
     zero = f"zero[{_zeros(manifest)}], " if "zero" in fields else ""
@@ -85,7 +76,7 @@ def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: 
         "/* so that *.c of this folder links with a main of yours */",
         "#ifdef CARDAN_EXAMPLE",
         "",
-        *(_simulation(integrators[0], manifest) if integrators else []),
+        *(simulation(integrators[0], manifest).splitlines() if integrators else []),
         "int main(void)",
         "{",
         f"    static real {zero}out[{name}_out_size + 1];",
@@ -119,67 +110,6 @@ def _fields(inputs: Sequence[str]) -> str:
     return ", ".join([*(f".{b} = {known.get(b, 'zero')}" for b in read), ".w = w"])
 
 
-def _simulation(method: str, manifest: dict[str, Any]) -> list[str]:
-    """A run of one second from the start, printed at its end."""
-    closed = [name for name in CLOSING if name in manifest["functions"]]
-    called = [*closed, *NEEDS.get(method, ())]
-    work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in called)
-    rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in called)
-    lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in called]
-    lines += [f"    run.{name}.function = {name}, run.{name}.w = w_{name};" for name in called]
-    if closed:
-        rows = [row["level"] for row in manifest["multipliers"]]
-        lines.append(f"    run.positions = {rows.count('position')}, run.rates = {len(rows)};")
-        lines.append("    run.size = 1.0;")
-    closing = "".join(f"{line}\n" for line in lines)
-    z, modes = len(manifest["z"]), len(manifest["s"])
-    more = (f" + {z}, run.nz = {z}" if z else "") + (f", run.ns = {modes}" if modes else "")
-    starts = "".join(_own_starts(manifest))
-    return f"""\
-/* One second of motion from the start, printed at its end. */
-static int simulate(void)
-{{
-    static real memory[100000], w[rhs_w_size + 1]{rooms};
-    const size_t rest = cardan_nu + 6 * cardan_nparts, work = {work};
-    const real end = 1.0;
-    cardan_run run = {{0}};
-
-    prepare_rhs(cardan_default_p, w);
-    CARDAN_METHOD(&run, {method});
-    run.rhs.function = rhs, run.rhs.w = w, run.nr = cardan_nr;
-    run.nq = cardan_nq, run.nu = cardan_nu, run.nx = run.n = cardan_nq + cardan_nu{more};
-    run.rtol = 1e-9, run.atol = 1e-12, run.max_step = end, run.h = 1e-3, run.budget = 1000000;
-    run.stops = &end, run.stop_count = 1;
-{closing}\
-    if (cardan_run_length(&run, rest, work) > sizeof memory / sizeof *memory) {{
-        fprintf(stderr, "simulate: make the array memory larger\\n");
-        return 1;
-    }}
-    cardan_run_lay(&run, memory, rest, work);
-    for (int k = 0; k < cardan_nq; k++)
-        run.y[k] = cardan_default_q[k];
-    for (int k = 0; k < cardan_nr; k++)
-        run.r[k] = cardan_default_r[k];
-{starts}\
-    int status = cardan_run_start(&run);
-    if (status == CARDAN_DONE)
-        status = cardan_run_drive(&run);
-    for (int k = 0; k < cardan_nq + cardan_nu; k++)
-        printf("x[%d] = %.17g\\n", k, run.y[k]);
-    return status;
-}}
-""".splitlines()
-
-
-def _own_starts(manifest: dict[str, Any]) -> list[str]:
-    """Assignments of what elements keep, as a run starts with it."""
-    first = "cardan_nq + cardan_nu"
-    places = [f"y[{first} + {k}]" for k in range(len(manifest["z"]))]
-    places += [f"s[{k}]" for k in range(len(manifest["s"]))]
-    rows = zip(places, [*manifest["z"], *manifest["s"]], strict=True)
-    return [f"    run.{place} = {float(row['default'])!r};\n" for place, row in rows]
-
-
 def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
     """``README.md``: what is here, in which units, under which conventions."""
     lines = [
@@ -207,8 +137,9 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
         lines += [
             "",
             "This model has events: where a number of `events` falls through zero the states",
-            "become those of `transition`. A run that calls `rhs` alone, as `example.c` does, runs",
-            "past them. Modes `s` start from the defaults in `manifest.json`.",
+            "become those of `transition`. A run that calls `rhs` alone runs past them; exported",
+            "with integrators, `simulate` of `example.c` finds and prints them and goes on. Modes",
+            "`s` start from the defaults in `manifest.json`.",
         ]
     for title, key in (("q", "coordinates"), ("u", "speeds"), ("r", "inputs")):
         rows = [f"{_words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near
-from . import companions, header, layout, manifest
+from . import companions, header, layout, manifest, simulating
 from .languages import LANGUAGES, cython
 from .writing import generate
 
@@ -57,9 +57,9 @@ def export(
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
     # what keeps a closed system closed belongs to its dynamics
-    called = [name for name in (*companions.CLOSING, *companions.HAPPENING) if name in known]
+    called = [name for name in (*simulating.CLOSING, *simulating.HAPPENING) if name in known]
     if wanted or not functions:
-        needed = dict.fromkeys(name for one in wanted for name in companions.NEEDS.get(one, ()))
+        needed = dict.fromkeys(name for one in wanted for name in simulating.NEEDS.get(one, ()))
         more = (*(("rhs",) if wanted else ()), *called, *needed)
         asked += [(name, None) for name in more if (name, None) not in asked]
     for name, _ in asked:

@@ -118,6 +118,19 @@ def add_file(directory: Path, name: str, text: str) -> None:
         _write_manifest(directory, manifest)
 
 
+def add_bytes(directory: Path, name: str, content: bytes) -> None:
+    """Write one more file of numbers that belongs to the model, unless it is there."""
+    digest = hashlib.sha256(content).hexdigest()
+    with _locked(directory):
+        manifest = read(directory)
+        if manifest is None:
+            raise CodegenError(f"directory {directory} holds no model: call write_model first")
+        if manifest["sha256"].get(name) == digest and (directory / name).exists():
+            return
+        manifest["sha256"][name] = _write(directory / name, content)
+        _write_manifest(directory, manifest)
+
+
 def written(directory: Path) -> set[str]:
     """Names of the files in a directory that belong to its model; empty where there is none."""
     manifest = read(directory)
@@ -178,9 +191,9 @@ def _appended(text: str, saved: list[tuple[str, dict[str, Any]]]) -> str:
     return "{\n" + ",\n".join([*kept, *(_line(*row) for row in saved)]) + "\n}\n"
 
 
-def _write(path: Path, text: str) -> str:
+def _write(path: Path, text: str | bytes) -> str:
     """Write a file in one step; returns its hash."""
-    content = text.encode()
+    content = text.encode() if isinstance(text, str) else text
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=".new-")
     try:
         with os.fdopen(handle, "wb") as file:

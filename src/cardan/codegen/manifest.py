@@ -5,7 +5,7 @@ Its schema is ``docs/manifest.schema.json``. Within an ABI version, entries are 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
@@ -16,7 +16,7 @@ from ..equations import blocks
 from ..equations.constraints import Row
 from ..equations.record import Equations
 from ..ir.function import Function
-from ..topology.system import Cut, Frame, Joint, System
+from ..topology.system import Cut, Force, Frame, Joint, System
 from . import flat
 
 ABI = 1
@@ -46,6 +46,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     """
     system = equations.system
     joints = [_joint(equations, i) for i in range(len(system.joints))]
+    limits = [row for force in system.forces for row in _limits(system, force)]
     data: dict[str, Any] = {
         "abi": ABI,
         "schema": SCHEMA,
@@ -64,17 +65,9 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         ],
         **({"events": _events(system), "ticks": _ticks(system)} if system.events else {}),
         "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
-        "parameters": [
-            {
-                "name": p.name,
-                "unit": p.unit,
-                "default": p.value,
-                "kind": "free",
-                "declared": p.declared,
-            }
-            for p in system.parameters
-        ],
+        "parameters": parameter_rows(system),
         "structural": dict(system.structural),
+        **({"limits": limits} if limits else {}),
         "multipliers": [_multiplier(row) for row in equations.constraint_rows],
         "cuts": [_cut(equations, cut) for cut in system.closing],
         "joints": joints,
@@ -100,6 +93,44 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     return Base(data, lambda: _saved(equations))
 
 
+def parameter_rows(system: System) -> list[dict[str, Any]]:
+    """What the manifest says about every entry of p."""
+    return [
+        {
+            "name": p.name,
+            "unit": p.unit,
+            "default": p.value,
+            "kind": "free",
+            "declared": p.declared,
+        }
+        for p in system.parameters
+    ]
+
+
+def _limits(system: System, force: Force) -> Iterator[dict[str, Any]]:
+    """What parameters may be that are numbers of a force element."""
+    for limit in force.element.limits():
+        name, other = (_source(system, force, part) for part in (limit.name, limit.other))
+        if not isinstance(name, str) or (limit.other and other is None):
+            continue
+        least = other if limit.other else limit.least
+        row = {"who": force.element.title, "parameter": name, "told": limit.told}
+        ends: dict[str, Any] = {"least": least, "most": limit.most}
+        ends = {k: v for k, v in ends.items() if isinstance(v, str) or isfinite(v)}
+        yield {**row, **ends, **({"open": True} if limit.open else {})}
+
+
+def _source(system: System, force: Force, quantity: str) -> str | float | None:
+    """The parameter or the number that a quantity is; None if it is something else."""
+    rows, columns, nodes = force.data.get(quantity, (0, 0, ()))
+    if (rows, columns) != (1, 1):
+        return None
+    node = system.graph.nodes[nodes[0]]
+    if node[0] == "const":
+        return float(node[1])
+    return system.parameters[node[2]].name if node[:2] == ("var", "p") else None
+
+
 def _multiplier(row: Row) -> dict[str, Any]:
     told = {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
     return {**told, **({"switched": True} if row.switched else {})}
@@ -111,6 +142,7 @@ def _events(system: System) -> list[dict[str, Any]]:
         {
             **{"name": name, "element": force.name, "kind": event.kind, "about": event.about},
             **({"beyond": event.beyond} if event.beyond else {}),
+            **({} if event.decides is None else {"decides": {force.name: event.decides}}),
         }
         for name, (force, event) in zip(blocks.event_names(system), system.events, strict=True)
     ]

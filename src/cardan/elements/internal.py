@@ -53,6 +53,7 @@ class Event:
         about: What happens, in words.
         period, phase: Of a tick: it happens at phase + k period [s].
         beyond: What a start with a negative value means, in words, where no run may begin so.
+        decides: Value of its element's mode from which it is no event but the first decision.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Event:
     period: float = 0.0
     phase: float = 0.0
     beyond: str = ""
+    decides: float | None = None
 
 
 @dataclass(frozen=True)

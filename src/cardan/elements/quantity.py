@@ -10,6 +10,7 @@ from typing import Any
 Direction = Any  # "x", "-z" or three values
 Place = Any  # a frame, a body or its name
 JointName = str  # the name of a joint
+BeamName = Any  # a beam or its name
 LocalNames = Any  # names of the element's own coordinates
 
 

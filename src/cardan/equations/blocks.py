@@ -93,6 +93,12 @@ def parts(system: System) -> list[str]:
     return [part.name for body in system.bodies for part in body.parts]
 
 
+def parameters(system: System) -> Block:
+    """The block of the parameters."""
+    names = tuple(p.name for p in system.parameters)
+    return Block("p", names, tuple(p.unit for p in system.parameters))
+
+
 def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
     """Every input block of a system by its letter.
 
@@ -116,9 +122,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("z", tuple(n for n, _, _ in z), tuple(unit for _, unit, _ in z)),
         Block("s", modes, ("",) * len(modes)),
         Block("r", tuple(i.name for i in system.inputs), tuple(i.unit for i in system.inputs)),
-        Block(
-            "p", tuple(p.name for p in system.parameters), tuple(p.unit for p in system.parameters)
-        ),
+        parameters(system),
         Block("udot", tuple(f"{n}dot" for n in names), rates),
         Block("lam", tuple(row.name for row in bound), tuple(row.force_unit for row in bound)),
         Block("tau", tuple(f"{n}.tau" for n in names), forces),

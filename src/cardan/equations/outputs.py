@@ -168,11 +168,11 @@ def reaction(d: Dynamics, name: str) -> Matrix:
     for i, joint in enumerate(d.k.system.joints):
         if joint.name == name:
             wrench = Matrix.vstack(forces.moment[i], forces.force[i])
-            return _on_declared_child(d.k, i, wrench) if joint.reversed else wrench
+            return on_declared_child(d.k, i, wrench) if joint.reversed else wrench
     return _fixed_reaction(d, name, acc, forces, closing)
 
 
-def _on_declared_child(k: Kinematics, i: int, wrench: Matrix) -> Matrix:
+def on_declared_child(k: Kinematics, i: int, wrench: Matrix) -> Matrix:
     """Wrench on the inner body of joint i, whose child it is, at its frame in its axes."""
     pose = k.system.joints[i].element.pose(k.coordinates[i], **k.data[i])
     rotation, position = (k.settled(i, x) for x in pose)

@@ -37,22 +37,15 @@ void cardan_abreast_derivative(cardan_abreast *a, const real *y, real *f)
         a->alone(a->owner, (const double *)y, (double *)f);
 }
 
-/* The mask of the lanes whose trial is taken. */
-static void takers(const cardan_abreast *a, cardan_mask *taken)
-{
-    const real given = *(const real *)a->taken;
-
-    *taken = (cardan_mask)(given != 0.0);
-}
-
 /* Take no more what is not finite, and note which entry it is. */
 static void refuse_not_finite(cardan_abreast *a, const real *y)
 {
-    cardan_mask good = ~(cardan_mask){0};
+    real sum = {0.0};
 
-    for (ptrdiff_t i = 0; i < a->n; i++) good &= (cardan_mask)(y[i] - y[i] == 0.0);
+    /* of zeros, unless a number is none or infinite */
+    for (ptrdiff_t i = 0; i < a->n; i++) sum += y[i] - y[i];
     for (int j = 0; j < L; j++) {
-        if (good[j] || a->taken[j] == 0)
+        if (sum[j] == 0 || a->taken[j] == 0)
             continue;
         a->failed[j] = NOT_FINITE;
         a->taken[j] = 0;
@@ -68,7 +61,7 @@ void cardan_abreast_commit(cardan_abreast *a)
 {
     const real *y = (const real *)a->y;
     real *trial = (real *)a->trial;
-    cardan_mask taken;
+    cardan_mask *const taken = (cardan_mask *)a->taken, *const failed = (cardan_mask *)a->failed;
 
     /* as cardan_normalize does it */
     for (ptrdiff_t i = 0; i < a->quaternion_count; i++) {
@@ -76,42 +69,36 @@ void cardan_abreast_commit(cardan_abreast *a)
         const real norm = cardan_sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
         for (int j = 0; j < 4; j++) q[j] /= norm;
     }
-    for (int j = 0; j < L; j++)
-        if (a->taken[j] != 0)
-            a->culprit[j] = -1;
     refuse_not_finite(a, trial);
     /* the others stay where they are: whatever their trial was, it is evaluated nowhere */
-    takers(a, &taken);
-    for (ptrdiff_t i = 0; i < a->n; i++) trial[i] = CARDAN_CHOICE(taken, trial[i], y[i]);
-    *(real *)a->at = CARDAN_CHOICE(taken, *(real *)a->t_new, *(real *)a->t);
-    for (int j = 0; j < L; j++)
-        if (a->taken[j] == 0 && a->failed[j] == 0)
-            a->failed[j] = 1;
+    for (ptrdiff_t i = 0; i < a->n; i++) trial[i] = CARDAN_CHOICE(*taken, trial[i], y[i]);
+    *(real *)a->at = CARDAN_CHOICE(*taken, *(real *)a->t_new, *(real *)a->t);
     /* a derivative of the trial may be that at its end, unless normalizing changed the state */
-    if (a->known >= 0 && a->quaternion_count == 0)
+    if (a->known >= 0 && a->quaternion_count == 0) {
         memcpy(a->next, (const real *)a->k + a->known * a->n, (size_t)a->n * sizeof(real));
-    else
+    } else {
+        const cardan_mask waiting = ~*taken & (cardan_mask)(*failed == 0);
+        *failed |= waiting;
         cardan_abreast_derivative(a, trial, (real *)a->next);
-    for (int j = 0; j < L; j++) {
-        if (a->failed[j] == 1 && a->taken[j] == 0)
-            a->failed[j] = 0;
-        if (a->failed[j] != 0)
-            a->taken[j] = 0;
+        *failed &= ~waiting;
+        *taken &= (cardan_mask)(*failed == 0);
     }
     refuse_not_finite(a, (const real *)a->next);
 }
 
-void cardan_abreast_move(cardan_abreast *a)
+ptrdiff_t cardan_abreast_move(cardan_abreast *a)
 {
-    real *y = (real *)a->y, *f = (real *)a->f;
+    const cardan_mask taken = *(const cardan_mask *)a->taken;
+    real *y = (real *)a->y, *f = (real *)a->k, *t = (real *)a->t;
     const real *trial = (const real *)a->trial, *next = (const real *)a->next;
-    cardan_mask taken;
 
-    takers(a, &taken);
     for (ptrdiff_t i = 0; i < a->n; i++) {
         y[i] = CARDAN_CHOICE(taken, trial[i], y[i]);
         f[i] = CARDAN_CHOICE(taken, next[i], f[i]);
     }
+    *t = CARDAN_CHOICE(taken, *(const real *)a->t_new, *t);
+    const cardan_mask there = taken & (cardan_mask)(*t == *(const real *)a->until);
+    return cardan_some(&there);
 }
 
 #endif

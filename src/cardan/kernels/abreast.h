@@ -24,45 +24,57 @@ struct cardan_abreast {
     const ptrdiff_t *quaternions;
     ptrdiff_t quaternion_count, n, nq, nu, nr;
 
-    /* the method: derivatives and error of a trial; its dense output */
+    /* the method: derivatives and error of a trial; its dense output; the worst entry of the trials
+     * whose culprit is ABREAST_WORST */
     void (*trial_step)(cardan_abreast *a);
     void (*dense)(cardan_abreast *a);
-    double rtol, atol;
-    ptrdiff_t known; /* derivative at the end of the step, -1 if the stages have none */
+    void (*worst)(cardan_abreast *a);
+    double rtol, atol, max_step;
+    ptrdiff_t order, known; /* of the error; derivative at the end of the step, -1 if none is */
 
-    /* numbers per lane */
-    double *t, *h, *t_new; /* the step to try, from t to t_new */
-    double *at;            /* times of the present call */
-    double *error;         /* of the trial, in units of the tolerance */
-    double *culprit;       /* entry with the largest error, or that is not finite; -1 */
-    double *taken;         /* 1 where the trial becomes the next state, else 0 */
-    ptrdiff_t *failed;     /* status of the trial; 0: none */
-    ptrdiff_t *evaluations;
+    /* numbers per lane, of its run */
+    double *t, *size, *until; /* present time, size that control asks for, where steps end */
+    double *span;             /* of time, against which a step is too small beside t = 0 */
+    ptrdiff_t *idle;          /* -1 where no run is under way, else 0 */
+    ptrdiff_t *rejected;      /* how often the present step was */
+    ptrdiff_t *steps, *rejections, *evaluations;
+
+    /* numbers per lane, of the trial */
+    double *h, *t_new;  /* from t to t_new */
+    double *at;         /* times of the present call */
+    double *error;      /* in units of the tolerance */
+    double *culprit;    /* entry that is to blame if the run ends here, -1 if none is */
+    ptrdiff_t *taken;   /* -1 where the trial becomes the next state, else 0 */
+    ptrdiff_t *failed;  /* its status; 0: none */
+    ptrdiff_t *ended;   /* status of the run, which ends at t; 0: it goes on */
 
     /* vectors per lane */
     double *y;      /* (n) at t */
-    double *f;      /* (n) derivative there */
     double *trial;  /* (n) state at t_new */
     double *next;   /* (n) derivative there */
-    double *k;      /* (stages, n) derivatives of the step */
+    double *k;      /* (stages, n) derivatives of the step, the first one at t */
     double *spread; /* (dense_rows, n) */
     double *r, *s, *at_rest, *work;
 };
+
+enum { ABREAST_WORST = -2 /* culprit: the worst entry of the error, to be looked for */ };
 
 /* f (n) at the times `at` and states y (n) of all lanes that have not failed. */
 void cardan_abreast_derivative(cardan_abreast *a, const real *y, real *f);
 /* The state at t_new where `taken`, and its derivative. What fails is taken no more. */
 void cardan_abreast_commit(cardan_abreast *a);
-/* Where `taken` the trial becomes the present state. */
-void cardan_abreast_move(cardan_abreast *a);
+/* A trial step of every lane, and what control makes of it; whether some run has `ended`. */
+ptrdiff_t cardan_abreast_try(cardan_abreast *a);
+/* Where `taken` the trial becomes the present state; whether some run came to where steps end. */
+ptrdiff_t cardan_abreast_move(cardan_abreast *a);
 /* For bindings: the size they must agree with. */
 size_t cardan_abreast_size(void);
 
 /* What the texts of methods say in lanes: the present step, a stage, the size against which errors
- * count (fmax takes the number where the other one is none), the worst entry so far. */
+ * count (fmax takes the number where the other one is none). */
 #define ABREAST_TRIAL(a)                                                                           \
     const ptrdiff_t n = (a)->n;                                                                    \
-    const real *y = (const real *)(a)->y, *f = (const real *)(a)->f;                               \
+    const real *y = (const real *)(a)->y;                                                          \
     const real t = *(const real *)(a)->t, h = *(const real *)(a)->h;                               \
     real *k = (real *)(a)->k, *trial = (real *)(a)->trial, *at = (real *)(a)->at;
 #define ABREAST_STAGE(s, sum)                                                                      \
@@ -72,15 +84,25 @@ size_t cardan_abreast_size(void);
 #define ABREAST_SCALE(a, i)                                                                        \
     ((a)->atol + (a)->rtol * cardan_max(cardan_abs(((const real *)(a)->y)[i]),                     \
                                         cardan_abs(((const real *)(a)->trial)[i])))
-#define ABREAST_WORST(square)                                                                      \
-    const cardan_mask worse = ~(cardan_mask)((square) <= worst);                                   \
-    worst = CARDAN_CHOICE(worse, square, worst);                                                   \
-    culprit = CARDAN_CHOICE(worse, CARDAN_REAL((double)i), culprit);
+/* Where it is asked for, the culprit is the entry whose `error` (an expression in i) is largest, or
+ * is no number. */
+#define ABREAST_CULPRIT(a, error)                                                                  \
+    real worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0), *const found = (real *)(a)->culprit; \
+    for (ptrdiff_t i = 0; i < n; i++) {                                                            \
+        const real each = cardan_abs(error);                                                       \
+        const cardan_mask worse                                                                    \
+            = ~(cardan_mask)(each <= worst) & (cardan_mask)(worst == worst);                       \
+        worst = CARDAN_CHOICE(worse, each, worst);                                                 \
+        culprit = CARDAN_CHOICE(worse, CARDAN_REAL((double)i), culprit);                           \
+    }                                                                                              \
+    *found = CARDAN_CHOICE(*found == (double)ABREAST_WORST, culprit, *found);
 
 /* the methods */
 void cardan_dop853_abreast(cardan_abreast *a);
 void cardan_dop853_dense_abreast(cardan_abreast *a);
+void cardan_dop853_worst_abreast(cardan_abreast *a);
 void cardan_rk45_abreast(cardan_abreast *a);
 void cardan_rk45_dense_abreast(cardan_abreast *a);
+void cardan_rk45_worst_abreast(cardan_abreast *a);
 
 #endif

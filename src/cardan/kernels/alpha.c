@@ -57,15 +57,23 @@ static void stand_for(const cardan_alpha *v, real h)
     v->now[ALPHA_STEP] = h;
 }
 
-/* Error of the increment of a step in units of the tolerance: what h^3 udot'' / 6 is missed by. */
+/* Error of a step in units of the tolerance: of its increment, what h^3 udot'' / 6 is missed by; of
+ * its dense output, which sees what angles do inside the step. */
 static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status)
 {
     const real constant = v->beta + (v->am - v->af) / 2 - 1.0 / 6;
-    real *missed = v->room;
+    real *missed = v->room, error, inside;
+    ptrdiff_t culprit;
 
     for (ptrdiff_t i = 0; i < v->nu; i++)
         missed[i] = h * h * constant * (v->a_new[i] - v->a[i]);
-    return cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
+    error = cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
+    culprit = run->culprit;
+    inside = *status == 0 ? cardan_alpha_misfit(run, v, h, status) : 0;
+    if (!(inside <= error))
+        return inside;
+    run->culprit = culprit;
+    return error;
 }
 
 /* Enter what constraints leave into the ledger. */
@@ -116,6 +124,8 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
     run->culprit = cardan_not_finite(run->trial, run->n);
     if (run->culprit >= 0)
         return CARDAN_NOT_FINITE;
+    if (!cardan_follows(run, t, run->trial, run->k))
+        return CARDAN_WHIRLED;
     for (ptrdiff_t i = 0; i < run->n; i++) {
         const real before = run->f[i];
         run->f[i] = run->k[i];
@@ -198,6 +208,8 @@ int cardan_alpha_step(cardan_run *run)
     real h, t_new, error;
     int status = cardan_refresh(run), failed, taken;
 
+    /* a run that comes from a file has not begun here */
+    run->lam = v.lam_old;
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
     if (status == 0 && run->in_segment == 0) {
@@ -224,20 +236,4 @@ int cardan_alpha_step(cardan_run *run)
             status = failed;
     }
     return status != 0 ? status : CARDAN_STOPPED;
-}
-
-/* Cubic through values and derivatives at both ends of the last step. */
-int cardan_alpha_dense(cardan_run *run)
-{
-    const ptrdiff_t n = run->n;
-    const real h = run->t - run->t_old;
-
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const real rise = run->y[i] - run->y_old[i];
-        run->spread[i] = rise;
-        run->spread[n + i] = h * run->k[i] - rise;
-        run->spread[2 * n + i] = 2 * rise - h * (run->k[i] + run->f[i]);
-    }
-    run->is_dense = 1;
-    return 0;
 }

@@ -5,6 +5,7 @@
 #ifndef CARDAN_ALPHA_H
 #define CARDAN_ALPHA_H
 
+#include "mesh_matrix.h"
 #include "run.h"
 
 /* how a step was made, in `now` */
@@ -13,6 +14,7 @@ enum {
     ALPHA_MATRIX,  /* step of the factored matrix, 0: there is none */
     ALPHA_RATE,    /* by which the corrections of the last iteration shrank */
     ALPHA_SINCE,   /* steps since their size was last changed */
+    ALPHA_WEAK,    /* pivots of the factored matrix that were replaced: of a mesh */
     ALPHA_NOW
 };
 
@@ -21,6 +23,7 @@ typedef struct cardan_alpha {
     ptrdiff_t index;    /* 3, or 2: stabilized */
     ptrdiff_t adaptive;
     ptrdiff_t nq, nu, mp, m, size; /* size: of the largest system */
+    const cardan_mesh *mesh; /* elements in tables with a sparse matrix; NULL: a full one */
 
     /* kept from step to step */
     real *now;       /* ALPHA_NOW numbers */
@@ -36,7 +39,7 @@ typedef struct cardan_alpha {
     real *a_new, *udot_new, *lam_new;
     real *shift;     /* (nu) what the stabilization takes off the increment */
     real *increment; /* (nu) */
-    real *moved;     /* q (nq), T (nu, nu) */
+    real *moved;     /* q (nq), T (nu, nu); of a mesh T (places, 9) */
     real *residual;  /* balance (nu), g (mp), rates (m) */
     real *rates;     /* (nq) */
 
@@ -46,7 +49,11 @@ typedef struct cardan_alpha {
     real *unit;      /* (m) unit of a row: the inverse of its length in these units */
     real *matrix;    /* (size, size) */
     real *order, *right; /* (size) */
-    real *room;      /* (size, nu) */
+    real *room;      /* (size, nu); of a mesh (nu) */
+    real *dx;        /* (nu) */
+    real *probe;     /* speeds (nu), balances (2, size), q (nq), T (nu, nu): of differences */
+
+    cardan_mesh_system system; /* of a mesh, in place of these */
 } cardan_alpha;
 
 /* alpha_memory.c */
@@ -58,8 +65,17 @@ int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const r
 void cardan_alpha_pick(const cardan_alpha *v);
 ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h);
 ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix);
-int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h);
-void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx);
+int cardan_alpha_renew(cardan_run *run, const cardan_alpha *v, real h, real t, const real *y,
+                       const real *udot, const real *lam);
+int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
+
+/* alpha_sparse.c */
+ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *own, cardan_alpha *v);
+int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
+                              const real *y, const real *udot, const real *lam);
+int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
+real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
+                              real atol);
 
 /* alpha_newton.c */
 int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h);
@@ -67,5 +83,12 @@ int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t);
 int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new);
 real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
                        real atol, int *status);
+
+/* alpha_differences.c */
+int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, const real *y,
+                             const real *udot, const real *lam);
+
+/* alpha_dense.c */
+real cardan_alpha_misfit(cardan_run *run, const cardan_alpha *v, real h, int *status);
 
 #endif

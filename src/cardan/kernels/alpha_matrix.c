@@ -53,7 +53,10 @@ int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const r
     in.udot = udot;
     in.lam = lam;
     run->jacobians++;
-    status = cardan_call_model(run, &run->balance_tangent, &in, v->tangent);
+    if (run->balance_tangent.function)
+        status = cardan_call_model(run, &run->balance_tangent, &in, v->tangent);
+    else
+        status = cardan_alpha_differences(run, v, t, y, udot, lam);
     if (status == 0)
         weigh(v);
     return status;
@@ -216,7 +219,7 @@ ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix)
 }
 
 /* Factor the matrix of a step h. Returns CARDAN_UNSOLVED where it is singular. */
-int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h)
+static int factor(cardan_run *run, const cardan_alpha *v, real h)
 {
     const ptrdiff_t n = cardan_alpha_assemble(v, h);
 
@@ -227,6 +230,23 @@ int cardan_alpha_factor(cardan_run *run, const cardan_alpha *v, real h)
         return 0;
     v->now[ALPHA_MATRIX] = 0;
     return CARDAN_UNSOLVED;
+}
+
+/* A new matrix of a step h at t, y, udot, lam; h = 0: of accelerations and multipliers at the start.
+ *
+ * Returns 0, CARDAN_UNSOLVED, CARDAN_MODEL or CARDAN_INPUT.
+ */
+int cardan_alpha_renew(cardan_run *run, const cardan_alpha *v, real h, real t, const real *y,
+                       const real *udot, const real *lam)
+{
+    int status;
+
+    if (v->mesh)
+        return cardan_alpha_sparse_renew(run, v, h, t, y, udot, lam);
+    status = cardan_alpha_tangent(run, v, t, y, udot, lam);
+    if (status == 0 && h == 0)
+        cardan_alpha_pick(v);
+    return status != 0 ? status : factor(run, v, h);
 }
 
 /* Right-hand side of the system in its units. */
@@ -251,13 +271,16 @@ static ptrdiff_t right_of(const cardan_alpha *v, real h, real scale)
  *
  * dx (nu) becomes the change of the increment; for h = 0 that of the accelerations.
  */
-void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx)
+int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx)
 {
     const ptrdiff_t nu = v->nu, extra = stabilizers(v, h);
     const real *G = v->tangent + 3 * nu * nu + v->m * nu, *found = v->right + nu;
     const real scale = h == 0 ? 1 : h * h * v->beta * (1 - v->af) / (1 - v->am);
-    const ptrdiff_t n = right_of(v, h, scale);
+    ptrdiff_t n;
 
+    if (v->mesh)
+        return cardan_alpha_sparse_correct(run, v, h, dx);
+    n = right_of(v, h, scale);
     cardan_substitute(n, v->matrix, v->order, v->right);
     for (ptrdiff_t i = 0; i < nu; i++) {
         dx[i] = v->weight[i] * v->right[i];
@@ -277,4 +300,5 @@ void cardan_alpha_correct(const cardan_alpha *v, real h, real *dx)
     for (ptrdiff_t k = 0; k < v->m; k++)
         if (v->picked[k] != 0)
             v->lam_new[k] += v->unit[k] * *found++ / scale;
+    return 0;
 }

@@ -32,16 +32,21 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->lam_new = piece(own, &used, m);
     v->shift = piece(own, &used, nu);
     v->increment = piece(own, &used, nu);
-    v->moved = piece(own, &used, nq + nu * nu);
     v->residual = piece(own, &used, nu + mp + m);
     v->rates = piece(own, &used, nq);
+    v->dx = piece(own, &used, nu);
+    v->mesh = run->mesh;
+    if (v->mesh)
+        return used + cardan_alpha_sparse_lay(v->mesh, own ? own + used : own, v);
+    v->moved = piece(own, &used, nq + nu * nu);
     v->tangent = piece(own, &used, 3 * nu * nu + 2 * m * nu);
     v->weight = piece(own, &used, nu);
     v->unit = piece(own, &used, m);
     v->matrix = piece(own, &used, size * size);
     v->order = piece(own, &used, size);
     v->right = piece(own, &used, size);
-    v->room = piece(own, &used, (size + 1) * nu);
+    v->room = piece(own, &used, size * nu);
+    v->probe = piece(own, &used, nu + 2 * size + nq + nu * nu);
     return used;
 }
 

@@ -29,8 +29,11 @@ real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, r
                        real atol, int *status)
 {
     real sum = 0, largest = 0;
-    cardan_in in = cardan_at(run, &run->t, run->trial);
+    cardan_in in;
 
+    if (v->mesh)
+        return cardan_alpha_sparse_norm(run, v, dx, rtol, atol);
+    in = cardan_at(run, &run->t, run->trial);
     in.u = dx;
     *status = cardan_call_model(run, &run->qdot, &in, v->rates);
     for (ptrdiff_t i = 0; i < v->nq; i++) {
@@ -119,9 +122,7 @@ int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 /* A new matrix at the trial state. */
 static int renew(cardan_run *run, const cardan_alpha *v, real h, real t)
 {
-    int status = cardan_alpha_tangent(run, v, t, run->trial, v->udot_new, v->lam_new);
-
-    return status != 0 ? status : cardan_alpha_factor(run, v, h);
+    return cardan_alpha_renew(run, v, h, t, run->trial, v->udot_new, v->lam_new);
 }
 
 /* Whether what the next corrections will be is little enough; rate: by which they shrink.
@@ -142,7 +143,7 @@ static int enough(real norm, real rate, real last, int is_new)
 int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new)
 {
     const real other = v->now[ALPHA_MATRIX] / h - 1;
-    real *dx = v->room + v->size * v->nu, last = INFINITY;
+    real *dx = v->dx, last = INFINITY;
     int tangents = 0, status = predict(run, v, h);
 
     if (status == 0 && !(fabs(other) < ALIKE)) {
@@ -155,7 +156,9 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         status = cardan_alpha_balance(run, v, t_new);
         if (status != 0)
             return status;
-        cardan_alpha_correct(v, h, dx);
+        status = cardan_alpha_correct(run, v, h, dx);
+        if (status != 0)
+            return status;
         status = place(run, v, h);
         norm = status == 0 ? left_by(run, v, dx, &status) : 0;
         if (status != 0)
@@ -218,22 +221,20 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
         v->udot[i] = run->f[v->nq + i];
     for (ptrdiff_t k = 0; k < v->m; k++)
         v->lam[k] = v->lam_new[k] = 0;
-    status = cardan_alpha_tangent(run, v, run->t, run->y, v->udot, v->lam);
-    if (status == 0 && v->m > 0) {
-        cardan_alpha_pick(v);
-        status = balance(run, v, run->t, run->y, v->udot, v->lam);
+    if (v->m > 0) {
+        status = cardan_alpha_renew(run, v, 0, run->t, run->y, v->udot, v->lam);
         if (status == 0)
-            status = cardan_alpha_factor(run, v, 0);
+            status = balance(run, v, run->t, run->y, v->udot, v->lam);
+        if (status == 0)
+            status = cardan_alpha_correct(run, v, 0, v->dx);
         if (status != 0)
             return status;
-        cardan_alpha_correct(v, 0, v->room + v->size * v->nu);
         for (ptrdiff_t k = 0; k < v->m; k++)
             v->lam_old[k] = v->lam[k] = v->lam_new[k];
     }
     v->now[ALPHA_MATRIX] = 0;
     v->now[ALPHA_STEP] = h;
-    if (status == 0)
-        status = later(run, v, part, slope);
+    status = later(run, v, part, slope);
     for (ptrdiff_t i = 0; i < v->nu; i++) {
         v->rise[i] = (slope[i] - v->udot[i]) / part;
         v->a[i] = v->udot[i] + (v->am - v->af) * h * v->rise[i];

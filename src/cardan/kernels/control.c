@@ -4,11 +4,10 @@
  * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
  * section II.4 (choice of the step and of the first one).
  */
+#include "control.h"
 #include "run.h"
-#include <float.h>
 #include <math.h>
 
-static const real SAFETY = 0.9, SHRINK = 1.0 / 3, GROW = 6;
 /* Size against which an error of entry i counts. */
 real cardan_scale(const cardan_run *run, const real *y, ptrdiff_t i)
 {
@@ -27,26 +26,47 @@ real cardan_finest(const cardan_run *run)
     return fastest > 0 ? smallest / fastest : 1;
 }
 
-/* Of two numbers; unlike calls of the mathematical library these are inline. */
-static inline real smaller(real a, real b)
-{
-    return b < a ? b : a;
-}
-
-static inline real larger(real a, real b)
-{
-    return a < b ? b : a;
-}
-
 static real end_of(const cardan_run *run)
 {
     return run->stops[run->stop_count - 1];
 }
 
-/* The smallest step that t can resolve. */
+/* The time against which a step is too small beside t = 0. */
+real cardan_least_span(const cardan_run *run)
+{
+    const real length = fabs(end_of(run) - run->t_start);
+
+    return CARDAN_SMALLER(length, run->moment);
+}
+
+/* The smallest step that t can resolve; beside t = 0 one that is nothing to the motion. */
 static real least(const cardan_run *run)
 {
-    return 16 * DBL_EPSILON * larger(fabs(run->t), fabs(end_of(run) - run->t_start));
+    const real span = cardan_least_span(run);
+    real smallest;
+
+    cardan_least_step(&run->t, &span, &smallest);
+    return smallest;
+}
+
+/* The time in which the fastest speed leads by 1, or of systems without speeds the state by itself.
+ *
+ * It does not depend on how long the run is to be. Rates of coordinates tell nothing: they have no
+ * bounds where rotations are singular.
+ */
+void cardan_first_moment(cardan_run *run)
+{
+    const ptrdiff_t from = run->nu > 0 ? run->nq : 0, to = run->nu > 0 ? from + run->nu : run->nx;
+    real state = 0, slope = 0;
+
+    for (ptrdiff_t i = from; i < to; i++) {
+        state = fmax(state, fabs(run->y[i]));
+        slope = fmax(slope, fabs(run->f[i]));
+    }
+    if (run->nu > 0)
+        run->moment = 1 / fmax(state, sqrt(slope));
+    else
+        run->moment = state > 0 && slope > 0 ? state / slope : INFINITY;
 }
 
 /* Root mean square of v / scale over the state, at scales of the present state. */
@@ -101,33 +121,22 @@ int cardan_first_step(cardan_run *run, int order)
 /* The step to try: h from t to t_new, not over the stop. */
 int cardan_trial_step(cardan_run *run, real *h, real *t_new)
 {
-    real stop = run->until, left = stop - run->t;
+    const real smallest = least(run);
+    cardan_truth lost;
 
-    *h = copysign(smaller(fabs(run->h), run->max_step), run->h);
-    if (fabs(*h) < least(run) && fabs(left) > least(run))
-        return CARDAN_TOO_SMALL;
-    /* the step that t can tell: roundings of many times would add up */
-    *t_new = run->t + *h;
-    *h = *t_new - run->t;
-    /* stretch a little rather than leave a sliver before the stop */
-    if (fabs(left) <= larger(fabs(*h) + least(run), smaller(1.01 * fabs(*h), run->max_step))) {
-        *h = left;
-        *t_new = stop;
-    }
-    return 0;
+    cardan_next_trial(&run->t, &run->until, &run->h, &smallest, run->max_step, h, t_new, &lost);
+    return lost ? CARDAN_TOO_SMALL : 0;
 }
 
 /* Next step after one of size h was good enough; a step cut at a stop does not shrink it. */
 void cardan_accept_step(cardan_run *run, real h, real error, int order)
 {
-    real factor = error > 0 ? SAFETY * pow(smaller(error, 1), -1.0 / order) : GROW;
-    real next;
+    const cardan_truth rejected = run->rejected != 0;
+    const real counted = error > 1 ? 1 : error;
+    real growth;
 
-    factor = smaller(run->rejected ? 1 : GROW, larger(SHRINK, factor));
-    next = fabs(h) * factor;
-    if (fabs(h) < 0.99 * fabs(run->h) && factor >= 1)
-        next = larger(next, fabs(run->h));
-    run->h = copysign(smaller(next, run->max_step), h);
+    cardan_growth(order, &counted, &growth);
+    cardan_accepted_size(&h, &run->h, &rejected, &growth, run->max_step, &run->h);
     run->rejected = 0;
 }
 
@@ -137,13 +146,15 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order)
  */
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status)
 {
-    real factor = status == 0 ? SAFETY * pow(error, -1.0 / order) : 0.25;
+    const cardan_truth failed = status != 0;
+    real growth;
 
     if (status == CARDAN_INPUT)
         return status;
     run->rejections++;
     run->rejected++;
-    run->h = h * smaller(0.9, larger(0.2, factor));
+    cardan_growth(order, &error, &growth);
+    cardan_rejected_size(&h, &failed, &growth, &run->h);
     if (fabs(run->h) >= least(run))
         return 0;
     return status == 0 ? CARDAN_TOO_SMALL : status;

@@ -6,6 +6,7 @@
 #include <math.h>
 
 static const real ROUNDING = 1e-14; /* of speeds on the constraints, times the square of the hold */
+static const real BENT = 0.3; /* radians by which a given step may differ from the mean of its rates */
 
 /* Fill in the part of r that is given by pieces. */
 void cardan_signals_at(cardan_run *run, real t)
@@ -148,6 +149,26 @@ static real bearable(const cardan_run *run)
     return run->hold > 0 ? fmax(1, magnified / cardan_finest(run)) : 1;
 }
 
+/* Whether a given step to t, next (n) follows the coordinates of rotations; slope (n): there.
+ *
+ * No error of such a step is known. But beside a place where they are singular, these turn by some
+ * radians within a step however short it is, until it is shorter than the distance from there.
+ */
+int cardan_follows(cardan_run *run, real t, const real *next, const real *slope)
+{
+    const real h = t - run->t;
+
+    for (ptrdiff_t k = 0; k < (run->on_grid ? run->bounded_count : 0); k++) {
+        const ptrdiff_t i = run->bounded[k];
+        const real bent = next[i] - run->y[i] - 0.5 * h * (run->f[i] + slope[i]);
+        if (!(fabs(bent) <= BENT)) {
+            run->culprit = i;
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The step to t, y succeeded: make it the present state and evaluate its derivative.
  *
  * y may be `trial`; it is normalized and projected onto the constraints here, which must change it
@@ -193,6 +214,8 @@ int cardan_commit_known(cardan_run *run, real t, const real *y, int known)
         run->culprit = cardan_not_finite(run->y_old, run->n);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : 0;
     }
+    if (status == 0 && !cardan_follows(run, t, next, run->y_old))
+        status = CARDAN_WHIRLED;
     if (status != 0)
         return status;
     cardan_keep(run, t);

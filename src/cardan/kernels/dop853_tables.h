@@ -177,10 +177,15 @@ static const double D[4][16] = {
         spread[(3 + row) * n + i] = h * sum;                                                       \
     }
 
-/* Error of a step of size h from sums of squares over n entries: behaves like h^8. */
-static inline double dop853_error(double h, double n, double sum5, double sum3)
-{
-    return sum5 == 0 ? 0 : fabs(h) * sum5 / sqrt(n * (sum5 + 0.01 * sum3));
-}
+/* What entry i adds to the sums of squares, where errors count against `scale`. */
+#define DOP853_ERROR(number, scale)                                                                \
+    const number part = 1.0 / (scale);                                                             \
+    const number e5 = DOP853_DIFFERENCE(E5) * part, e3 = DOP853_DIFFERENCE(E3) * part;             \
+    sum5 += e5 * e5;                                                                               \
+    sum3 += e3 * e3;
+
+/* Error of a step of size h from sums over n entries: behaves like h^8; 0 where they are. */
+#define DOP853_NORM(h, n, sum5, sum3)                                                              \
+    (cardan_abs(h) * (sum5) / cardan_sqrt((n) * ((sum5) + 0.01 * (sum3)) + 1e-300))
 
 #endif

@@ -1,8 +1,8 @@
 /* Many runs by one thread: one after the other, or each lane its own with its own steps.
  *
- * Part of cardan. Caller owns all memory. What decides about a run, from its first step to the
- * control of every one, is done by the functions of single runs on the record of its lane; lanes
- * only share the arithmetic of trial steps. So a run does not know whether it was alone.
+ * Part of cardan. Caller owns all memory. How a run begins, passes a stop, writes rows and ends is
+ * done by the functions of single runs on the record of its lane; trial steps and their control
+ * are those of single runs in lanes, of the same text. So a run does not know whether it was alone.
  */
 #include "ensemble.h"
 #include <string.h>
@@ -52,6 +52,7 @@ static void finish(cardan_ensemble *e, cardan_lane *lane, int answer)
         e->ends[i] = *run;
     e->answers[i] = answer;
     e->finished++;
+    e->vacant = 1;
     lane->number = -1;
 }
 
@@ -91,25 +92,55 @@ static void get(const cardan_ensemble *e, ptrdiff_t j, const double *from, ptrdi
         to[i] = from[i * e->lane_count + j];
 }
 
-/* The present state and derivative of a run into its lane. */
+/* The present state of a run, its derivative and its control into its lane. */
 static void enter(cardan_ensemble *e, ptrdiff_t j)
 {
     const cardan_run *run = e->lanes[j].run;
+    cardan_abreast *a = e->abreast;
 
-    put(e, j, run->y, run->n, e->abreast->y);
-    put(e, j, run->f, run->n, e->abreast->f);
-    put(e, j, run->r, run->nr, e->abreast->r);
-    put(e, j, run->s, run->ns, e->abreast->s);
-    e->abreast->t[j] = run->t;
+    put(e, j, run->y, run->n, a->y);
+    put(e, j, run->f, run->n, a->k);
+    put(e, j, run->r, run->nr, a->r);
+    put(e, j, run->s, run->ns, a->s);
+    a->t[j] = run->t;
+    a->size[j] = run->h;
+    a->until[j] = run->until;
+    a->span[j] = cardan_least_span(run);
+    a->rejected[j] = run->rejected;
+    a->steps[j] = run->steps;
+    a->rejections[j] = run->rejections;
+    a->evaluations[j] = run->evaluations;
+    a->idle[j] = 0;
+}
+
+/* What the lane of a run knows of it into its record. */
+static void settle(cardan_ensemble *e, ptrdiff_t j)
+{
+    const cardan_abreast *a = e->abreast;
+    cardan_run *run = e->lanes[j].run;
+
+    run->t = a->t[j];
+    run->h = a->size[j];
+    run->steps = a->steps[j];
+    run->rejections = a->rejections[j];
+    run->evaluations = a->evaluations[j];
+    run->culprit = (ptrdiff_t)a->culprit[j];
+    get(e, j, a->y, run->n, run->y);
+}
+
+/* The run of a lane is over. */
+static void end(cardan_ensemble *e, ptrdiff_t j, int answer)
+{
+    finish(e, e->lanes + j, answer);
+    e->abreast->idle[j] = -1;
+    e->abreast->taken[j] = 0;
 }
 
 /* The run of a lane is over where the lane is now. */
 static void leave(cardan_ensemble *e, ptrdiff_t j, int answer)
 {
-    cardan_run *run = e->lanes[j].run;
-
-    get(e, j, e->abreast->y, run->n, run->y);
-    finish(e, e->lanes + j, answer);
+    settle(e, j);
+    end(e, j, answer);
 }
 
 /* Runs of the queue into a lane until one is under way. */
@@ -138,13 +169,12 @@ static void park(cardan_ensemble *e, ptrdiff_t j, ptrdiff_t other)
 {
     cardan_abreast *a = e->abreast;
     const cardan_run *run = e->lanes[other].run;
-    double *const columns[] = {a->y, a->f, a->r, a->s, e->w ? a->w : NULL};
-    const ptrdiff_t sizes[] = {run->n, run->n, run->nr, run->ns, e->w ? e->w_size : 0};
+    double *const columns[] = {a->y, a->k, a->r, a->s, e->w ? a->w : NULL, a->t, a->size, a->until};
+    const ptrdiff_t sizes[] = {run->n, run->n, run->nr, run->ns, e->w ? e->w_size : 0, 1, 1, 1};
 
-    for (int k = 0; k < 5; k++)
+    for (int k = 0; k < 8; k++)
         for (ptrdiff_t i = 0; i < sizes[k]; i++)
             columns[k][i * e->lane_count + j] = columns[k][i * e->lane_count + other];
-    a->t[j] = a->t[other];
     e->lanes[j].parked = 1;
 }
 
@@ -178,47 +208,6 @@ static void alone(void *owner, const double *y, double *f)
     }
 }
 
-/* The next trial of every lane: its size, and the derivatives of all. */
-static void try_all(cardan_ensemble *e)
-{
-    cardan_abreast *a = e->abreast;
-
-    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
-        cardan_run *run = e->lanes[j].run;
-        int status = 0;
-
-        a->evaluations[j] = 0;
-        if (e->lanes[j].number >= 0)
-            status = cardan_trial_step(run, a->h + j, a->t_new + j);
-        if (status != 0)
-            leave(e, j, status);
-        a->failed[j] = e->lanes[j].number < 0;
-        if (a->failed[j] != 0) {
-            a->h[j] = 0;
-            a->t_new[j] = a->t[j];
-        }
-    }
-    a->trial_step(a);
-}
-
-/* Take the trials that are good enough, as far as they lead somewhere. */
-static void take(cardan_ensemble *e)
-{
-    cardan_abreast *a = e->abreast;
-    int some = 0;
-
-    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
-        a->taken[j] = a->failed[j] == 0 && a->error[j] <= 1;
-        if (a->failed[j] != 0)
-            a->culprit[j] = -1;
-        else if (!(a->error[j] - a->error[j] == 0))
-            a->failed[j] = CARDAN_NOT_FINITE;
-        some += a->taken[j] != 0;
-    }
-    if (some)
-        e->commit(a);
-}
-
 /* Whether rows are wanted inside the step that a lane takes. */
 static int is_due(const cardan_run *run, double t_new)
 {
@@ -249,44 +238,19 @@ static void write(cardan_ensemble *e)
 
         if (a->taken[j] == 0 || !is_due(run, a->t_new[j]))
             continue;
-        run->evaluations += a->evaluations[j];
-        get(e, j, a->y, run->n, run->y_old);
-        get(e, j, a->trial, run->n, run->y);
-        if (a->failed[j] == 0) {
-            get(e, j, a->spread, run->dense_rows * run->n, run->spread);
-            run->is_dense = 1;
-        }
-        if (status == 0)
-            status = cardan_write_rows(run);
-        if (status != 0) {
-            a->taken[j] = 0;
-            finish(e, e->lanes + j, status);
-        }
-    }
-}
-
-/* What follows from the trial of a lane, but for its rows. */
-static void decide(cardan_ensemble *e, ptrdiff_t j)
-{
-    cardan_abreast *a = e->abreast;
-    cardan_run *run = e->lanes[j].run;
-
-    run->culprit = (ptrdiff_t)a->culprit[j];
-    run->evaluations += a->evaluations[j];
-    a->evaluations[j] = 0;
-    if (a->taken[j] != 0) {
+        settle(e, j);
         run->t_old = run->t;
         run->t = a->t_new[j];
-        run->is_dense = 0;
-        run->steps++;
-        run->in_segment++;
-        cardan_accept_step(run, a->h[j], a->error[j], (int)e->order);
-        return;
+        get(e, j, a->y, run->n, run->y_old);
+        get(e, j, a->trial, run->n, run->y);
+        run->is_dense = a->failed[j] == 0;
+        if (run->is_dense)
+            get(e, j, a->spread, run->dense_rows * run->n, run->spread);
+        if (status == 0)
+            status = cardan_write_rows(run);
+        if (status != 0)
+            end(e, j, status);
     }
-    const int status
-        = cardan_reject_step(run, a->h[j], a->error[j], (int)e->order, (int)a->failed[j]);
-    if (status != 0)
-        leave(e, j, status);
 }
 
 /* At a stop the next segment begins, or the run is over. */
@@ -295,19 +259,17 @@ static void pass_stop(cardan_ensemble *e, ptrdiff_t j)
     cardan_run *run = e->lanes[j].run;
     int status = 0;
 
-    if (run->t != run->stops[run->next_stop])
-        return;
     if (run->next_stop + 1 == run->stop_count) {
         leave(e, j, CARDAN_DONE);
         return;
     }
-    get(e, j, e->abreast->y, run->n, run->y);
+    settle(e, j);
     run->next_stop++;
     status = cardan_segment(run);
     if (status == 0)
         status = cardan_refresh(run);
     if (status != 0)
-        leave(e, j, status);
+        end(e, j, status);
     else
         enter(e, j);
 }
@@ -317,44 +279,48 @@ static void advance(cardan_ensemble *e)
 {
     cardan_abreast *a = e->abreast;
 
-    try_all(e);
-    take(e);
-    for (ptrdiff_t j = 0; j < e->lane_count; j++)
+    if (e->attempt(a))
+        for (ptrdiff_t j = 0; j < e->lane_count; j++)
+            if (a->ended[j] != 0)
+                leave(e, j, (int)a->ended[j]);
+    if (e->rows)
+        write(e);
+    if (e->move(a))
+        for (ptrdiff_t j = 0; j < e->lane_count; j++)
+            if (a->taken[j] != 0 && a->t[j] == a->until[j])
+                pass_stop(e, j);
+}
+
+/* Runs for the lanes that have none, as long as there are some. Returns whether any is under way. */
+static int occupy(cardan_ensemble *e)
+{
+    ptrdiff_t busy = -1;
+
+    for (ptrdiff_t j = 0; j < e->lane_count; j++) {
+        if (!e->stop)
+            fill(e, j);
+        else if (e->lanes[j].number >= 0)
+            leave(e, j, CARDAN_STOPPED);
         if (e->lanes[j].number >= 0)
-            decide(e, j);
-    write(e);
-    e->move(a);
-    for (ptrdiff_t j = 0; j < e->lane_count; j++)
-        if (e->lanes[j].number >= 0 && a->taken[j] != 0) {
-            a->t[j] = e->lanes[j].run->t;
-            pass_stop(e, j);
-        }
+            busy = j;
+    }
+    for (ptrdiff_t j = 0; j < e->lane_count && busy >= 0; j++)
+        if (e->lanes[j].number < 0 && !e->lanes[j].parked)
+            park(e, j, busy);
+    e->vacant = 0;
+    return busy >= 0;
 }
 
 static void side_by_side(cardan_ensemble *e)
 {
     for (ptrdiff_t j = 0; j < e->lane_count; j++) {
-        e->lanes[j].number = -1;
+        e->lanes[j].number = e->abreast->idle[j] = -1;
         e->lanes[j].parked = 0;
     }
-    for (;;) {
-        ptrdiff_t busy = -1;
-
-        for (ptrdiff_t j = 0; j < e->lane_count; j++) {
-            if (!e->stop)
-                fill(e, j);
-            else if (e->lanes[j].number >= 0)
-                leave(e, j, CARDAN_STOPPED);
-            if (e->lanes[j].number >= 0)
-                busy = j;
-        }
-        if (busy < 0)
-            return;
-        for (ptrdiff_t j = 0; j < e->lane_count; j++)
-            if (e->lanes[j].number < 0 && !e->lanes[j].parked)
-                park(e, j, busy);
-        advance(e);
-    }
+    while (occupy(e))
+        do
+            advance(e);
+        while (!e->vacant && !e->stop);
 }
 
 void cardan_ensemble_drive(cardan_ensemble *e)

@@ -29,8 +29,8 @@ typedef struct cardan_lane {
 typedef struct cardan_ensemble {
     cardan_lane *lanes;
     cardan_abreast *abreast; /* NULL: one lane, one run after the other */
-    void (*commit)(cardan_abreast *a); /* cardan_abreast_commit of its lanes */
-    void (*move)(cardan_abreast *a);   /* cardan_abreast_move */
+    ptrdiff_t (*attempt)(cardan_abreast *a); /* cardan_abreast_try of its lanes */
+    ptrdiff_t (*move)(cardan_abreast *a);    /* cardan_abreast_move */
     ptrdiff_t lane_count, memory_length;
 
     /* the runs */
@@ -39,7 +39,6 @@ typedef struct cardan_ensemble {
     const cardan_own *own; /* (own_count) */
     const double *w;       /* (count, w_size) of rhs, for lanes with parameters of their own */
     ptrdiff_t count, own_count, w_size;
-    ptrdiff_t order; /* of the error of a step, for its control */
     ptrdiff_t timed; /* 1: inputs depend on time */
 
     /* answers */
@@ -50,6 +49,7 @@ typedef struct cardan_ensemble {
     ptrdiff_t *answers; /* (count) */
 
     ptrdiff_t next, finished;
+    ptrdiff_t vacant; /* 1: a lane is idle, and it is not known what it shall do */
     volatile ptrdiff_t stop; /* set by anybody at any time */
 } cardan_ensemble;
 

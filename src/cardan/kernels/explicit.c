@@ -44,6 +44,22 @@ static void look(cardan_run *run, const cardan_explicit *method, real h)
     run->limited += h * h * slopes > 0.8 * 0.8 * method->bound * method->bound * states;
 }
 
+/* The entry whose error is largest, or is no number. */
+static ptrdiff_t worst_of(const cardan_run *run, const cardan_explicit *method, const real *against)
+{
+    real worst = -1;
+    ptrdiff_t culprit = -1;
+
+    for (ptrdiff_t i = 0; i < run->nx && worst == worst; i++) {
+        const real each = fabs(method->part(run, against, i));
+        if (!(each <= worst)) {
+            worst = each;
+            culprit = i;
+        }
+    }
+    return culprit;
+}
+
 /* One accepted step from t, y. */
 int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
 {
@@ -73,6 +89,8 @@ int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
             return 0;
         }
         status = cardan_reject_step(run, h, error, method->order, failed);
+        if (status != 0 && !(error <= 1))
+            run->culprit = worst_of(run, method, cardan_against(run, run->trial));
     }
     return status != 0 ? status : CARDAN_STOPPED;
 }

@@ -28,6 +28,7 @@ typedef struct cardan_explicit {
     int ends;  /* derivative at the end of the step, -1 if the stages have none */
     int (*stages)(cardan_run *run, real h);                     /* k, and the end in `trial` */
     real (*error)(cardan_run *run, real h, const real *against); /* in units of the tolerance */
+    real (*part)(const cardan_run *run, const real *against, ptrdiff_t i); /* what entry i adds */
     int other; /* a derivative at the time of the end, at another state */
     real bound; /* of h times the rate of the fastest decay, beyond which errors grow */
     real (*state)(const cardan_run *run, real h, ptrdiff_t i); /* entry i of that state */

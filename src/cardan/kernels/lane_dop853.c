@@ -9,36 +9,26 @@
 #if CARDAN_LANES > 1
 #include "dop853_tables.h"
 
-enum { L = CARDAN_LANES };
-
-/* Error of the trials, and their worst entries. */
-static void errors(cardan_abreast *a)
-{
-    const ptrdiff_t n = a->n;
-    const real *k = (const real *)a->k;
-    real sum5 = {0.0}, sum3 = {0.0}, worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0);
-
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const real scale = ABREAST_SCALE(a, i);
-        const real e5 = DOP853_DIFFERENCE(E5) / scale, e3 = DOP853_DIFFERENCE(E3) / scale;
-        ABREAST_WORST(e5 * e5)
-        sum5 += e5 * e5;
-        sum3 += e3 * e3;
-    }
-    *(real *)a->culprit = culprit;
-    for (int j = 0; j < L; j++)
-        a->error[j] = dop853_error(a->h[j], (double)n, sum5[j], sum3[j]);
-}
-
 void cardan_dop853_abreast(cardan_abreast *a)
 {
     ABREAST_TRIAL(a)
+    real sum5 = {0.0}, sum3 = {0.0};
 
     a->known = -1;
-    for (ptrdiff_t i = 0; i < n; i++) k[i] = f[i];
     DOP853_STAGES(ABREAST_STAGE)
-    for (ptrdiff_t i = 0; i < n; i++) trial[i] = y[i] + h * DOP853_SOLUTION;
-    errors(a);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        trial[i] = y[i] + h * DOP853_SOLUTION;
+        DOP853_ERROR(real, ABREAST_SCALE(a, i))
+    }
+    *(real *)a->error = DOP853_NORM(h, (double)n, sum5, sum3);
+}
+
+void cardan_dop853_worst_abreast(cardan_abreast *a)
+{
+    const ptrdiff_t n = a->n;
+    const real *k = (const real *)a->k;
+
+    ABREAST_CULPRIT(a, DOP853_DIFFERENCE(E5) / ABREAST_SCALE(a, i))
 }
 
 /* Over the step from y to trial, before it is the present one. */

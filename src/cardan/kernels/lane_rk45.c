@@ -9,32 +9,25 @@
 #if CARDAN_LANES > 1
 #include "rk45_tables.h"
 
-enum { L = CARDAN_LANES };
-
-/* Error of the trials, and their worst entries. */
-static void errors(cardan_abreast *a)
-{
-    const ptrdiff_t n = a->n;
-    const real *k = (const real *)a->k;
-    real sum = {0.0}, worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0);
-
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const real e = RK45_DIFFERENCE / ABREAST_SCALE(a, i);
-        ABREAST_WORST(e * e)
-        sum += e * e;
-    }
-    *(real *)a->culprit = culprit;
-    for (int j = 0; j < L; j++) a->error[j] = rk45_error(a->h[j], (double)n, sum[j]);
-}
-
 void cardan_rk45_abreast(cardan_abreast *a)
 {
     ABREAST_TRIAL(a)
+    real sum = {0.0};
 
     a->known = RK45_END;
-    for (ptrdiff_t i = 0; i < n; i++) k[i] = f[i];
     RK45_STAGES(ABREAST_STAGE)
-    errors(a);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        RK45_ERROR(real, ABREAST_SCALE(a, i))
+    }
+    *(real *)a->error = RK45_NORM(h, (double)(n > 0 ? n : 1), sum);
+}
+
+void cardan_rk45_worst_abreast(cardan_abreast *a)
+{
+    const ptrdiff_t n = a->n;
+    const real *k = (const real *)a->k;
+
+    ABREAST_CULPRIT(a, RK45_DIFFERENCE / ABREAST_SCALE(a, i))
 }
 
 /* Over the step from y to trial, before it is the present one. */

@@ -102,6 +102,7 @@ int cardan_midpoint_residual(cardan_run *run, const room *at, problem *step, rea
     if (status == 0)
         status = energy_at(run, step->t_new, at->end, &total, &kinetic);
     at->kept[SIZE] = fabs(kinetic) + fabs(total - kinetic) + fabs(at->kept[ENERGY]);
+    at->kept[KINETIC] = fabs(kinetic);
     step->missing = total - at->kept[ENERGY] - (work_of(run, at->end) - at->kept[WORK]);
     step->lever = s != 0 ? step->speed / (at->kept[SCALE] * s) : 0;
     residual[nx] = s != 0 ? step->missing * step->lever * step->speed : at->z[nx];

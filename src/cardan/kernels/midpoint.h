@@ -12,14 +12,14 @@
 #define BALANCED (4 * DBL_EPSILON)
 
 /* kept from step to step, before everything else in the method's memory */
-enum { ENERGY, WORK, SIZE, SCALE, NOISE, INVERTED, KEPT };
+enum { ENERGY, WORK, SIZE, SCALE, NOISE, KINETIC, INVERTED, KEPT };
 
 /* Parts of the method's own memory; size = nx + 1, of x1 and nu. */
 typedef struct room {
     ptrdiff_t size;
     real *kept;     /* (KEPT) energy and work at the start of the segment, the sum of energies
                        without signs, what a residual is divided by, what roundings of the state do
-                       to the energy, whether there is `inverse` */
+                       to the energy, that of motion, whether there is `inverse` */
     real *inverse;  /* (size, size) of the matrix of the equations */
     real *matrix;   /* (size, 2 size) */
     real *z;        /* (size) x1 in the chart, nu */

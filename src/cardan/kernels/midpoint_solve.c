@@ -9,17 +9,21 @@
 #include "midpoint.h"
 #include <math.h>
 
-/* corrections relative to the size of their block: sought, and what still counts as solved */
-static const real SOUGHT = 4e-15, SOLVED = 1e-12;
+static const real SOUGHT = 4e-15; /* corrections relative to the size of their block */
 static const real NEAR = 1e-3;   /* from here on Broyden leads on */
-static const real LOOSE = 1e-10; /* what counts as solved beside turning points of circuits */
 static const real LEARNT = 1e-10; /* smaller corrections are too noisy to learn from */
+static const real FAINT = 1e-9;  /* roundings of the energy against that of motion */
 static const real SHIFT = 1.5e-8; /* of differences, relative: the root of a rounding */
 enum {
     MOST = 25,    /* iterations */
-    PATIENT = 12, /* of them before more roundings of the energy are accepted */
+    PATIENT = 12, /* of them before more roundings are accepted */
     FRESH = 2     /* matrices made for one step */
 };
+
+/* What roundings leave: of a correction, relative to its block, and of the energy. */
+typedef struct rounding {
+    real size, missing;
+} rounding;
 
 /* Size against which entry i of z counts: the largest of its block. */
 static real size_of(const cardan_run *run, const room *at, const problem *step, ptrdiff_t i)
@@ -118,19 +122,23 @@ static void predict(const cardan_run *run, const room *at, problem *step, int un
     aim(run, at, step);
 }
 
-/* image = inverse v; returns the largest entry of x1 in it against the size of its block. */
-static real apply(const cardan_run *run, const room *at, const problem *step, const real *v)
+/* image = inverse v; returns the largest entry of x1 in it against the size of its block, and blames
+ * it. */
+static real apply(cardan_run *run, const room *at, const problem *step, const real *v)
 {
     const ptrdiff_t size = at->size;
     real largest = 0;
 
     for (ptrdiff_t i = 0; i < size; i++) {
-        real sum = 0;
+        real sum = 0, part;
         for (ptrdiff_t j = 0; j < size; j++)
             sum += at->inverse[i * size + j] * v[j];
         at->image[i] = sum;
-        if (i < run->nx)
-            largest = fmax(largest, fabs(sum) / size_of(run, at, step, i));
+        part = i < run->nx ? fabs(sum) / size_of(run, at, step, i) : 0;
+        if (part > largest) {
+            largest = part;
+            run->culprit = i;
+        }
     }
     return largest;
 }
@@ -154,35 +162,94 @@ static void learn(const room *at)
     }
 }
 
-/* Iterate from the first guess. Returns 0, CARDAN_UNSOLVED or why a residual has no value. */
+/* Of the energy: what counts as balanced. */
+static real noise_of(const room *at)
+{
+    return BALANCED * at->kept[SIZE] + at->kept[NOISE];
+}
+
+/* The correction that is left, as `apply`; `held`: of x1 alone, with the nu that there is. */
+static real correction(cardan_run *run, const room *at, const problem *step, int held)
+{
+    const ptrdiff_t last = at->size - 1;
+    const real *row = at->inverse + last * at->size, kept = at->residual[last];
+    real size;
+
+    if (held && row[last] != 0) {
+        real sum = 0;
+        for (ptrdiff_t j = 0; j < last; j++)
+            sum += row[j] * at->residual[j];
+        at->residual[last] = -sum / row[last];
+    }
+    size = apply(run, at, step, at->residual);
+    at->residual[last] = kept;
+    return size;
+}
+
+/* What a few roundings of z, up and down, do to the equations; everything else stays as it is. */
+static int shaken(cardan_run *run, const room *at, problem *step, rounding *left)
+{
+    const real missing = step->missing;
+    int status;
+
+    for (ptrdiff_t i = 0; i < at->size; i++) {
+        at->change[i] = at->z[i];
+        at->z[i] += (i % 2 == 0 ? 1 : -1) * BALANCED * size_of(run, at, step, i);
+    }
+    status = cardan_midpoint_residual(run, at, step, at->matrix);
+    for (ptrdiff_t i = 0; i < at->size; i++) {
+        at->z[i] = at->change[i];
+        at->matrix[i] -= at->residual[i];
+    }
+    left->missing = fabs(step->missing - missing);
+    left->size = status == 0 ? apply(run, at, step, at->matrix) : 0;
+    /* the end of the step is that of z again */
+    return status != 0 ? status : cardan_midpoint_residual(run, at, step, at->residual);
+}
+
+/* Iterate from the first guess. Returns 0, CARDAN_UNSOLVED or why a residual has no value.
+ *
+ * An energy that is balanced but for rounding asks for nothing: where the motion is slow, what it
+ * rounds by would be large for the speeds. There nu stays 0 unless the solution with it misses some.
+ */
 static int iterate(cardan_run *run, const room *at, problem *step)
 {
     real last = INFINITY, before = INFINITY;
+    rounding left = {-1, 0};
     int status = cardan_midpoint_residual(run, at, step, at->residual);
+    int slow_motion = noise_of(at) > FAINT * at->kept[KINETIC], was_held = 0;
 
     for (int k = 0; k < MOST && status == 0; k++) {
-        real size = apply(run, at, step, at->residual);
-        const real missing = fabs(step->missing);
-        const real noise = BALANCED * at->kept[SIZE] + at->kept[NOISE];
-        const real most = k < PATIENT ? 30 : 1000;
-        const real solved = SOLVED + 10 * noise * fabs(step->lever);
+        const real missing = fabs(step->missing), noise = noise_of(at);
+        const real most = k < PATIENT ? 10 : 100;
+        const int held = step->lever != 0 && (slow_motion || missing <= noise);
+        real size = correction(run, at, step, held);
+        const int stuck = size > 0.3 * last && (held || size > SOUGHT || missing > 0.3 * before);
 
+        if (size <= SOUGHT && missing <= noise)
+            return 0;
+        if (stuck && left.size < 0 && size < NEAR) {
+            status = shaken(run, at, step, &left);
+            size = correction(run, at, step, held);
+        }
         /* rounding is all there is; what it leaves of the energy is sought by the next step */
-        if ((size <= SOUGHT || (size <= solved && size > 0.3 * last))
-            && (missing <= noise || (missing <= most * noise && missing > 0.3 * before)))
-            return 0;
-        /* beside a turning point circuits round more than their states show */
-        if (k + 1 == MOST && size <= LOOSE && missing <= LOOSE * at->kept[SIZE])
-            return 0;
-        if (!(size < 1e3) || (k > 4 && size > 2 * last && size > SOLVED))
+        if (status == 0 && stuck && size <= fmax(SOUGHT, most * left.size)) {
+            if (missing <= most * fmax(noise, left.missing))
+                return 0;
+            slow_motion = 0;
+        }
+        if (!(size < 1e3)
+            || (k > 4 && held == was_held && size > 2 * last && size > most * left.size))
             return CARDAN_UNSOLVED;
+        was_held = held;
         last = size;
         before = missing;
         for (ptrdiff_t i = 0; i < at->size; i++) {
             at->change[i] = -at->image[i];
             at->z[i] += at->change[i];
         }
-        status = cardan_midpoint_residual(run, at, step, at->residual);
+        if (status == 0)
+            status = cardan_midpoint_residual(run, at, step, at->residual);
         if (status == 0 && size > LEARNT) {
             (void)apply(run, at, step, at->residual);
             learn(at);

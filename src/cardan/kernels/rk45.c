@@ -35,17 +35,21 @@ static real error_of(cardan_run *run, real h, const real *against)
 {
     const ptrdiff_t n = run->n, nx = run->nx;
     const real *k = run->k;
-    real sum = 0, worst = -1;
+    real sum = 0;
 
     for (ptrdiff_t i = 0; i < nx; i++) {
-        real e = RK45_DIFFERENCE / cardan_scale(run, against, i);
-        if (!(e * e <= worst)) {
-            worst = e * e;
-            run->culprit = i;
-        }
-        sum += e * e;
+        RK45_ERROR(real, cardan_scale(run, against, i))
     }
-    return rk45_error(h, (real)nx, sum);
+    return RK45_NORM(h, (real)(nx > 0 ? nx : 1), sum);
+}
+
+/* Its entry i, for a step of length 1. */
+static real part(const cardan_run *run, const real *against, ptrdiff_t i)
+{
+    const ptrdiff_t n = run->n;
+    const real *k = run->k;
+
+    return RK45_DIFFERENCE / cardan_scale(run, against, i);
 }
 
 ptrdiff_t cardan_rk45_length(const cardan_run *run)
@@ -66,7 +70,7 @@ static real state(const cardan_run *run, real h, ptrdiff_t i)
 /* One accepted step from t, y. */
 int cardan_rk45_step(cardan_run *run)
 {
-    static const cardan_explicit method = {ORDER, RK45_END, stages, error_of, 5, 3.3, state};
+    static const cardan_explicit method = {ORDER, RK45_END, stages, error_of, part, 5, 3.3, state};
 
     return cardan_explicit_step(run, &method);
 }

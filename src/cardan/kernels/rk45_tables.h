@@ -46,10 +46,12 @@ static const double C[7] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
      - 10690763975.0 / 1880347072.0 * K(3) + 701980252875.0 / 199316789632.0 * K(4)                \
      - 1453857185.0 / 822651844.0 * K(5) + 69997945.0 / 29380423.0 * K(6))
 
-/* Error of a step of size h from the sum of squares over n entries. */
-static inline double rk45_error(double h, double n, double sum)
-{
-    return fabs(h) * sqrt(sum / (n > 0 ? n : 1));
-}
+/* What entry i adds to the sum of squares, where errors count against `scale`. */
+#define RK45_ERROR(number, scale)                                                                  \
+    const number e = RK45_DIFFERENCE / (scale);                                                    \
+    sum += e * e;
+
+/* Error of a step of size h from the sum over n entries. */
+#define RK45_NORM(h, n, sum) (cardan_abs(h) * cardan_sqrt((sum) / (n)))
 
 #endif

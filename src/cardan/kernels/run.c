@@ -149,6 +149,7 @@ static int sizes_fit(const cardan_run *run)
            && fits(run->log_capacity, 1 + run->ne + run->watched + 2 * (run->nx + run->ns))
            && fits(run->capacity, run->dense_rows * run->n) && fits(run->time_count, 1)
            && fits(run->signal_count, 1) && fits(run->quaternion_count, 4)
+           && fits(run->bounded_count, 1)
            && fits(run->positions, 16) && fits(run->rates, 16);
 }
 
@@ -173,6 +174,7 @@ int cardan_run_start(cardan_run *run)
         status = cardan_refresh(run);
     if (status == 0) {
         run->culprit = cardan_not_finite(run->f, run->n);
+        cardan_first_moment(run);
         status = run->culprit >= 0 ? CARDAN_NOT_FINITE : run->init(run);
     }
     if (status == 0 && run->constraint_jacobian.function)

@@ -43,7 +43,8 @@ enum {
     CARDAN_TURNED = -7,    /* a rotation in one step is larger than its chart */
     CARDAN_UNSOLVED = -8,  /* the equations of an implicit step were not solved */
     CARDAN_STORM = -9,     /* events go on and on at one time */
-    CARDAN_CHATTER = -10   /* an event happens ever again within no time to speak of */
+    CARDAN_CHATTER = -10,  /* an event happens ever again within no time to speak of */
+    CARDAN_WHIRLED = -11  /* a given step does not tell how coordinates of a rotation turn */
 };
 
 /* What happens where the value of an event falls through zero. An event of the first four kinds is
@@ -94,12 +95,15 @@ struct cardan_run {
                                     q, G (rates, nu) */
     cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
     cardan_call qdot;
+    const struct cardan_mesh *mesh; /* elements in tables, NULL: functions know the whole model */
     const real *options; /* numbers that the method was made with, by its record in Python */
     int (*inputs)(real t, const real *x, real *r); /* NULL if no input is a function */
     cardan_signal *signals;
     const ptrdiff_t *quaternions; /* first entry of each in q */
     ptrdiff_t nq, nu, nz, nx, n, nr, ns; /* nx = nq + nu + nz */
     ptrdiff_t signal_count, quaternion_count;
+    const ptrdiff_t *bounded; /* coordinates of rotations that are singular somewhere */
+    ptrdiff_t bounded_count;
     ptrdiff_t sampled; /* 1: `inputs` is asked at the start of a segment, not at every stage */
     ptrdiff_t charted; /* 1: an explicit method takes quaternions by their increments: chart.c */
 
@@ -153,6 +157,7 @@ struct cardan_run {
     /* step size control */
     real rtol, atol, max_step;
     real h; /* next step, signed */
+    real moment; /* in which the state at the start does something: beside t = 0 what counts as time */
     real correction; /* what the projection of the last trial changed, in units of tolerance */
     ptrdiff_t fresh, is_dense, rejected;
     ptrdiff_t on_grid; /* 1: every step is h long */
@@ -242,12 +247,15 @@ void cardan_signals_at(cardan_run *run, real t);
 void cardan_keep(cardan_run *run, real t);
 int cardan_commit(cardan_run *run, real t, const real *y);
 int cardan_commit_known(cardan_run *run, real t, const real *y, int known);
+int cardan_follows(cardan_run *run, real t, const real *next, const real *slope);
 void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
 ptrdiff_t cardan_chart_length(const cardan_run *run);
 void cardan_leave_inside(const cardan_run *run, real theta, real *y);
+void cardan_first_moment(cardan_run *run);
+real cardan_least_span(const cardan_run *run);
 int cardan_first_step(cardan_run *run, int order);
 int cardan_trial_step(cardan_run *run, real *h, real *t_new);
 void cardan_accept_step(cardan_run *run, real h, real error, int order);

@@ -13,6 +13,7 @@ from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Reversed
 from ..errors import ModelError, near
 from . import checks
+from .beam import Beam
 from .body import Body
 from .frame import Place
 
@@ -112,10 +113,10 @@ Element = TypeVar("Element", JointElement, ForceElement)
 
 
 def by_names(element: Element) -> Element:
-    """An element that keeps the names of the joints it was given."""
+    """An element that keeps the names of the joints and beams it was given."""
     given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
-    joints = {key: value.name for key, value in given.items() if isinstance(value, Joint)}
-    return dataclasses.replace(element, **joints) if joints else element  # type: ignore[type-var]
+    names = {key: value.name for key, value in given.items() if isinstance(value, Joint | Beam)}
+    return dataclasses.replace(element, **names) if names else element  # type: ignore[type-var]
 
 
 def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) -> Limits:

@@ -9,9 +9,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from ..elements.forces.force import ForceElement
+from ..elements.forces.line_load import LineLoad
 from ..elements.joints.fixed import Fixed
 from ..errors import ModelError
 from . import checks
+from .beam import Beam
+from .beam_arguments import add_nodes
 from .body import Body
 from .connections import Couple, Joint
 from .frame import Frame, Place
@@ -59,8 +62,14 @@ def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
     ground = copy.ground(at)
     for body in other.bodies.values():
         copy.body(body)
+    on_nodes = [frame for frame in other.frames.values() if frame.body.name in other.nodes]
     for frame in other.frames.values():
-        copy.frame(frame)
+        if frame not in on_nodes:
+            copy.frame(frame)
+    for beam in other.beams.values():
+        copy.beam(beam)
+    for frame in on_nodes:
+        copy.place(frame)
     for joint in other.joints.values():
         copy.joint(joint)
     copy.placeholders()
@@ -115,6 +124,8 @@ class _Copy:
 
     def place(self, place: Place) -> Place:
         if isinstance(place, Frame):
+            if place.name not in self.frames:
+                self.frame(place)
             return self.frames[place.name]
         return self.bodies[place.name]
 
@@ -158,6 +169,37 @@ class _Copy:
             old.named,
         )
         self.model.frames[name] = self.frames[old.name] = made
+
+    def beam(self, old: Beam) -> None:
+        """The beam with its nodes; points and directions stay in axes of the old ground."""
+        name = self.name(old.name)
+        first, last = (
+            dataclasses.replace(
+                end,
+                place=None if end.place is None else self.place(end.place),
+                point=self.value(end.point),
+            )
+            for end in old.ends
+        )
+        made = dataclasses.replace(
+            old,
+            model=self.model,
+            name=name,
+            ends=(first, last),
+            section=self.record(old.section),
+            material=self.record(old.material),
+            line=self.record(old.line),
+            up=self.value(old.up),
+            temperature=self.value(old.temperature),
+            prestrain={key: self.value(x) for key, x in old.prestrain.items()},
+            base=self.bodies["ground" if old.base is None else old.base.name],
+            stops={self.name(node): s for node, s in old.stops.items()},
+        )
+        add_nodes(made)
+        for node in (f"{old.name}.start", f"{old.name}.end", *old.stops):
+            place = self.model.nodes[self.name(node)]
+            if place.name == self.name(node):
+                self.bodies[node] = place.body
 
     def joint(self, old: Joint) -> None:
         """The joint; its motion follows when all symbols are known."""
@@ -203,7 +245,8 @@ class _Copy:
 
     def element(self, element: ForceElement) -> ForceElement:
         """A force element that acts on the new frames and joints."""
-        places = (p for p in element.frames().values() if isinstance(p, str))
+        places = [p for p in element.frames().values() if isinstance(p, str)]
+        places += [element.beam] if isinstance(element, LineLoad) else []
         names = frozenset([*element.joints().values(), *places])
         made: ForceElement = self.record(element, names)
         return made

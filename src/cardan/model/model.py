@@ -12,6 +12,8 @@ from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
 from . import checks
+from .beam import Beam
+from .beam_arguments import ELEMENT, INERTIA, add_beam
 from .body import Body, placed, tensor
 from .connections import Force, Joint, by_names, couple_of, element_of, limits_of
 from .frame import Frame, Located, Place, triple
@@ -22,11 +24,14 @@ from .summary import summary
 from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
+    from ..elements.centerlines import Centerline
+    from ..elements.material import Material
+    from ..elements.sections import Section
     from ..topology.graph_view import GraphView
 
 
 class Model(Vocabulary):
-    """A scene: bodies, joints, forces, parameters, inputs and outputs.
+    """A scene: bodies, joints, beams, forces, parameters, inputs and outputs.
 
     Args:
         name: Its name.
@@ -34,8 +39,10 @@ class Model(Vocabulary):
 
     Attributes:
         ground: The body that does not move.
-        bodies, joints, forces: By name, in the order of declaration.
+        bodies, joints, beams, forces: By name, in the order of declaration.
         frames: By name; those made by :meth:`Body.at`.
+        nodes: By name; start, end and :meth:`Beam.at` of the beams. Where an end is joined to a
+            frame, that frame.
         parameters, inputs, outputs, constraints: By name.
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
@@ -50,6 +57,8 @@ class Model(Vocabulary):
         self.ground = Body(self, "ground", 0, (0, 0, 0), (0,) * 6, ((0, 0, 0), None))
         self.bodies: dict[str, Body] = {}
         self.joints: dict[str, Joint] = {}
+        self.beams: dict[str, Beam] = {}
+        self.nodes: dict[str, Place] = {}
         self.forces: dict[str, Force] = {}
         self.frames: dict[str, Frame] = {}
         self.parameters: dict[str, Declared] = {}
@@ -134,8 +143,9 @@ class Model(Vocabulary):
             ModelError: it is taken or not usable.
         """
         checks.new(what, name, self.bodies)
-        if name in self.frames or name == "ground":
-            raise ModelError(f"{what} '{name}': the name is taken by a frame")
+        if name in self.frames or name in self.nodes or name == "ground":
+            taken = "node of a beam" if name in self.nodes else "frame"
+            raise ModelError(f"{what} '{name}': the name is taken by a {taken}")
 
     def place(self, who: str, place: Place | str, role: str = "frame") -> Place:
         """A frame or body of this model.
@@ -152,9 +162,11 @@ class Model(Vocabulary):
             return place
         if place == "ground":
             return self.ground
-        found = self.bodies.get(place) or self.frames.get(place) if isinstance(place, str) else None
+        found = None
+        for named in (self.bodies, self.frames, self.nodes) if isinstance(place, str) else ():
+            found = found or named.get(str(place))
         if found is None:
-            known = ["ground", *self.bodies]
+            known = ["ground", *self.bodies, *self.nodes]
             listed = near(str(place), known).replace(" Known:", " Bodies:")
             raise ModelError(f"{who}: {role} '{place}' does not exist.{listed}")
         return found
@@ -252,6 +264,72 @@ class Model(Vocabulary):
         made = Force(name, by_names(element))
         self.forces[name] = made
         return made
+
+    def beam(
+        self,
+        name: str,
+        start: Place | str | Sequence[Any],
+        end: Place | str | Sequence[Any],
+        section: Section | None = None,
+        material: Material | None = None,
+        elements: int = 8,
+        up: Any = None,
+        line: Centerline | None = None,
+        element: str = ELEMENT,
+        inertia: str = INERTIA,
+        release_start: str | Sequence[str] = (),
+        release_end: str | Sequence[str] = (),
+        temperature: Any = 0,
+        prestrain: Mapping[str, Any] | None = None,
+    ) -> Beam:
+        """Add a beam: slender, elastic, of one section, in displacements of any size.
+
+        Section axes: e1 along the beam, e3 as near to ``up`` as can be, e2 = e3 x e1. A scene with
+        beams is derived in absolute coordinates. See ``docs/flexible.md``.
+
+        Args:
+            name: Its name.
+            start, end: A frame, body or name that the end is clamped to, or a free end: three
+                numbers in ground axes at the reference configuration.
+            section: One of :mod:`cardan.section`, such as ``cd.section.tube(0.05, 0.04)``.
+            material: ``cd.material(E=, nu=, rho=, damping=, expansion=)``; not needed by
+                ``cd.section.general``.
+            elements: Number of finite elements.
+            up: Direction of e3 in ground axes, or its part across the beam. Without it e3 starts
+                upward (of an upright beam e2 along y) and is carried along without twist.
+            line: ``cd.arc(...)`` or ``cd.spline(points)`` from start to end; straight without. The
+                beam is without stress there.
+            element: Kind of finite element: ``"hellinger_reissner"``, ``"helicoidal"``,
+                ``"classical"`` or ``"classical_plain"``.
+            inertia: ``"linked"``, that of the motion between nodes, or ``"lumped"`` at them.
+            release_start, release_end: What the clamp does not hold there: ``"x" "y" "z"``
+                displacements along and ``"rx" "ry" "rz"`` rotations about the section axes, such as
+                ``"ry"`` for a hinge. The coordinates are those of a joint ``<name>.start`` or
+                ``<name>.end``.
+            temperature: Rise against the reference configuration [K].
+            prestrain: What the beam has without stress beyond the reference configuration: any of
+                twist, curvature2, curvature3 [1/m], stretch, shear2, shear3.
+
+        Returns:
+            The beam; :meth:`Beam.at`, ``start`` and ``end`` are frames for joints and forces.
+
+        Raises:
+            ModelError: unknown or foreign frames, numbers no beam has, or a name that is taken.
+
+        Source: J. C. Simo and L. Vu-Quoc, A three-dimensional finite-strain rod model, 1986.
+        """
+        return add_beam(
+            self,
+            name,
+            ((start, release_start), (end, release_end)),
+            (section, material),
+            elements,
+            up,
+            line,
+            (element, inertia),
+            temperature,
+            prestrain,
+        )
 
     def include(self, other: Model, prefix: str, at: Place | str | None = None) -> Included:
         """Add a copy of another model as a subsystem; its ground becomes a body of this one.

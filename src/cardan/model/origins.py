@@ -9,7 +9,7 @@ from ..errors import CardanError
 
 # kind and name of an item -> file, line and column
 Origins = Mapping[tuple[str, str], str]
-KINDS = ("body", "frame", "joint", "force", "output", "parameter", "input", "constraint")
+KINDS = ("body", "frame", "beam", "joint", "force", "output", "parameter", "input", "constraint")
 # items that make others, whose names begin with theirs
 MAKERS = ("include", "dh")
 _NAMED = re.compile(rf"^()'([^']*)'|\b({'|'.join(KINDS)}) '([^']*)'")

@@ -20,6 +20,7 @@ def summary(model: Model) -> str:
         f"{len(items)} {what}{'s' if len(items) != 1 else ''}"
         for what, items in (
             ("joint", model.joints),
+            ("beam", model.beams),
             ("force", model.forces),
             ("parameter", model.parameters),
             ("input", model.inputs),
@@ -35,6 +36,7 @@ def summary(model: Model) -> str:
         f"gravity ({gravity}) m/s^2",
     ]
     lines += ["", *_table(_rows(model))] if model.bodies else []
+    lines += ["", *_table(_beams(model))] if model.beams else []
     lines += _forces(model)
     lines += [f"note: {_fit(note, 160)}" for note in model.notes]
     return "\n".join(lines)
@@ -51,6 +53,14 @@ def _rows(model: Model) -> list[list[str]]:
         else:
             row += [joint.name, joint.kind.kind, joint.parent.body.name, _remark(joint)]
         rows.append(row)
+    return rows
+
+
+def _beams(model: Model) -> list[list[str]]:
+    rows = [["beam", "section", "line", "from", "to", "elements"]]
+    for beam in model.beams.values():
+        ends = (beam.start.name, beam.end.name)
+        rows.append([beam.name, beam.section.kind, beam.line.kind, *ends, str(beam.elements)])
     return rows
 
 

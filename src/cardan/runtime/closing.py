@@ -29,10 +29,12 @@ class Closing:
     Attributes:
         rows: Multipliers of the manifest, those of positions first.
         size: Of the mechanism, against which residuals count [m].
+        watched: Whether runs look out for places where branches meet.
     """
 
     rows: tuple[dict[str, Any], ...]
     size: float
+    watched: bool = True
 
     @classmethod
     def of(cls, model: CompiledModel) -> Closing:
@@ -40,7 +42,7 @@ class Closing:
         rows = tuple(model.manifest.get("multipliers", ()))
         if not model.manifest.get("projected", True):
             rows = ()
-        return cls(rows, size_of(model) if rows else 1.0)
+        return cls(rows, size_of(model) if rows else 1.0, "mesh" not in model.manifest)
 
     def loosened(self, slack: float) -> Closing:
         """The same where residuals up to a slack, without units, count as none."""
@@ -61,8 +63,9 @@ class Closing:
         """The functions of the model that project."""
         if not self.rows:
             return ()
-        names = ("close_position", "close_velocity", "constraint_jacobian")
-        return names if self.positions else names[1:]
+        watch = ("constraint_jacobian",) if self.watched else ()
+        close = ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+        return (*close, *watch)
 
     def ledger(self, numbers: Array) -> Ledger | None:
         """The ledger of a run from its numbers (4 (positions + rates),)."""

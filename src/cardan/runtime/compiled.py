@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError
+from ..errors import ArgumentError, spelled
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
+from .generated import Generated, Source
 from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
-from .loaded import LoadedFunction, assemble, batch
+from .loaded import LoadedFunction
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
 from .states import random_state
@@ -89,6 +89,15 @@ class CompiledModel(Analyzed):
         # of the mechanism with these parameters, once it is known
         self._size: float | None = None
         self._calls = _Calls(self._function)
+        self._source = self._source_of()
+
+    def _source_of(self) -> Source:
+        """Where functions come from: elements in tables, or C of their own."""
+        if "mesh" not in self.manifest:
+            return Generated()
+        from .absolute.assembled import Assembled
+
+        return Assembled()
 
     def __repr__(self) -> str:
         return (
@@ -138,33 +147,8 @@ class CompiledModel(Analyzed):
             for name, of in missing:
                 self._check_of(name, of)
             if missing:
-                self._add(missing)
+                self._source.add(self, missing)
             return [self._functions[key] for key in wanted]
-
-    def _add(self, missing: list[Key]) -> None:
-        """Load functions, check those that were compiled now, and publish them."""
-        objects = self._objects
-        codes = objects.load([objects.symbol(*key) for key in missing])
-        fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
-        p = self._parameters.vector
-        try:
-            for (name, of), code in zip(missing, codes, strict=True):
-                arguments = self._layout.reads(name, of)
-                if code.symbol not in objects.batches:
-                    objects.batches[code.symbol] = batch(code, arguments, objects.threads)
-                ways = objects.batches[code.symbol]
-                self._functions[name, of] = assemble(name, of, code, arguments, p, ways)
-            if fresh:
-                from .verify import verify_built
-
-                verify_built(self, fresh)
-            for key, symbol in fresh.items():
-                self._functions[key] = replace(self._functions[key], code=objects.keep(symbol))
-        except BaseException:
-            for key in missing:
-                self._functions.pop(key, None)
-            objects.forget(fresh.values())
-            raise
 
     def prepare(self, *functions: str | Key, batch: bool = False) -> None:
         """Compile functions before they are needed, several at once.
@@ -287,6 +271,7 @@ class CompiledModel(Analyzed):
 
         return compare(self, functions, t, **options)
 
+    @spelled
     def simulate(
         self,
         t: float | ArrayLike,
@@ -303,6 +288,8 @@ class CompiledModel(Analyzed):
         max_step: float | None = None,
         inputs: Mapping[str, Any] | None = None,
         sample: float | None = None,
+        checkpoint: str | Path | None = None,
+        every: float = 10.0,
         check: bool = False,
         progress: bool | Callable[[float], None] | None = None,
     ) -> Trajectory:
@@ -315,12 +302,14 @@ class CompiledModel(Analyzed):
                 noted.
             method, rtol, atol, step, max_step: Such as ``"DOP853"``, tolerances, steps [s].
             inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
+            checkpoint, every: A file that keeps what is computed, and how often [s].
             check, progress: Raise where the end is not reached; show how far it is.
         """
         from ..analyses.simulate import simulate
 
         start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "z": z, "events": events}
         given: dict[str, Any] = {"inputs": inputs, "sample": sample, "progress": progress}
+        given |= {"checkpoint": checkpoint, "every": every}
         how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
         return simulate(self, t, method=method, check=check, **start, **given, **how)
 
@@ -330,6 +319,7 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
+    @spelled
     def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
         """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
         from ..analyses.stepper import resume

@@ -16,9 +16,9 @@ class Conduct:
         settings: Its tolerances or step, as words to print.
         initial: Named initial value of every coordinate and speed.
         defaulted: Those that the caller did not give.
-        status: ``finished``, ``event`` (one ended the run), ``interrupted``, ``step_too_small``,
-            ``not_finite``, ``not_closed``, ``model_failed``, ``event_storm``, ``chatter`` or
-            ``too_large``.
+        status: ``finished``, ``event`` (one ended the run), ``interrupted``, ``function_failed``,
+            ``event_storm``, ``chatter``, ``step_too_small``, ``step_too_long``, ``not_solved``,
+            ``not_finite``, ``not_closed``, ``model_failed`` or ``too_large``.
         message: The same as a sentence, with time and coordinate.
         reason: Why this method, or what another one would do better.
         statistics: steps, rejections, evaluations, milliseconds.

@@ -257,7 +257,9 @@ class Dynamics(Kinematics, ABC):
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """Wrench of parent on child (..., 6) at the child joint frame, in its axes.
+        """Wrench of parent on child (..., 6), moment before force, at the child joint frame.
+
+        [Mx, My, Mz, Fx, Fy, Fz] in its axes [N m], [N].
 
         Args:
             joint: A joint with motion or a fixed one.

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import final
+from functools import cached_property
+from typing import Any, final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .calling import Array
 
@@ -44,12 +46,14 @@ class Happened:
 
     Attributes:
         s: Discrete states (nt, ns).
-        rows: name, element and kind of every event that could happen.
+        rows: name, element and kind of every event that could happen; with ``decides``, the place
+            of a mode, counted from the end, and the value from which it is no event but the first
+            decision about that mode.
         log: When what happened, and [x, s] before and behind it (count, 1 + ne + 2 (nx + ns)).
     """
 
     s: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    rows: tuple[Mapping[str, str], ...] = ()
+    rows: tuple[Mapping[str, Any], ...] = ()
     log: Array = field(default_factory=lambda: np.zeros((0, 1)))
 
     @property
@@ -63,17 +67,53 @@ class Happened:
         half = (self.log.shape[1] - start) // 2
         return self.log[:, start : start + nx], self.log[:, start + half : start + half + nx]
 
-    def events(self, nx: int) -> tuple[Event, ...]:
-        """One record per event, in the order of time."""
+    @cached_property
+    def _fired(self) -> NDArray[np.bool_]:
+        """What happened: (count, ne)."""
+        found: NDArray[np.bool_] = self.log[:, 1 : 1 + len(self.rows)] != 0
+        return found
+
+    @cached_property
+    def _samples(self) -> NDArray[np.bool_]:
+        """Samples among it (count, ne)."""
+        ticks = np.array([row["kind"] == "tick" for row in self.rows], dtype=bool)
+        found: NDArray[np.bool_] = self._fired & ticks
+        return found
+
+    @cached_property
+    def _told(self) -> NDArray[np.bool_]:
+        """Events among it (count, ne): neither samples nor first decisions."""
+        start = 1 + len(self.rows)
+        before = self.log[:, : start + (self.log.shape[1] - start) // 2]
+        found = self._fired & ~self._samples
+        for k, row in enumerate(self.rows):
+            if "decides" in row:
+                mode, value = row["decides"]
+                found[:, k] &= before[:, int(mode)] != value
+        return found
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many events there were, and how many samples."""
+        return {"events": int(self._told.sum()), "ticks": int(self._samples.sum())}
+
+    @property
+    def quiet(self) -> Array:
+        """Times at which there was no event, but samples or first decisions."""
+        loud = self._told.any(axis=1)
+        return np.setdiff1d(self.times[~loud], self.times[loud])
+
+    def events(self, nx: int, ticks: bool = False) -> tuple[Event, ...]:
+        """One record per event, or per sample, in the order of time."""
         start, found = 1 + len(self.rows), []
         half = (self.log.shape[1] - start) // 2
-        for line in self.log:
+        for line, fired in zip(self.log, self._samples if ticks else self._told, strict=True):
             before, after = line[start : start + half], line[start + half :]
             states = (before[:nx], before[nx:], after[:nx], after[nx:])
-            for k in np.flatnonzero(line[1:start]):
+            for k in np.flatnonzero(fired):
                 row = self.rows[k]
-                name, element, kind = row["name"], row["element"], row["kind"]
-                found.append(Event(float(line[0]), name, element, kind, *states))
+                known = str(row["name"]), str(row["element"]), str(row["kind"])
+                found.append(Event(float(line[0]), *known, *states))
         return tuple(found)
 
     def modes(self, t: Array, times: Array) -> Array:

@@ -23,6 +23,8 @@ class Parameters(Mapping[str, float]):
             [row["default"] for row in self._rows] if values is None else values, dtype=np.float64
         )
         self._values.flags.writeable = False
+        self._limits = manifest.get("limits", ())
+        self.judge(self._values)
 
     @property
     def vector(self) -> Array:
@@ -53,14 +55,40 @@ class Parameters(Mapping[str, float]):
         """The vector with some values replaced; values of shape (...) give (..., np).
 
         Raises:
-            ModelError: unknown or structural name; a value that is not finite; a negative mass.
+            ModelError: unknown or structural name; a value that is not finite, or that an element
+                cannot have; a negative mass.
         """
         read = {name: self.checked(name, value) for name, value in values.items()}
         lead = common("parameters", {name: value.shape for name, value in read.items()})
         result = np.broadcast_to(self._values, (*lead, len(self))).copy()
         for name, value in read.items():
             result[..., self._place[name]] = value
+        self.judge(result)
         return result
+
+    def judge(self, values: Array) -> None:
+        """Refuse numbers that force elements cannot have.
+
+        Args:
+            values: (..., np), in the order of the manifest.
+
+        Raises:
+            ModelError: what the element said where the scene was written.
+        """
+        for limit in self._limits:
+            value, least = values[..., self._place[limit["parameter"]]], limit.get("least")
+            low = values[..., self._place[least]] if isinstance(least, str) else least
+            low = np.full_like(value, -np.inf if low is None else low)
+            bad = (value < low) | (value > limit.get("most", np.inf))
+            if limit.get("open"):
+                bad |= value == low
+            if bad.any():
+                one = tuple(np.argwhere(bad)[0])
+                told = limit["told"].replace("{value}", f"{value[one]:g}")
+                told = told.replace("{other}", f"{low[one]:g}")
+                where = f" at {tuple(map(int, one))}" if one else ""
+                name = limit["parameter"]
+                raise ModelError(f"parameter '{name}'{where}: {limit['who']}: {told}")
 
     def checked(self, name: str, value: ArrayLike) -> Array:
         """Values (...) that a parameter may have.

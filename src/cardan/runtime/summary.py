@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from textwrap import wrap
 from typing import TYPE_CHECKING
@@ -48,6 +49,7 @@ def summary(motion: Trajectory) -> str:
         rest = {n: v for n, v in rest.items() if n in inputs}
     lines += _values("start", "by default", rest)
     lines += _events(motion)
+    lines += _samples(motion)
     lines += _energy(motion)
     lines += _constraints(motion)
     return "\n".join(lines)
@@ -87,7 +89,7 @@ def _own(motion: Trajectory) -> str:
 
 def _events(motion: Trajectory) -> list[str]:
     """What happened how often and when first, a few lines at most."""
-    if not motion.happened.rows:
+    if all(row["kind"] == "tick" for row in motion.happened.rows):
         return []
     groups: dict[str, list[Event]] = {}
     for event in motion.events:
@@ -99,6 +101,15 @@ def _events(motion: Trajectory) -> list[str]:
     rest = len(lines) - LISTED
     shown = [*lines[:LISTED], *([f"and {rest} more"] if rest > 0 else [])] or ["none"]
     return [f"  {'events' if not k else '':<9} {line}" for k, line in enumerate(shown)]
+
+
+def _samples(motion: Trajectory) -> list[str]:
+    """How often controllers sampled."""
+    counts = Counter(event.name for event in motion.ticks)
+    told = [f"{name} {count} times" for name, count in counts.items()]
+    rest = len(told) - LISTED
+    text = ", ".join([*told[:LISTED], *([f"and {rest} more"] if rest > 0 else [])])
+    return [f"  samples   {text}"] if told else []
 
 
 def _energy(motion: Trajectory) -> list[str]:

@@ -132,8 +132,16 @@ class Trajectory:
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """What happened, in the order of time. Rows at ``t`` stand before and behind a change."""
+        """What happened, in the order of time, but for samples: those are :attr:`ticks`.
+
+        Rows at ``t`` stand before and behind a change.
+        """
         return self.happened.events(self.x.shape[1])
+
+    @cached_property
+    def ticks(self) -> tuple[Event, ...]:
+        """Samples of controllers, in the order of time; in ``s``, ``s_after`` what they hold."""
+        return self.happened.events(self.x.shape[1], ticks=True)
 
     def __getitem__(self, name: str) -> Array:
         """History of a coordinate, speed, state of an element, input, output or multiplier.

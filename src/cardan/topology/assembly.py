@@ -17,6 +17,9 @@ from ..model.frame import Frame as UserFrame
 from ..model.frame import Place
 from ..model.model import Model
 from . import motion
+from .beamed import BeamNodes
+from .beams import Beams
+from .circuits import circuit
 from .coincidence import check_coincidence
 from .convert import IDENTITY, ORIGIN, Converter, symmetric
 from .placement import HERE, Placement, moved_mass
@@ -33,9 +36,12 @@ class Assembly:
         model: The scene, rotors of drives included.
         convert: Makes expressions of what is written.
         rotors: Joint of a rotor -> the joint whose place it shares.
+        nodes: Nodes of beams, which are bodies of the scene.
     """
 
-    def __init__(self, model: Model, convert: Converter, rotors: Mapping[str, str]) -> None:
+    def __init__(
+        self, model: Model, convert: Converter, rotors: Mapping[str, str], nodes: BeamNodes
+    ) -> None:
         self.model = model
         self.graph = convert.graph
         self.convert = convert
@@ -55,7 +61,8 @@ class Assembly:
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
         self.data: dict[str, dict[str, tuple[int, int, Nodes]]] = {}
-        self.reference = Reference(convert, model)
+        self.beams = Beams(convert, nodes, self._pose)
+        self.reference = Reference(convert, model, self.beams)
         self._place_ground()
 
     def _place_ground(self) -> None:
@@ -83,11 +90,13 @@ class Assembly:
         """The joint frame on the parent body and on the child body, in their user frames."""
         if joint.name in self.rotors:
             return self.parent_side[self.rotors[joint.name]], HERE
+        if joint.name in self.beams.nodes.implicit:
+            return self.reference.floating(joint)
         with self.graph.made_by(joint.name, "placement"):
             sides = self.reference.sides(
                 joint,
-                self._local(joint.parent, joint.name),
-                self._local(joint.child, f"{joint.name}.child"),
+                self.placed(joint.parent, joint.name),
+                self.placed(joint.child, f"{joint.name}.child"),
                 lambda: self._rest(joint),
             )
         self.parent_side[joint.name] = sides[0]
@@ -112,7 +121,7 @@ class Assembly:
         rotation, position = joint.kind.pose(q, **data)
         return Placement(rotation.nodes, position.nodes)
 
-    def _local(self, place: Place, name: str) -> Placement:
+    def placed(self, place: Place, name: str) -> Placement:
         """A frame in its user body; the parameters take the name of the first who uses it."""
         if isinstance(place, UserBody):
             return HERE
@@ -124,6 +133,10 @@ class Assembly:
             found = Placement(rotation, position)
             self.local[place] = found
         return found
+
+    def _pose(self, place: Place, name: str) -> Placement:
+        """Pose of a frame in the reference configuration."""
+        return self.reference.poses[place.body].then(self.graph, self.placed(place, name))
 
     def _merge(self, branch: Branch, near_side: Placement, far_side: Placement) -> None:
         """Fix the outer body to the rigid body of the inner one."""
@@ -223,8 +236,8 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             sides = self.reference.closing(
                 joint,
-                self._local(joint.parent, joint.name),
-                self._local(joint.child, f"{joint.name}.child"),
+                self.placed(joint.parent, joint.name),
+                self.placed(joint.child, f"{joint.name}.child"),
                 lambda: self._rest(joint),
             )
             (parent, inner), (child, outer) = (
@@ -248,9 +261,9 @@ class Assembly:
 
     def _carry(self, joint: UserJoint, parent: int, near: int, place: Placement) -> int:
         """Number of a new body without mass, which a joint moves in place of its child."""
-        number, name = len(self.bodies), self._unwritten(f"{joint.name}.carried")
+        number, name = len(self.bodies), self.unwritten(f"{joint.name}.carried")
         self.bodies.append(Rigid(name, parent))
-        far = self._number(name, name, number, 0, HERE)
+        far = self.new_frame(name, name, number, 0, HERE)
         self._enter(self._moving(joint, near, far, place))
         return number
 
@@ -263,7 +276,8 @@ class Assembly:
         carrier: int | None = None,
     ) -> None:
         """What closes a circuit between two frames."""
-        base, path = self._circuit(*(self.frames[frame].body for frame in frames))
+        ends = (self.frames[frame].body for frame in frames)
+        base, path = circuit([body.parent for body in self.bodies], *ends)
         cut = Cut(
             name=closing.joint.name,
             element=element,
@@ -277,20 +291,6 @@ class Assembly:
             carrier=carrier,
         )
         self.cuts.append(cut)
-
-    def _circuit(self, parent: int, child: int) -> tuple[int, tuple[tuple[int, int], ...]]:
-        """Where the branches to two bodies part, and the joints from there, with their signs."""
-        path: list[tuple[int, int]] = []
-        one, other = parent, child
-        while one != other:
-            # bodies are numbered regularly: the higher number cannot be inboard of the other
-            if one > other:
-                path.append((one, -1))
-                one = self.bodies[one].parent
-            else:
-                path.append((other, 1))
-                other = self.bodies[other].parent
-        return one, tuple(sorted(path))
 
     def _label_place(self, joint: str, place: Placement) -> None:
         """Names for readers of the C: where a joint sits on the parent body."""
@@ -307,19 +307,11 @@ class Assembly:
             joint: Name of the fixed joint that holds it, "" for the first part.
             where: Frame of that joint in the rigid body.
         """
-        g, body = self.graph, branch.outer
+        body = branch.outer
         number, placement = self.home[body]
         rigid = self.rigid(number)
-        frame = self._number(body, body.name, number, len(rigid.parts), placement)
-        with g.made_by(body.name, "mass"):
-            mass = self.convert.scalar(body.mass, f"{body.name}.mass", "kg")
-            com = self.convert.vector(body.com, f"{body.name}.com", "m")
-            entries = self.convert.vector(
-                body.inertia, f"{body.name}.inertia", "kg m^2", labels=ENTRIES
-            )
-            first, tensor = moved_mass(g, placement, mass, com, symmetric(entries))
-        if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
-            self.unchecked.append((body.name, (mass, *entries)))
+        frame = self.new_frame(body, body.name, number, len(rigid.parts), placement)
+        mass, first, tensor = self._mass(body, placement)
         inboard = rigid.index[branch.inner.name] if joint else -1
         rigid.index[body.name] = len(rigid.parts)
         side = frame
@@ -331,7 +323,21 @@ class Assembly:
             Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
         )
 
-    def _number(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
+    def _mass(self, body: UserBody, placement: Placement) -> tuple[int, Nodes, Nodes]:
+        """Mass, first moment and inertia in axes of the rigid body; nodes of beams have none."""
+        if body in self.beams.nodes.beams:
+            return ZERO, ORIGIN, (ZERO,) * 9
+        convert, name = self.convert, body.name
+        with self.graph.made_by(name, "mass"):
+            mass = convert.scalar(body.mass, f"{name}.mass", "kg")
+            com = convert.vector(body.com, f"{name}.com", "m")
+            entries = convert.vector(body.inertia, f"{name}.inertia", "kg m^2", labels=ENTRIES)
+            first, tensor = moved_mass(self.graph, placement, mass, com, symmetric(entries))
+        if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
+            self.unchecked.append((name, (mass, *entries)))
+        return mass, first, tensor
+
+    def new_frame(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
         """A new frame of the system."""
         self.numbers[key] = len(self.frames)
         self.frames.append(Frame(name, body, part, placement.rotation, placement.position))
@@ -346,11 +352,11 @@ class Assembly:
                 return known
         part = self.rigid(body).index[place.body.name]
         own = isinstance(place, UserFrame) and place.named and not known
-        named = place.name if own else self._unwritten(name)
+        named = place.name if own else self.unwritten(name)
         # a joint placed by at= has a frame of its own on a body that stands for another
-        return self._number(name if known is not None else place, named, body, part, placement)
+        return self.new_frame(name if known is not None else place, named, body, part, placement)
 
-    def _unwritten(self, name: str) -> str:
+    def unwritten(self, name: str) -> str:
         """A made name, or one like it where the user gave that to something else."""
         while name in self.written:
             name += "_"
@@ -361,11 +367,11 @@ class Assembly:
         known = self.numbers.get(place)
         if known is None:
             number, home = self.home[place.body]
-            placement = home.then(self.graph, self._local(place, name))
+            placement = home.then(self.graph, self.placed(place, name))
             part = self.rigid(number).index[place.body.name]
             own = isinstance(place, UserBody) or place.named
-            named = place.name if own else self._unwritten(name)
-            known = self._number(place, named, number, part, placement)
+            named = place.name if own else self.unwritten(name)
+            known = self.new_frame(place, named, number, part, placement)
         return known
 
     def couple(self) -> None:

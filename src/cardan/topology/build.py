@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from ..elements.forces.force import ForceElement
+from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
@@ -12,6 +13,7 @@ from ..model.model import Model
 from ..model.origins import located
 from . import announcements, internals, motion
 from .assembly import Assembly
+from .beamed import with_beams
 from .built_in import BuiltIn
 from .circuits import Numbers, independent
 from .closed_forms import closed_forms
@@ -19,7 +21,8 @@ from .convert import Converter
 from .legs import Axes
 from .pictures import pictures
 from .rotors import with_rotors
-from .system import Atom, Closure, Force, Named, System
+from .segments import segments, settle
+from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
 
 # leaves of expressions that move with the system
@@ -61,9 +64,15 @@ def build(
         raise found from problem
 
 
-def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] | None) -> System:
+def _build(
+    model: Model,
+    built_in: BuiltIn | None,
+    branches: Mapping[str, str] | None,
+    placing: Collection[str] = (),
+) -> System:
     scene, rotors = with_rotors(model)
-    tree, closing = rooted_tree(scene)
+    scene, nodes = with_beams(scene)
+    nodes.check()
     convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
     inputs = motion.declare_inputs(scene, convert)
@@ -71,42 +80,31 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
         gravity = convert.vector(scene.gravity, "gravity", "m/s^2")
 
     # the tree: bodies, frames, joints and their slots
-    assembly = Assembly(scene, convert, rotors.place)
-    carried = {joint.joint.name for joint in closing if joint.carried}
-    # rotors sit where the joints do that they drive
-    late = [branch for branch in tree if rotors.place.get(branch.joint.name) in carried]
-    for branch in tree:
-        if branch not in late:
-            assembly.add(branch)
-    for joint in closing:
-        assembly.close(joint)
-    for branch in late:
-        assembly.add(branch)
-    assembly.couple()
-    parents = [rigid.parent for rigid in assembly.bodies]
-    cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
-    closures: tuple[Closure, ...] = ()
-    closable: tuple[Closure, ...] = ()
-    if cuts or branches:
-        free = [scene.joints[j.name].motion is None for j in assembly.joints]
-        axes = Axes(assembly.joints, parents, Numbers(convert))
-        solved, rest = closed_forms(cuts, axes, free, branches or {})
-        if branches is None:
-            closable = solved
-        else:
-            closures, cuts = solved, rest
+    assembly = _grown(Assembly(scene, convert, rotors.place, nodes))
+    settle(assembly)
+    cuts, solved = _circuits(assembly, branches)
+    closures, closable = ((), solved) if branches is None else (solved, ())
     assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:
             assembly.frame(frame, frame.name)
 
     announcements.check_masses(assembly.unchecked, convert)
+    beams = segments(scene, assembly)
+    if assembly.beams.geometry:
+        # where beams are is numbers: so are the parameters that say it
+        placing = assembly.beams.geometry
+        return _build(model, BuiltIn.with_names(built_in, placing), branches, placing)
 
     # what expressions may speak of, then the expressions
     convert.moving = True
     places = internals.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
-    forces = tuple([_force(model, assembly, name, places[name]) for name in scene.forces])
+    forces = tuple(
+        _force(model, assembly, name, places[name])
+        for name, force in scene.forces.items()
+        if not isinstance(force.element, LineLoad)
+    )
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
@@ -130,13 +128,46 @@ def _build(model: Model, built_in: BuiltIn | None, branches: Mapping[str, str] |
         closures=closures,
         closable=closable,
         constraints=constraints,
+        segments=beams,
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),
         shapes=pictures(scene, assembly.numbers),
         snaps=tuple(scene.snaps),
         structural=convert.structural,
     )
-    return announcements.announce(made, scene, convert)
+    return announcements.announce(made, scene, convert, placing)
+
+
+def _grown(assembly: Assembly) -> Assembly:
+    """All bodies and joints of its scene."""
+    tree, closing = rooted_tree(assembly.model)
+    carried = {joint.joint.name for joint in closing if joint.carried}
+    # rotors sit where the joints do that they drive
+    late = [branch for branch in tree if assembly.rotors.get(branch.joint.name) in carried]
+    for branch in tree:
+        if branch not in late:
+            assembly.add(branch)
+    for joint in closing:
+        assembly.close(joint)
+    for branch in late:
+        assembly.add(branch)
+    assembly.couple()
+    return assembly
+
+
+def _circuits(
+    assembly: Assembly, branches: Mapping[str, str] | None
+) -> tuple[tuple[Cut, ...], tuple[Closure, ...]]:
+    """The cuts that are left, and those that are or could be solved in closed form."""
+    parents = [rigid.parent for rigid in assembly.bodies]
+    convert, joints = assembly.convert, assembly.joints
+    cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
+    if not cuts and not branches:
+        return cuts, ()
+    free = [assembly.model.joints[joint.name].motion is None for joint in joints]
+    axes = Axes(joints, parents, Numbers(convert))
+    solved, rest = closed_forms(cuts, axes, free, branches or {})
+    return (cuts if branches is None else rest), solved
 
 
 def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:

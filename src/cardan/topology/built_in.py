@@ -46,6 +46,14 @@ class BuiltIn:
                 raise ModelError(f"specialize: '{name}' must be a finite number, not {value!r}")
         return BuiltIn(frozenset(asked), {name: float(x) for name, x in asked.items()})
 
+    @staticmethod
+    def with_names(asked: BuiltIn | None, names: Iterable[str]) -> BuiltIn:
+        """The same and more names."""
+        if asked is None:
+            return BuiltIn(frozenset(names))
+        wanted = None if asked.wanted is None else asked.wanted | frozenset(names)
+        return BuiltIn(wanted, asked.values)
+
     def takes(self, name: str) -> bool:
         """Whether a parameter becomes a number."""
         if self.wanted is not None and name not in self.wanted:

@@ -55,6 +55,31 @@ class Pose:
 HERE = Pose(np.eye(3), np.zeros(3))
 
 
+def circuit(
+    parents: Sequence[int], parent: int, child: int
+) -> tuple[int, tuple[tuple[int, int], ...]]:
+    """Where the branches to two bodies part, and the joints from there, with their signs.
+
+    Args:
+        parents: Parent of every body, -1 for the ground.
+        parent, child: The bodies.
+
+    Returns:
+        The body from which both branches start, and (joint, sign): 1 on the branch of the child.
+    """
+    path: list[tuple[int, int]] = []
+    one, other = parent, child
+    while one != other:
+        # bodies are numbered regularly: the higher number cannot be inboard of the other
+        if one > other:
+            path.append((one, -1))
+            one = parents[one]
+        else:
+            path.append((other, 1))
+            other = parents[other]
+    return one, tuple(sorted(path))
+
+
 def independent(
     cuts: Sequence[Cut],
     joints: Sequence[Joint],

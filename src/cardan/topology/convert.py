@@ -43,15 +43,18 @@ class Converter:
         values: Numbers by dotted name that replace those written, as far as not yet used.
         same: Dotted name -> the name under which the same number is kept.
         built_in: Which parameters are written into the equations as numbers.
+        fixing: Numbers, not expressions, are part of the form where this is set.
     """
 
     def __init__(self, model: Model, graph: Graph, built_in: BuiltIn | None = None) -> None:
         self.graph = graph
         self.built_in = built_in
         self.parameters: list[Parameter] = []
+        self._defaults: list[float] = []
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
         self.moving = False
+        self.fixing = False
         self.symbols: dict[str, int] = {}
         self.units: dict[str, str | None] = {}
         self.values = dict(model.values) | (built_in.values if built_in is not None else {})
@@ -71,10 +74,11 @@ class Converter:
         self.units[name] = unit
 
     def _parameter(self, name: str, value: float, unit: str, declared: bool = False) -> int:
-        if self.built_in is not None and self.built_in.takes(name):
+        if self.fixing or (self.built_in is not None and self.built_in.takes(name)):
             self.structural[name] = value
             return self.graph.const(value)
         self.parameters.append(Parameter(name, value, unit, declared))
+        self._defaults.append(value)
         return self.graph.var("p", len(self.parameters) - 1)
 
     def scalar(self, value: Any, name: str, unit: str = "", ratio: bool = False) -> int:
@@ -106,7 +110,7 @@ class Converter:
             nodes: The expressions.
             graph: Where they live, where that is a fork of this one's.
         """
-        values = {"p": [parameter.value for parameter in self.parameters]}
+        values = {"p": self._defaults}
         output = Output("values", (len(nodes),), tuple(nodes))
         found = evaluate(Function("values", graph or self.graph, (), (output,)), values)["values"]
         return [float(x) for x in found]

@@ -4,25 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from ..errors import ModelError
 from ..model.body import Body
 from ..model.connections import Joint
+from ..model.frame import Place
 from ..model.model import Model
+from .beams import Beams
 from .convert import IDENTITY, Converter
-from .placement import HERE, Placement
+from .placement import HERE, Placement, turned
+
+# of numbers that a user types, against the length of the beam
+APART = 1e-6
 
 
 class Reference:
     """Poses of the bodies in ground axes at the default coordinates.
 
     A body with ``pose=`` has that; the others get theirs from their inboard joint. Nothing is
-    computed in a model that uses neither ``pose=`` nor ``at=``.
+    computed in a model that uses neither ``pose=`` nor ``at=`` nor beams.
     """
 
-    def __init__(self, convert: Converter, model: Model) -> None:
+    def __init__(self, convert: Converter, model: Model, beams: Beams) -> None:
         self.convert = convert
-        self.active = any(b.pose is not None for b in model.bodies.values()) or any(
-            j.at is not None for j in model.joints.values()
+        self.beams = beams
+        self.active = (
+            bool(model.beams)
+            or any(b.pose is not None for b in model.bodies.values())
+            or any(j.at is not None for j in model.joints.values())
         )
         self.ground = model.ground
         self.poses: dict[Body, Placement] = {model.ground: HERE}
@@ -44,6 +54,8 @@ class Reference:
         if not self.active:
             return parent, child
         g, apart = self.convert.graph, rest()
+        if self._at_node(joint):
+            return self._noded(joint, parent, child, apart)
         if joint.parent.body not in self.poses:
             return self._backwards(joint, parent, child, apart)
         base = self.poses[joint.parent.body]
@@ -75,6 +87,8 @@ class Reference:
         if not self.active:
             return parent, child
         g, apart = self.convert.graph, rest()
+        if self._at_node(joint):
+            return self._noded(joint, parent, child, apart)
         base, outer = self.poses[joint.parent.body], self.poses[joint.child.body]
         if joint.at is not None:
             place, there = self._at(joint, apart)
@@ -83,6 +97,100 @@ class Reference:
             side = outer.then(g, child).then(g, apart.inverse(g))
             return base.inverse(g).then(g, side), child
         return parent, child
+
+    # joints at nodes of beams
+
+    def floating(self, joint: Joint) -> tuple[Placement, Placement]:
+        """The frames of an implicit joint: both are origins."""
+        body = joint.child.body
+        pose = self.beams.pose(body) or self._given(body)
+        assert pose is not None, "a body moves freely only where it has a place"
+        self.poses[body] = pose
+        return HERE, HERE
+
+    def _at_node(self, joint: Joint) -> bool:
+        return any(place.body in self.beams.nodes.beams for place in (joint.parent, joint.child))
+
+    def _noded(
+        self, joint: Joint, parent: Placement, child: Placement, apart: Placement
+    ) -> tuple[Placement, Placement]:
+        """A joint at a node sits there; its axes are those of the parent, the others follow.
+
+        Where the other side is a body, its frame follows too; where it is a frame or a node, both
+        must be at the same place.
+        """
+        g = self.convert.graph
+        inner, outer = joint.parent.body, joint.child.body
+        for body in (inner, outer):
+            pose = None if body in self.poses else self.beams.pose(body) or self._given(body)
+            if pose is not None:
+                self.poses[body] = pose
+        if joint.at is not None:
+            place, there = self._at(joint, apart)
+            self.poses.setdefault(inner, place)
+            self.poses.setdefault(outer, there)
+            return self._onto(inner, place), self._onto(outer, there)
+        if inner not in self.poses or outer not in self.poses:
+            # one of them is carried by the node: the frames coincide
+            if inner in self.poses:
+                moved = parent.then(g, apart).then(g, child.inverse(g))
+                self.poses[outer] = self.poses[inner].then(g, moved)
+            else:
+                moved = child.then(g, apart.inverse(g)).then(g, parent.inverse(g))
+                self.poses[inner] = self.poses[outer].then(g, moved)
+            return parent, child
+        return self._between(joint, parent, child, apart)
+
+    def _between(
+        self, joint: Joint, parent: Placement, child: Placement, apart: Placement
+    ) -> tuple[Placement, Placement]:
+        """The frames of a joint at a node, both sides of which have their places."""
+        g = self.convert.graph
+        inner, outer = joint.parent.body, joint.child.body
+        near, far = self.poses[inner].then(g, parent), self.poses[outer].then(g, child)
+        released = joint.name in self.beams.nodes.releases
+        axes = far.rotation if released else near.rotation
+        place = Placement(axes, near.position)
+        if self._follows(joint.parent):
+            arm = turned(g, axes, apart.position)
+            place = Placement(axes, tuple(map(g.sub, far.position, arm)))
+            near_side = self._onto(inner, place)
+        else:
+            near_side = parent
+        there = place.then(g, apart)
+        far_side = self._onto(outer, there)
+        if not self._follows(joint.child):
+            self._meet(joint, there, far)
+            far_side = child if released else Placement(far_side.rotation, child.position)
+        return near_side, far_side
+
+    def _follows(self, place: Place) -> bool:
+        """Whether the frame of a joint on a body follows from the node on its other side."""
+        return isinstance(place, Body) and place not in self.beams.nodes.beams
+
+    def _onto(self, body: Body, place: Placement) -> Placement:
+        """A place in ground axes as seen from a body; in numbers, unless nothing has to be."""
+        g = self.convert.graph
+        seen = self.poses[body].inverse(g).then(g, place)
+        return self.beams.constant(*self.beams.numbers(seen))
+
+    def _meet(self, joint: Joint, found: Placement, wanted: Placement) -> None:
+        """Both sides of a joint at a node are at the same place.
+
+        Raises:
+            ModelError: they are apart.
+        """
+        a, b = (np.array(self.convert.defaults(p.position)) for p in (found, wanted))
+        beams = (self.beams.nodes.beams.get(p.body) for p in (joint.parent, joint.child))
+        length = max(self.beams.laid(beam).length for beam in beams if beam is not None)
+        gap = float(np.linalg.norm(a - b))
+        if gap > APART * length:
+            raise ModelError(
+                f"joint '{joint.name}' ({joint.kind.kind}): '{joint.parent.name}' and "
+                f"'{joint.child.name}' are {gap:.3g} m apart where the beams lie in the reference "
+                "configuration. Let them meet, or name a body instead of a frame: then the frame "
+                "of the joint follows from the node"
+            )
 
     def _at(self, joint: Joint, apart: Placement) -> tuple[Placement, Placement]:
         """Both frames of a joint with ``at=``, in ground axes."""

@@ -15,6 +15,7 @@ from ..elements.forces.force import ForceElement
 from ..elements.internal import Event
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import Graph
+from .segment import Segment
 
 Nodes = tuple[int, ...]
 GROUND = -1
@@ -159,6 +160,9 @@ class Joint:
             for none.
         follows: Turns about the line about which the parent does, from the same axes at angle 0.
         reversed: Declared with the outer body as parent; element and data are told the other way.
+        implicit: Made for a node of beams, or for a body that only beams hold: free from the
+            ground. Both frames are origins there; ``q0`` is the pose in the reference
+            configuration.
     """
 
     name: str
@@ -179,6 +183,7 @@ class Joint:
     follows: bool = False
     closure: int = -1
     reversed: bool = False
+    implicit: bool = False
 
 
 @dataclass(frozen=True)
@@ -285,7 +290,8 @@ class System:
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
     ``cuts`` close the circuits of the tree, but for ``closures``, which are solved in closed form;
     ``closable`` says which of the cuts could be, where that was not asked for;
-    ``constraints`` are expressions that are kept at 0.
+    ``constraints`` are expressions that are kept at 0. ``segments`` are the beams: their ends are
+    frames of bodies, and nodes that are on no body of the user are bodies without mass.
     ``frames[0]`` is the ground frame. ``snaps`` says which numbers of a file were snapped,
     ``structural`` which numbers (by dotted name) are part of the form of the equations, ``notes``
     what the user should know.
@@ -308,6 +314,7 @@ class System:
     closures: tuple[Closure, ...] = ()
     closable: tuple[Closure, ...] = field(default=(), repr=False)
     constraints: tuple[Named, ...] = ()
+    segments: tuple[Segment, ...] = ()
     ground_parts: tuple[Part, ...] = ()
     fixed: tuple[str, ...] = ()
     shapes: tuple[tuple[int, Mapping[str, object]], ...] = ()

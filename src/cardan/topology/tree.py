@@ -51,7 +51,8 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     """The tree from the ground, and the joints that close its circuits.
 
     Joints are taken in the order of declaration. Where there are circuits, those of most freedoms
-    are cut: that leaves the fewest speeds, and with them the fewest constraints.
+    are cut: that leaves the fewest speeds, and with them the fewest constraints. In a scene with
+    beams speeds do not count, and places follow in the order of the joints: the last ones are cut.
 
     Returns:
         The branches, every inner body before its outer one, and the cut joints.
@@ -59,7 +60,7 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     joints, kept = list(model.joints.values()), keep(model)
     asked = {joint.name for joint in joints if joint.cut}
     branches, closing = _grow(model, [joint for joint in joints if not joint.cut])
-    if closing:
+    if closing and not model.beams:
         branches, closing = _grow(model, _fewest_freedoms(model, asked, kept))
         closing += [j for j in joints if j not in closing and _closes(branches, j)]
     closing += [j for j in joints if j.cut and j not in closing and _reached(model, branches, j)]
@@ -185,6 +186,8 @@ def _closing(branches: list[Branch], joint: Joint, kept: Mapping[str, str]) -> C
         return Closing(joint, ring, "cut=True asks for it", carried)
     if joint.name in kept:
         return Closing(joint, ring, "the coordinates of all joints here are wanted", carried)
+    if joint.parent.body.model.beams:
+        return Closing(joint, ring, "it is the last of its circuit")
     count = freedoms(joint, kept)
     others = [j for j in ring if j is not joint and freedoms(j, kept) >= count]
     freest = f"{count} freedoms less" if count != 1 else "1 freedom less"

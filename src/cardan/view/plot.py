@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -28,7 +29,8 @@ def plot(motion: Trajectory, path: Any, names: Any) -> Any:
     chosen = None if names is None else asked(names)
     motion = _smooth(motion)
     panels = _everything(motion) if chosen is None else _chosen(motion, chosen)
-    return _figure(str(motion.manifest["name"]), "t [s]", motion.t, panels, path)
+    held = {str(row["name"]) for row in motion.manifest.get("s", ())}
+    return _figure(str(motion.manifest["name"]), "t [s]", motion.t, panels, path, held)
 
 
 def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], path: Any) -> Any:
@@ -97,13 +99,16 @@ def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: 
     return _done(figure, title, path)
 
 
-def _figure(title: str, label: str, over: Curve, panels: Panels, path: Any) -> Any:
-    """Panels below each other, written to a file if there is one."""
+def _figure(
+    title: str, label: str, over: Curve, panels: Panels, path: Any, held: Collection[str] = ()
+) -> Any:
+    """Panels below each other, written to a file if there is one; what is held as stairs."""
     figure = _empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
     for axis, (name, curves) in zip(axes, panels, strict=True):
         for curve, values in curves.items():
-            axis.plot(over, values, label=curve, linewidth=1.2)
+            style = "steps-post" if curve in held else "default"
+            axis.plot(over, values, label=curve, linewidth=1.2, drawstyle=style)
         axis.set_ylabel(name)
         axis.grid(alpha=0.3)
         if 0 < len(curves) <= CURVES:

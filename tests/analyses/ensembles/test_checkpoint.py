@@ -184,12 +184,22 @@ def test_ctrl_c_keeps_what_was_computed(double: cd.CompiledModel, tmp_path: Path
             sent.append(done)
             os.kill(os.getpid(), signal.SIGINT)
 
-    with pytest.warns(cd.SolveWarning, match="did not reach their end"):
+    words = (
+        r"interrupted when \d+ of 2000 .* \d+ runs are kept in .*runs, and the same call goes on"
+    )
+    with pytest.warns(cd.SolveWarning, match=words):
         made = double.ensemble(**OPTIONS, checkpoint=path, progress=tick, threads=2)
     assert time.perf_counter() - started < 60
     assert 0 < made.finished.sum() < 2000
     assert {"finished", "not_run"} <= set(made.status)
+    assert made.interrupted
     assert np.isnan(made.final[made.status == "not_run"]).all()
     whole = double.ensemble(**OPTIONS, checkpoint=path)
     assert whole.success
+    assert 0 < whole.restored <= made.done < 2000
+    assert f"{whole.restored} runs from the checkpoint" in repr(whole)
+    # nothing is computed the third time, so that it has no speed
+    told = repr(double.ensemble(**OPTIONS, checkpoint=path))
+    assert "2000 runs from the checkpoint" in told
+    assert "runs per second" not in told
     np.testing.assert_array_equal(whole.final[made.finished], made.final[made.finished])

@@ -13,7 +13,7 @@ import pytest
 import cardan as cd
 from analyses.ensembles.test_bits import same
 from cardan.analyses.ensembles import hands
-from cardan.analyses.ensembles.job import build_key
+from cardan.analyses.growing import build_key
 
 
 class Here:

@@ -54,8 +54,9 @@ def test_functions_as_inputs(double: cd.CompiledModel) -> None:
     def broken(t: float, x: np.ndarray) -> float:
         raise RuntimeError("no sensor")
 
-    with pytest.raises(RuntimeError, match="no sensor"):
+    with pytest.raises(cd.FunctionError, match="'torque' raised at t = 0 s: RuntimeError") as told:
         double.ensemble(1.0, q={"elbow": elbow}, inputs={"torque": broken})
+    assert isinstance(told.value.__cause__, RuntimeError)
 
 
 def test_events_of_the_caller(double: cd.CompiledModel) -> None:

@@ -16,11 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import CardanError, ModelError, SolveError, SolveWarning
+from ...errors import CardanError, ModelError, SolveError, SolveWarning, spelled
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
 from ..choice import Limited
-from ..happenings import Happenings, happenings
+from ..growing import build_key, digest, model_key
+from ..happenings import happenings
 from ..progress import showing
 from ..sample import Plan
 from ..settings import settings
@@ -30,7 +31,7 @@ from .checkpoint import Checkpoint
 from .crew import suits, width_of
 from .gathered import UNFINISHED, Gathered
 from .hands import Block, Client, Threads, interruptible
-from .job import Job, build_key, digest, histories_of
+from .job import Job, histories_of
 from .reductions import reductions
 from .result import Ensemble
 from .single import motion
@@ -43,8 +44,11 @@ LARGEST = 1024  # runs of a block
 ROOM = 16e6  # bytes of its rows
 SHARES = 16  # blocks at least, where runs suffice
 ALONE = 8  # runs of a block that are done one by one in Python
+AGAIN = "and the same call goes on from there"
+CURE = f"checkpoint= (--checkpoint FILE) keeps finished runs in a file, {AGAIN}"
 
 
+@spelled
 def ensemble(
     model: CompiledModel,
     t: Any,
@@ -78,14 +82,13 @@ def ensemble(
     Args:
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s].
-        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,); its names are
-            coordinates, speeds, parameters or inputs.
+        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
+            names of coordinates, speeds, parameters or inputs.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.
-        parameters: Name -> number, values (runs,) or a distribution.
-        inputs: Name -> number, array (runs,), distribution; or, for all runs alike,
-            ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
+        parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
+            alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
         events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
             done one after the other in every thread, the others in lanes.
         runs: How many, where nothing else says so.
@@ -107,7 +110,8 @@ def ensemble(
 
     Raises:
         ModelError: unknown names, nothing that differs, a checkpoint of other runs.
-        ArgumentError: shapes that do not fit. SolveError: a number that is not finite; no room for
+        ArgumentError: shapes that do not fit. FunctionError: a function of yours raised; what a
+            checkpoint has stays there. SolveError: a number that is not finite; no room for
             the checkpoint; a run that failed, with ``check``.
         BuildError: a client whose machine builds other bits.
     """
@@ -120,11 +124,32 @@ def ensemble(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
+    hands, file = _hands(client, threads), _file(checkpoint)
     job = Job(model, how, given, may, over, made, kept)
     job = _settled(job, rtol) if method == "auto" else job
     job = replace(job, width=_width(job, lanes), build=build_key(model))
-    hands = Client(client) if client is not None else Threads(threads_of(threads))
-    return _judged(_computed(job, hands, checkpoint, progress), check)
+    return _judged(_computed(job, hands, file, progress), check)
+
+
+def _hands(client: Any, threads: Any) -> Threads | Client:
+    """Who computes.
+
+    Raises:
+        ModelError: no number of threads. ArgumentError: no client.
+    """
+    whole = isinstance(threads, int | np.integer) and not isinstance(threads, bool)
+    if threads is not None and (not whole or threads < 1):
+        raise ModelError(
+            f"threads={threads!r} is no number of threads: 1, 2, ..., or leave it out for all cores"
+        )
+    return Client(client) if client is not None else Threads(threads_of(threads))
+
+
+def _file(checkpoint: Any) -> Path | None:
+    """Where finished runs are kept."""
+    if checkpoint is None or isinstance(checkpoint, str | Path):
+        return None if checkpoint is None else Path(checkpoint)
+    raise ModelError(f"checkpoint={checkpoint!r}: name a file, such as 'runs.part'")
 
 
 def _observed(over: Span, kept: bool) -> Span:
@@ -178,23 +203,17 @@ def blocks(job: Job) -> list[Block]:
 def whose(job: Job) -> dict[str, str]:
     """Hashes of everything that decides about the answers."""
     model, given = job.model, job.given
-    texts = {name: entry["sha256"] for name, entry in model.manifest["functions"].items()}
     columns = [x for c in job.varied.columns for x in (c.block, c.name, repr(c.place), c.values)]
     pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if job.over.times is None else job.over.times
     functions = sorted(given.functions), given.sample
     return {
-        "model": digest(model.name, texts.get("rhs"), model.parameters.vector),
+        "model": model_key(model),
         "build": job.build,
         "plan": digest(job.varied.runs, *columns, given.constants, *pieces, functions),
-        "settings": digest(job.how, job.over.start, job.over.end, times, _watched(job.may)),
+        "settings": digest(job.how, job.over.start, job.over.end, times, job.may.described),
         "reductions": digest({name: _told(one) for name, one in job.kept.items()}),
     }
-
-
-def _watched(may: Happenings) -> list[Any]:
-    """Events in words that are the same in every process."""
-    return [may.rows, [(w.name, w.kind, w.direction) for w in may.watches]]
 
 
 def _told(reduction: Any) -> str:
@@ -203,22 +222,26 @@ def _told(reduction: Any) -> str:
     return repr(reduction) if function is None else f"{function.__module__}.{function.__qualname__}"
 
 
-def _computed(job: Job, hands: Threads | Client, checkpoint: Any, progress: Any) -> Ensemble:
+def _computed(
+    job: Job, hands: Threads | Client, checkpoint: Path | None, progress: Any
+) -> Ensemble:
     """All blocks, those of the checkpoint first."""
     gathered, left = Gathered(job), blocks(job)
     clock = time.perf_counter()
-    file = Checkpoint(Path(checkpoint), whose(job)) if checkpoint is not None else None
+    file = Checkpoint(checkpoint, whose(job)) if checkpoint is not None else None
     with closing(file) if file else nullcontext(), interruptible() as stop:
         for piece in file.pieces() if file else ():
             gathered.add(piece)
             left.remove((piece.first, piece.last))
+        restored = gathered.done
         with showing(progress, job.model.name) as show:
             for piece in hands.pieces(job, left, stop) if left else ():
                 if file and not np.isin(piece.status, UNFINISHED).any():
                     file.add(piece)
                 gathered.add(piece)
                 show(gathered.done / job.varied.runs)
-    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands))
+    kept = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
+    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
 
 
 def _judged(result: Ensemble, check: bool) -> Ensemble:
@@ -227,9 +250,12 @@ def _judged(result: Ensemble, check: bool) -> Ensemble:
     if not failed:
         return result
     first = int(np.argmin(result.finished))
-    why = result.messages.get(first, "interrupted before it began")
-    text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
+    if result.interrupted:
+        text = f"interrupted when {result.done} of {len(result)} runs were done; {result.kept}"
+    else:
+        why = result.message(first)
+        text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
     if check:
         raise SolveError(text)
-    warnings.warn(text, SolveWarning, stacklevel=4)
+    warnings.warn(text, SolveWarning, stacklevel=5)
     return result

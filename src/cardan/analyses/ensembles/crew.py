@@ -132,7 +132,7 @@ class Crew:
         self.driver = records.Driver()
         self.driver.lanes, self.driver.lane_count = ctypes.addressof(self.lanes), width
         self.driver.memory_length = len(left[0])
-        self.driver.order, self.driver.timed = how.method.order, bool(given.pieces)
+        self.driver.timed = bool(given.pieces)
         self.drive = records.driver(model._kernels())
 
     def stop(self) -> None:
@@ -147,7 +147,8 @@ class Crew:
         x, answers = np.empty_like(x0), np.full(count, NOT_RUN, dtype=np.intp)
         width = 1 + run.n + run.nr + run.ns + run.nlam
         rows = np.full((count, len(self.times), width), np.nan)
-        ends = (abi.Run * count).from_buffer(bytearray(count * ctypes.sizeof(abi.Run)))
+        # memory that nobody writes to is never touched
+        ends = (abi.Run * count).from_buffer(np.zeros(count * ctypes.sizeof(abi.Run), np.uint8))
         numbers = np.zeros((count, len(NUMBERS)))
         d = self.driver
         keep = self._own(p)
@@ -193,12 +194,14 @@ class Crew:
         a.rhs, a.n, a.nq, a.nu, a.nr = built.address, n, run.nq, run.nu, run.nr
         a.trial_step = abi.address(library, f"cardan_{kernel}_abreast")
         a.dense = abi.address(library, f"cardan_{kernel}_dense_abreast")
-        self.driver.commit = abi.address(library, "cardan_abreast_commit")
+        a.worst = abi.address(library, f"cardan_{kernel}_worst_abreast")
+        self.driver.attempt = abi.address(library, "cardan_abreast_try")
         self.driver.move = abi.address(library, "cardan_abreast_move")
         a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count
-        a.rtol, a.atol = self.how.rtol, self.how.atol
+        a.rtol, a.atol, a.max_step = run.rtol, run.atol, run.max_step
+        a.order = self.how.method.order
         sizes = dict.fromkeys(records.PER_LANE.split(), 1)
-        sizes |= dict.fromkeys(("y", "f", "trial", "next"), n)
+        sizes |= dict.fromkeys(("y", "trial", "next"), n)
         sizes |= {"k": run.stages * n, "spread": run.dense_rows * n, "r": run.nr, "s": run.ns}
         sizes |= {"at_rest": len(self.runners[0].views["at_rest"]), "work": function.work_size}
         sizes |= {"w": len(function.w) if own else 0}

@@ -20,8 +20,9 @@ import numpy as np
 from ...errors import ArgumentError, BuildError, CardanError, SolveError
 from ...runtime.compiled import CompiledModel
 from ...runtime.saved import restore
+from ..growing import build_key
 from .crew import suits, width_of
-from .job import Job, Piece, build_key, compute
+from .job import Job, Piece, compute
 
 Block = tuple[int, int]
 PATIENCE = 0.05  # seconds between two looks at signals

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -160,29 +156,3 @@ def histories_of(model: CompiledModel) -> list[str]:
 def entries(model: CompiledModel) -> tuple[str, ...]:
     """Names of the entries of a state."""
     return (*model.coordinates, *model.speeds, *model.internals)
-
-
-def build_key(model: CompiledModel) -> str:
-    """What decides about the last bit of a run here: compiler, flags, processor and all texts.
-
-    The name of the compiled ``rhs`` and integrators in the cache; "NumPy" without a compiler.
-    """
-    function = model._function("rhs")
-    if function.code.built is None:
-        return "NumPy"
-    names = (str(function.code.built.path), model._kernels()._name)
-    return "-".join(Path(name).stem[:16] for name in names)
-
-
-def digest(*values: Any) -> str:
-    """Hash of arrays, and of what JSON or ``repr`` can tell."""
-    found = hashlib.sha256()
-    for value in values:
-        if isinstance(value, np.ndarray):
-            found.update(repr((value.shape, value.dtype.str)).encode())
-            found.update(np.ascontiguousarray(value).tobytes())
-        elif isinstance(value, dict):
-            found.update(json.dumps(value, sort_keys=True).encode())
-        else:
-            found.update(repr(value).encode())
-    return found.hexdigest()

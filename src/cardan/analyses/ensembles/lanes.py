@@ -16,23 +16,25 @@ from .. import record
 
 Array = NDArray[np.float64]
 POINTER, COUNT, REAL = record.POINTER, record.COUNT, record.REAL
-PER_LANE = "t h t_new at error culprit taken failed evaluations"
+RUNS = "t size until span idle rejected steps rejections evaluations"
+TRIALS = "h t_new at error culprit taken failed ended"
+PER_LANE = f"{RUNS} {TRIALS}"
 ABREAST: tuple[tuple[Any, str], ...] = (
     (POINTER, "rhs w owner inputs alone quaternions"),
     (COUNT, "quaternion_count n nq nu nr"),
-    (POINTER, "trial_step dense"),
-    (REAL, "rtol atol"),
-    (COUNT, "known"),
+    (POINTER, "trial_step dense worst"),
+    (REAL, "rtol atol max_step"),
+    (COUNT, "order known"),
     (POINTER, PER_LANE),
-    (POINTER, "y f trial next k spread r s at_rest work"),
+    (POINTER, "y trial next k spread r s at_rest work"),
 )
 ENSEMBLE: tuple[tuple[Any, str], ...] = (
-    (POINTER, "lanes abreast commit move"),
+    (POINTER, "lanes abreast attempt move"),
     (COUNT, "lane_count memory_length"),
     (POINTER, "x0 r own w"),
-    (COUNT, "count own_count w_size order timed"),
+    (COUNT, "count own_count w_size timed"),
     (POINTER, "rows x numbers ends answers"),
-    (COUNT, "next finished stop"),
+    (COUNT, "next finished vacant stop"),
 )
 
 

@@ -10,14 +10,14 @@ from __future__ import annotations
 import math
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ArgumentError, ModelError, near
+from ...errors import ArgumentError, FunctionError, ModelError, near
 
 Array = NDArray[np.float64]
 Parts = dict[str, Array]
@@ -123,9 +123,15 @@ class Own(Reduction):
         """Values of the function.
 
         Raises:
-            ArgumentError: it does not give one value per run.
+            ArgumentError: it does not give one value per run. FunctionError: it raised.
         """
-        value = np.asarray(self.function(block.t, block.x), dtype=np.float64)
+        try:
+            value = np.asarray(self.function(block.t, block.x), dtype=np.float64)
+        except Exception as problem:
+            raise FunctionError(
+                f"reduce: the function of '{self.name}' raised for states {block.x.shape}: "
+                f"{type(problem).__name__}: {problem}"
+            ) from problem
         if value.shape[:1] != block.x.shape[:1]:
             raise ArgumentError(
                 f"reduce: '{self.name}' of states {block.x.shape} gave an array of shape "
@@ -239,6 +245,8 @@ def reductions(
         asked = ["states"] if listed else []
     if isinstance(asked, str):
         asked = [asked]
+    if not isinstance(asked, Iterable):
+        raise ArgumentError(f"reduce={asked!r}: it may be {FORMS}")
     rows = asked if isinstance(asked, Mapping) else {str(word): word for word in asked}
     found: dict[str, Reduction] = {}
     for name, what in rows.items():

@@ -16,7 +16,7 @@ from ...errors import ArgumentError, ModelError, near
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
 from .crew import NUMBERS
-from .gathered import Gathered
+from .gathered import UNFINISHED, Gathered
 from .job import Job, entries
 
 Array = NDArray[np.float64]
@@ -35,6 +35,8 @@ class Ensemble:
         messages: What happened to the first thousand runs that did not reach their end.
         seconds: What it took.
         hands: Who computed it.
+        restored: How many runs came from a checkpoint.
+        kept: What is kept of an interrupted one, in words.
     """
 
     job: Job = field(repr=False)
@@ -46,14 +48,28 @@ class Ensemble:
     messages: Mapping[int, str] = field(repr=False)
     seconds: float
     hands: str
+    restored: int = 0
+    kept: str = field(default="", repr=False)
 
     @classmethod
-    def of(cls, gathered: Gathered, seconds: float, hands: str) -> Ensemble:
+    def of(
+        cls, gathered: Gathered, seconds: float, hands: str, restored: int, kept: str
+    ) -> Ensemble:
         """The result of what was gathered."""
         g = gathered
         messages = dict(sorted(g.messages.items()))
         return cls(
-            g.job, g.x, g.results(), g.codes, tuple(g.words), g.numbers, messages, seconds, hands
+            job=g.job,
+            final=g.x,
+            results=g.results(),
+            codes=g.codes,
+            words=tuple(g.words),
+            numbers=g.numbers,
+            messages=messages,
+            seconds=seconds,
+            hands=hands,
+            restored=restored,
+            kept=kept,
         )
 
     def __len__(self) -> int:
@@ -107,6 +123,16 @@ class Ensemble:
     def finished(self) -> NDArray[np.bool_]:
         """Which runs reached their end, or one that an event made, (runs,)."""
         return np.isin(self.status, (FINISHED, EVENT))
+
+    @property
+    def done(self) -> int:
+        """How many runs came to an end, of whatever kind."""
+        return int(np.isin(self.status, UNFINISHED, invert=True).sum())
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C came before all runs were done."""
+        return self.done < len(self)
 
     @cached_property
     def varied(self) -> dict[str, Array]:
@@ -182,10 +208,17 @@ def _summary(ensemble: Ensemble) -> str:
     begun = np.isfinite(ensemble.numbers[:, 0])
     if begun.any():
         steps, rejections, evaluations = ensemble.numbers[begun, 1:].mean(axis=0)
-        rate = begun.sum() / max(ensemble.seconds, 1e-9)
         lines.append(
             f"  per run {steps:.1f} steps, {rejections:.1f} rejections, {evaluations:.0f} "
-            f"evaluations; {ensemble.seconds:.3g} s, {rate:.3g} runs per second"
+            f"evaluations; {_speed(ensemble)}"
         )
     lines.append(f"  kept: {', '.join(['final', *ensemble.results])}")
     return "\n".join(lines)
+
+
+def _speed(ensemble: Ensemble) -> str:
+    """What it took; runs that a checkpoint had took nothing."""
+    computed = ensemble.done - ensemble.restored
+    rate = f", {computed / max(ensemble.seconds, 1e-9):.3g} runs per second" if computed else ""
+    before = f", {ensemble.restored} runs from the checkpoint" if ensemble.restored else ""
+    return f"{ensemble.seconds:.3g} s{rate}{before}"

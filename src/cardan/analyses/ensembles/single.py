@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import CardanError
+from ...errors import CardanError, FunctionError
 from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
 from ...runtime.parameters import Parameters
@@ -38,6 +38,7 @@ def motion(
 
     Raises:
         ModelError: its circuits cannot be assembled.
+        FunctionError: a function of the caller raised.
         Limited: with ``case``: another method would be chosen.
     """
     if part.own_parameters:
@@ -85,6 +86,9 @@ class Single:
             try:
                 one = part.part(k, k + 1)
                 made, runner = motion(self.model, self.how, self.given, self.may, over, one)
+            except FunctionError:
+                # the function is at fault, not this run
+                raise
             except CardanError as problem:
                 # such as circuits that do not close with the parameters of this run
                 ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ArgumentError, ModelError, SolveError, near
+from ...errors import ArgumentError, ModelError, SolveError, named, near
 from ...runtime.calling import numbers
 from ...runtime.compiled import CompiledModel
 from ...runtime.initial import entries, initial_state, missing
@@ -17,6 +17,8 @@ from .. import sample
 from ..signals import Signals, signals
 
 Array = NDArray[np.float64]
+SUCH = "such as vary={'mass': [1, 2, 5]}, or a plan, vary=cd.sample.grid(mass=(1, 2, 100))"
+SOME = 1 << 14  # runs whose parameters are looked at together
 WHAT = {"q": "coordinate", "u": "speed", "z": "state", "p": "parameter", "r": "input"}
 
 
@@ -98,7 +100,7 @@ class Reader:
     """Collects columns, and checks that they fit each other."""
 
     def __init__(self, model: CompiledModel, runs: int | None, seed: int) -> None:
-        self.model, self.seed = model, seed
+        self.model, self.seed = model, sample.checked_seed(seed)
         self.columns: list[Column] = []
         self.waiting: list[tuple[str, str, slice, sample.Distribution]] = []
         # how many runs there are, and who said so
@@ -115,6 +117,12 @@ class Reader:
             other = self.covered.setdefault((block, k), where)
             if other != where:
                 raise ModelError(f"{WHAT[block]} '{name}' is given twice: by {other} and {where}")
+        if callable(value) and not isinstance(value, sample.Distribution):
+            word = getattr(value, "__name__", "it")
+            raise ModelError(
+                f"{where} is a function; call it with its numbers, such as "
+                f"cd.sample.{word if hasattr(sample, word) else 'uniform'}(1, 2), and say runs="
+            )
         if isinstance(value, sample.Distribution):
             if place.stop - place.start != 1:
                 raise ArgumentError(f"{where}: a distribution goes to one entry, such as 'base.px'")
@@ -161,8 +169,9 @@ class Reader:
         """How many runs there are; what was waiting for it is drawn."""
         if self.runs is None:
             raise ModelError(
-                "nothing differs between the runs: give arrays with one value per run, a plan such "
-                "as vary=cd.sample.grid(...), or runs= with distributions"
+                "nothing differs between the runs, or nothing says how many they are: give lists "
+                "with one value per run, a plan such as vary=cd.sample.grid(...), or runs= with "
+                "distributions"
             )
         for block, name, place, kind in self.waiting:
             values = sample.drawn(name, kind, self.runs[0], self.seed)[:, None]
@@ -211,11 +220,10 @@ def varied(
         q, u, z = np.split(x, ends, axis=1)
     for letter, value in (("q", q), ("u", u), ("z", z)):
         _state(reader, letter, value, "x0" if x0 is not None else letter)
-    for name, value in (parameters or {}).items():
+    for name, value in named("parameters", parameters, "'mass': values").items():
         _parameter(reader, name, f"parameters={{'{name}': ...}}", value)
     shared = _inputs(reader, inputs)
-    plan = sample.listed(vary) if isinstance(vary, Mapping) else vary
-    for name, column in plan.values.items() if plan is not None else ():
+    for name, column in _plan(vary).items():
         _named(reader, name, column)
     total = reader.total()
     given = signals(model.manifest["inputs"], shared, sample_time, over)
@@ -224,7 +232,20 @@ def varied(
     base |= {"p": model._parameters.vector, "r": given.constants}
     made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
     _no_rotation(model, made)
+    for first in range(0, total if made.own_parameters else 0, SOME):
+        model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
     return made, given
+
+
+def _plan(vary: Any) -> Mapping[str, Any]:
+    """Name -> values or a distribution, out of ``vary``."""
+    if isinstance(vary, sample.Plan):
+        return vary.values
+    if callable(vary):
+        raise ModelError(f"vary= is a function; call it, {SUCH}")
+    if vary is not None and not isinstance(vary, Mapping):
+        raise ModelError(f"vary={vary!r} says not what differs: give names with values, {SUCH}")
+    return named("vary", vary, "'mass': values")
 
 
 def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
@@ -256,8 +277,8 @@ def _parameter(reader: Reader, name: str, where: str, value: Any) -> None:
 def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
     """Inputs that all runs share; those with a value per run become columns."""
     shared = {}
-    for name, value in (inputs or {}).items():
-        own = isinstance(value, np.ndarray) and value.ndim > 0
+    for name, value in named("inputs", inputs, "'force': values").items():
+        own = (isinstance(value, np.ndarray) and value.ndim > 0) or _is_row(value)
         known = reader.model.inputs
         if own or isinstance(value, sample.Distribution):
             if name not in known:
@@ -267,6 +288,11 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
         else:
             shared[name] = value
     return shared
+
+
+def _is_row(value: Any) -> bool:
+    """Whether it is a list of numbers, one per run; (times, values) are two lists."""
+    return isinstance(value, list | tuple) and bool(value) and all(map(np.isscalar, value))
 
 
 def _named(reader: Reader, name: str, column: Array) -> None:

@@ -15,4 +15,5 @@ METHOD = Integrator(
     applies="stiff springs, dampers and contacts, to many digits",
     source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8",
     needs=("rhs_jacobian",),
+    differenced=("rhs_jacobian",),
 )

@@ -15,4 +15,5 @@ METHOD = Integrator(
     applies="stiff springs, dampers and contacts, from rough to some nine digits",
     source="G. Steinebach, BIT Numerical Mathematics 63 (2023), 27 (Rodas5P)",
     needs=("rhs_jacobian",),
+    differenced=("rhs_jacobian",),
 )

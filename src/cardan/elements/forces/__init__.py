@@ -9,6 +9,7 @@ from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
 from .joint_force import JointForce
+from .line_load import LineLoad
 from .lock import Lock
 from .spring_damper import SpringDamper
 from .stop import Stop
@@ -21,6 +22,7 @@ FORCES: dict[str, type[ForceElement]] = {
     for element in (
         Force,
         Torque,
+        LineLoad,
         SpringDamper,
         TorsionSpring,
         JointForce,

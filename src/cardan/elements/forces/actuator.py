@@ -9,6 +9,7 @@ from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..internal import Internal
+from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Places
@@ -43,16 +44,15 @@ class Actuator(ForceElement):
     start: Any = 0.0
 
     def __post_init__(self) -> None:
-        who = f"actuator of joint '{self.joint}'"
         for name in ("command", "lag", "limit", "start"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, number("actuator", name, getattr(self, name)))
-        if isinstance(self.lag, float) and not self.lag > 0:
-            raise ModelError(f"{who}: lag is {self.lag:g}; give a time of more than 0 [s]")
-        if isinstance(self.limit, float) and self.limit < 0:
-            raise ModelError(f"{who}: limit is {self.limit:g}; give 0 or more")
+        self.judge()
         if not isinstance(self.start, float):
-            raise ModelError(f"{who}: start must be a number")
+            raise ModelError(f"{self.title}: start must be a number")
+
+    def limits(self) -> tuple[Limit, ...]:
+        return (*positive("lag", wanted="a time of more than 0 [s]"), *not_negative("limit"))
 
     def quantities(self) -> dict[str, Quantity]:
         found = {"command": Quantity(self.command, "N*m|N"), "lag": Quantity(self.lag, "s")}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
 from ..internal import MODE, Change, Event, Jumped, Mode, Solved
+from ..limits import Limit, not_negative, positive
 from ..quantity import Direction, Place, Quantity
 from ..written import axis, number
 from .force import Action, ForceElement, Load, Places, constant
@@ -58,15 +58,18 @@ class Contact(ForceElement):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "normal", axis("contact", "normal", self.normal))
-        least = {"exponent": 1.0, "slip": 1e-300}
         for name in ("radius", "stiffness", "damping", "exponent", "other_radius", "mu", "slip"):
             if getattr(self, name) is None:
                 continue
-            value = number("contact", name, getattr(self, name))
-            object.__setattr__(self, name, value)
-            if isinstance(value, float) and value < least.get(name, 0.0):
-                wanted = "more than 0" if name == "slip" else f"{least.get(name, 0.0):g} or more"
-                raise ModelError(f"contact: {name} is {value:g}; give {wanted}")
+            object.__setattr__(self, name, number("contact", name, getattr(self, name)))
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return (
+            *not_negative("radius", "stiffness", "damping", "other_radius", "mu"),
+            Limit("exponent", "exponent is {value}; give 1 or more", 1.0),
+            *positive("slip"),
+        )
 
     def quantities(self) -> dict[str, Quantity]:
         found = {
@@ -149,7 +152,8 @@ class Contact(ForceElement):
         return (Mode("", UNDECIDED, labels),)
 
     def events(self) -> tuple[Event, ...]:
-        return (Event("touch", MODE, "they touch"), Event("part", MODE, "they part"))
+        touch = Event("touch", MODE, "they touch", decides=UNDECIDED)
+        return touch, Event("part", MODE, "they part")
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         mode, depth = at.s[0], self._geometry(at)[0]

@@ -13,6 +13,7 @@ from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ..internal import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
+from ..limits import Limit, judge
 from ..quantity import Quantity
 
 
@@ -125,6 +126,23 @@ class ForceElement(ABC):
     def pressing(self, at: Places) -> Scalar:
         """That force per force of reaction across the line of the joint."""
         raise TypeError(f"{self.kind} has no force that follows from a reaction")
+
+    @property
+    def title(self) -> str:
+        """What it is and where, for messages."""
+        return " ".join([self.kind, *(f"of joint '{name}'" for name in self.joints().values())])
+
+    def limits(self) -> tuple[Limit, ...]:
+        """What its numbers may be."""
+        return ()
+
+    def judge(self) -> None:
+        """Refuse numbers out of their limits.
+
+        Raises:
+            ModelError: one is.
+        """
+        judge(self.title, self.limits(), vars(self))
 
     def misfit(self, sliding: bool) -> str:
         """Why it does not fit a joint that slides, or one that turns; "" if it does."""

@@ -9,6 +9,7 @@ from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
+from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate
@@ -70,31 +71,31 @@ class Friction(ForceElement):
     radius: Any = None
 
     def __post_init__(self) -> None:
-        who = f"friction on joint '{self.joint}'"
+        who = self.title
         for name in FIELDS:
-            value = getattr(self, name)
-            if value is None:
-                continue
-            value = number("friction", name, value)
-            object.__setattr__(self, name, value)
-            least = 1e-300 if name in ("stribeck", "smooth") else 0.0
-            if name != "against" and isinstance(value, float) and value < least:
-                kind = "0 or more" if least == 0.0 else "more than 0"
-                raise ModelError(f"{who}: {name} is {value:g}; give {kind}")
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number("friction", name, getattr(self, name)))
+        self.judge()
         if self.stribeck is not None and self.static is None:
             raise ModelError(f"{who}: stribeck is the speed over which static falls; give static")
         if (self.coulomb is None) == (self.mu is None):
             raise ModelError(f"{who}: give either coulomb, a force, or mu, a coefficient")
         if self.radius is not None and self.mu is None:
             raise ModelError(f"{who}: radius goes with mu; coulomb is the torque itself")
-        slides, sticks = self.coulomb if self.mu is None else self.mu, self.static
-        if isinstance(slides, float) and isinstance(sticks, float) and sticks < slides:
-            raise ModelError(
-                f"{who}: static is {sticks:g}, less than the {slides:g} of sliding; give as much "
-                "or more"
-            )
         if self.mu == 0:
             raise ModelError(f"{who}: mu is 0; leave the friction out")
+
+    @property
+    def title(self) -> str:
+        return f"friction on joint '{self.joint}'"
+
+    def limits(self) -> tuple[Limit, ...]:
+        less = "static is {value}, less than the {other} of sliding; give as much or more"
+        return (
+            *not_negative("coulomb", "static", "viscous", "mu", "radius"),
+            *positive("stribeck", "smooth"),
+            Limit("static", less, other="coulomb" if self.mu is None else "mu"),
+        )
 
     @property
     def _sticks(self) -> bool:
@@ -187,7 +188,7 @@ class Friction(ForceElement):
         if not self._sticks:
             return self._jams()
         return (
-            Event("stop", MODE, "sliding comes to rest"),
+            Event("stop", MODE, "sliding comes to rest", decides=UNDECIDED),
             Event("slip", MODE, "sticking gives way"),
             *self._jams(),
         )

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..limits import Limit, not_negative
 from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, Places, one_coordinate
@@ -51,10 +51,10 @@ class Lock(ForceElement):
         for name in ("when", "release", "strength"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, number("lock", name, getattr(self, name)))
-        if isinstance(self.strength, float) and self.strength < 0:
-            raise ModelError(
-                f"lock of joint '{self.joint}': strength is {self.strength:g}; give 0 or more"
-            )
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return not_negative("strength")
 
     @property
     def _opens(self) -> tuple[tuple[str, str], ...]:

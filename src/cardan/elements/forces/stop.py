@@ -9,6 +9,7 @@ from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..limits import Limit, not_negative
 from ..quantity import JointName, Quantity
 from ..written import number
 from .force import Action, ForceElement, Places, one_coordinate
@@ -50,19 +51,20 @@ class Stop(ForceElement):
     settle: Any = 1e-4
 
     def __post_init__(self) -> None:
-        who = f"stop of joint '{self.joint}'"
         for name in ("lower", "upper", "restitution", "settle"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, number("stop", name, getattr(self, name)))
         if self.lower is None and self.upper is None:
-            raise ModelError(f"{who}: give lower or upper, or both")
-        ends = self.lower, self.upper
-        if all(isinstance(end, float) for end in ends) and not self.lower < self.upper:
-            raise ModelError(f"{who}: lower={self.lower:g} must be below upper={self.upper:g}")
-        if isinstance(self.restitution, float) and not 0 <= self.restitution <= 1:
-            raise ModelError(f"{who}: restitution is {self.restitution:g}; give 0 ... 1")
-        if isinstance(self.settle, float) and self.settle < 0:
-            raise ModelError(f"{who}: settle is {self.settle:g}; give a speed of 0 or more")
+            raise ModelError(f"{self.title}: give lower or upper, or both")
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        ends = "lower={other} must be below upper={value}"
+        return (
+            Limit("upper", ends, open=True, other="lower"),
+            Limit("restitution", "restitution is {value}; give 0 ... 1", 0.0, 1.0),
+            *not_negative("settle", wanted="a speed of 0 or more"),
+        )
 
     @property
     def _sides(self) -> tuple[tuple[str, int], ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import fields
+from typing import Any
 
 from ...frame import Frame
 from ...model import Model
@@ -31,7 +32,8 @@ def written_apart(model: Model) -> dict[Frame, None]:
 
 def _uses(model: Model) -> list[Frame]:
     """Frames in the order in which a reader meets them."""
-    places = [side for joint in model.joints.values() for side in (joint.parent, joint.child)]
+    places: list[Any] = [end.place for beam in model.beams.values() for end in beam.ends]
+    places += [side for joint in model.joints.values() for side in (joint.parent, joint.child)]
     for force in model.forces.values():
         element = force.element
         places += [getattr(element, entry.name) for entry in fields(element)]  # type: ignore[arg-type]

@@ -14,9 +14,13 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
+from ....elements.centerlines import CENTERLINES, Centerline
 from ....elements.forces import FORCES
 from ....elements.joints import JOINTS
+from ....elements.material import material
+from ....elements.sections import SECTIONS, Section
 from ... import inertia, shape
+from ...beam_arguments import ROLES, STRAINS
 
 VERSION = 1
 
@@ -47,6 +51,7 @@ TOP = (
     Key("dh", "dh"),
     Key("frames", "frames"),
     Key("include", "include"),
+    Key("beams", "beams"),
     Key("joints", "joints"),
     Key("constraints", "constraints"),
     Key("forces", "forces"),
@@ -85,6 +90,21 @@ INCLUDE = (
     Key("mimic", "text"),
     Key("parameters", "reals"),
 )
+BEAM = (
+    Key("start", "end", True),
+    Key("end", "end", True),
+    Key("section", "section", True),
+    Key("material", "material"),
+    Key("elements", "real"),
+    Key("up", "direction"),
+    Key("line", "line"),
+    *(Key(name, "text") for name in ("element", "inertia", "base")),
+    *(Key(f"release_{role}", "texts") for role in ROLES),
+    Key("temperature", "scalar"),
+    Key("prestrain", "prestrain"),
+    Key("nodes", "reals"),
+)
+PRESTRAIN = tuple(Key(name, "scalar") for name in STRAINS)
 POSE = (Key("position", "vector", True), Key("rotation", "rotation"), Key("base", "text"))
 JOINT = (
     Key("type", "text", True),
@@ -108,6 +128,7 @@ SIMULATE = (
     Key("time", "times"),
     Key("q", "initial"),
     Key("u", "initial"),
+    Key("z", "initial"),
     Key("method", "text"),
     Key("rtol", "real"),
     Key("atol", "real"),
@@ -122,6 +143,7 @@ _KINDS = {
     "Direction": "direction",
     "Place": "place",
     "JointName": "text",
+    "BeamName": "text",
     "LocalNames": "names",
     "bool": "flag",
     "str": "text",
@@ -144,7 +166,7 @@ def of_force(kind: str) -> tuple[Key, ...]:
 
 
 def of_element(element: Any) -> tuple[Key, ...]:
-    """The fields of a joint or force element."""
+    """The fields of a joint, force element, section or line."""
     return tuple(
         Key(entry.name, _KINDS[str(entry.type)], entry.default is dataclasses.MISSING)
         for entry in dataclasses.fields(element)
@@ -175,3 +197,9 @@ def functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
 
 INERTIAS = functions(inertia)
 SHAPES = functions(shape)
+MATERIAL = of_function(material)
+# what stands as {kind: {...}}, by kind of value; a straight line is said by saying nothing
+CHOICES: dict[str, dict[str, type[Section] | type[Centerline]]] = {
+    "section": dict(SECTIONS),
+    "line": {kind: line for kind, line in CENTERLINES.items() if of_element(line)},
+}

@@ -73,9 +73,8 @@ class _Reader:
             self.values.scope = scope
             if section in given:
                 getattr(self, f"_{section}")(given[section])
-            if section == "include":
-                for name, item in self.waiting:
-                    self._frame(name, item)
+            if section in ("include", "beams"):
+                self._late_frames(last=section == "beams")
         for note in self.meshes.notes():
             if note not in self.model.notes:
                 self.model.notes.append(note)
@@ -160,13 +159,23 @@ class _Reader:
             add_dh(self.model, prefix=f"{name}.", snap=self.options.snap, **given)
 
     def _frames(self, section: Item) -> None:
-        """Frames on the bodies that are known by now; the others wait for included bodies."""
-        for name, item in section.items().items():
+        """Frames on the bodies that are known by now; the others wait for bodies and nodes."""
+        self.waiting = list(section.items().items())
+        self._late_frames(last=False)
+
+    def _late_frames(self, last: bool) -> None:
+        """Frames whose body is known by now; all that are left where no more bodies come."""
+        waiting, self.waiting = self.waiting, []
+        for name, item in waiting:
             body = item.items("a frame such as {body: ...}").get("body")
-            if body is not None and body.is_text and body.text() in self.model.bodies:
+            known = body is not None and body.is_text
+            if last or (known and self._is_body(body.text())):  # type: ignore[union-attr]
                 self._frame(name, item)
             else:
                 self.waiting.append((name, item))
+
+    def _is_body(self, name: str) -> bool:
+        return name in self.model.bodies or name in self.model.nodes
 
     def _frame(self, name: str, item: Item) -> None:
         made = self.values.frame(item, name)
@@ -196,6 +205,26 @@ class _Reader:
             self.model.include(other, given.get("prefix", name), given.get("at"))
             if len(self.model.bodies) > MOST_BODIES:
                 raise ModelError(f"more than {MOST_BODIES} bodies; make the scene smaller")
+
+    # beams
+
+    def _beams(self, section: Item) -> None:
+        for name, item in section.items().items():
+            self._beam(name, item)
+            # the next beam may begin at a frame on a node of this one
+            self._late_frames(last=False)
+
+    def _beam(self, name: str, item: Item) -> None:
+        self.model.origins["beam", name] = item.spot
+        given = self.values.record(keys.BEAM, item, "a beam")
+        nodes, base = given.pop("nodes", {}), given.pop("base", None)
+        with item.placed():
+            made = self.model.beam(name, **given)
+            if base is not None:
+                home = self.model.place(f"beam '{name}'", base, "base").body
+                made = self.model.beams[name] = dataclasses.replace(made, base=home)
+            for node, s in nodes.items():
+                made.at(s, name=node)
 
     # joints, forces, outputs
 
@@ -236,9 +265,10 @@ class _Reader:
         del given["type"]
         with item.placed(named=True):
             element = FORCES[kind](**given)
+        known = self.model.joint_kinds() if element.joints() else {}
         for role, joint in element.joints().items():
-            if joint not in self.model.joints:
-                listed = near(joint, self.model.joints).replace(" Known:", " Joints:")
+            if joint not in known:
+                listed = near(joint, known).replace(" Known:", " Joints:")
                 raise item.items()[role].error(f"there is no joint '{joint[:80]}'.{listed}")
         with item.placed():
             self.model.force(name, element)
@@ -280,9 +310,10 @@ class _Reader:
 
     def _simulate(self, item: Item) -> None:
         given = self.values.record(keys.SIMULATE, item, "simulate")
+        model = self.model
+        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.beams else ())]
         for block in ("q", "u"):
             for name, entry in item.items()[block].items().items() if block in given else ():
-                joints = self.model.joints
                 if not any(name == j or name.startswith(f"{j}.") for j in joints):
                     listed = near(name, joints).replace(" Known:", " Joints:")
                     raise entry.at_key(f"'{name[:80]}' is no joint.{listed}")
@@ -309,6 +340,7 @@ _ORDER = {
     "dh": FIXED,
     "frames": FIXED,
     "include": FIXED,
+    "beams": FIXED,
     "joints": FIXED,
     "constraints": MOVING,
     "forces": MOVING,

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from ....elements.material import material
 from ....errors import ModelError, near
 from ...body import INERTIA_ENTRIES
 from ...frame import Place
@@ -246,6 +247,43 @@ class Values:
         arguments = self.record(keys.of_function(function), entry, f"a {name}")
         with entry.placed(named=True):
             return function(**arguments)
+
+    # what beams have
+
+    def end(self, item: Item) -> Any:
+        """A frame, or three numbers or expressions."""
+        return self.vector(item) if item.is_list else self.place(item)
+
+    def section(self, item: Item) -> Any:
+        """A cross-section: ``{tube: {outer:, inner:}}``."""
+        return self._chosen("section", item)
+
+    def line(self, item: Item) -> Any:
+        """A centerline: ``{arc: {center:}}``."""
+        return self._chosen("line", item)
+
+    def _chosen(self, what: str, item: Item) -> Any:
+        """A member of a family by its kind."""
+        family = keys.CHOICES[what]
+        given = item.items(f"a {what} such as {{{next(iter(family))}: {{...}}}}")
+        if len(given) != 1:
+            raise item.error(f"a {what} has one key, its kind." + near("", family))
+        ((name, entry),) = given.items()
+        if name not in family:
+            raise entry.at_key(f"{what} '{name[:80]}' does not exist." + near(name, family))
+        arguments = self.record(keys.of_element(family[name]), entry, f"a {name}")
+        with entry.placed(named=True):
+            return family[name](**arguments)
+
+    def material(self, item: Item) -> Any:
+        """``{E:, nu:, rho:}``."""
+        given = self.record(keys.MATERIAL, item, "a material")
+        with item.placed(named=True):
+            return material(**given)
+
+    def prestrain(self, item: Item) -> dict[str, Any]:
+        """Strains by name."""
+        return self.record(keys.PRESTRAIN, item, "prestrain")
 
     def mesh(self, item: Item) -> str:
         """A mesh file below the declared folders."""

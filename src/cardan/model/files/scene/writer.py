@@ -12,6 +12,8 @@ from typing import Any
 
 from ....elements.written import AXES
 from ....errors import ModelError
+from ...beam import Beam
+from ...beam_arguments import ELEMENT, INERTIA, ROLES
 from ...body import INERTIA_ENTRIES, Body
 from ...checks import is_number
 from ...connections import Couple, Joint
@@ -86,6 +88,7 @@ class _Writer:
             "tables": {},
             "bodies": {n: self._body(body) for n, body in model.bodies.items()},
             "frames": {frame.name: self._frame(frame) for frame in self.apart},
+            "beams": {n: self._beam(beam) for n, beam in model.beams.items()},
             "joints": {n: self._joint(joint) for n, joint in model.joints.items()},
             "constraints": {n: self._said(c, "constraint") for n, c in model.constraints.items()},
             "forces": {n: self._force(n, f.element) for n, f in model.forces.items()},
@@ -202,16 +205,50 @@ class _Writer:
             made["rotation"] = self.rotation(frame.orientation, where)
         return made
 
-    def _place(self, place: Place | str) -> Any:
+    def _place(self, place: Place | str | None) -> Any:
         """The name of a body or frame, or the frame itself where it has none."""
         if isinstance(place, Frame) and place not in self.apart:
             return self._frame(place)
-        return place if isinstance(place, str) else place.name
+        return place if isinstance(place, str) or place is None else place.name
+
+    # beams
+
+    def _beam(self, beam: Beam) -> dict[str, Any]:
+        where = f"beam '{beam.name}'"
+        made: dict[str, Any] = {}
+        for role, end in zip(ROLES, beam.ends, strict=True):
+            free = end.place is None
+            made[role] = self.value(end.point, where) if free else self._place(end.place)
+        made["section"] = {beam.section.kind: self._element(beam.section, where)}
+        material = {
+            name: self.value(entry.value, where)
+            for name, entry in beam.material.quantities().items()
+            if name in ("E", "nu", "G") or not _zero(entry.value)
+        }
+        made |= {"material": material} if material else {}
+        made["elements"] = number(beam.elements)
+        if beam.up is not None:
+            made["up"] = self._field("direction", beam.up, where)
+        if beam.line.quantities():
+            made["line"] = {beam.line.kind: self._element(beam.line, where)}
+        made |= {"element": beam.element} if beam.element != ELEMENT else {}
+        made |= {"inertia": beam.inertia} if beam.inertia != INERTIA else {}
+        for role, end in zip(ROLES, beam.ends, strict=True):
+            made |= {f"release_{role}": list(end.released)} if end.released else {}
+        if not _zero(beam.temperature):
+            made["temperature"] = self.value(beam.temperature, where)
+        if beam.prestrain:
+            made["prestrain"] = {n: self.value(x, where) for n, x in beam.prestrain.items()}
+        if beam.stops:
+            made["nodes"] = {name: number(s) for name, s in beam.stops.items()}
+        if beam.base is not None:
+            made["base"] = beam.base.name
+        return made
 
     # joints, forces, outputs
 
     def _element(self, element: Any, where: str) -> dict[str, Any]:
-        """The fields of a joint or force element that are not at their defaults."""
+        """The fields of a joint, force element, section or line that are not at their defaults."""
         made: dict[str, Any] = {}
         self.words.local = tuple(n for q in element.quantities().values() for n in q.local)
         for entry, key in zip(fields(element), keys.of_element(type(element)), strict=True):

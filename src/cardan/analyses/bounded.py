@@ -1,0 +1,21 @@
+"""Rotations whose coordinates are singular somewhere."""
+
+from __future__ import annotations
+
+from typing import Any
+
+EVERYWHERE = "every rotation"  # how the domain of those begins that are singular nowhere
+
+
+def is_bounded(joint: dict[str, Any]) -> bool:
+    """Whether the rotation of a joint, a row of the manifest, has a place where it is singular."""
+    domain = joint.get("domain") or ""
+    return bool(joint.get("rotation") and domain and not domain.startswith(EVERYWHERE))
+
+
+def bounded(manifest: dict[str, Any]) -> tuple[int, ...]:
+    """Places in q of the coordinates of such rotations."""
+    owners = {joint["name"] for joint in manifest["joints"] if is_bounded(joint)}
+    rows = enumerate(manifest["coordinates"])
+    # a joint may have lengths beside
+    return tuple(k for k, row in rows if row.get("joint") in owners and row.get("unit") != "m")

@@ -1,0 +1,196 @@
+"""Files that only grow: what was written survives a killed process.
+
+A file is a line that says what it is, then records: length (8 bytes), SHA-256 of the content,
+content. The first record tells whose the others are; every other one is written at once and on the
+disk before the next begins. A record that was cut off is thrown away when the file is opened again.
+Nothing in it is ever executed.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import io
+import json
+import os
+import struct
+import zipfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import ModelError, SolveError
+from ..runtime.compiled import CompiledModel
+
+LENGTH = struct.Struct("<Q")
+DIGEST = 32
+
+
+class Growing:
+    """An open file of records; one process at a time."""
+
+    def __init__(
+        self, path: Path, magic: bytes, whose: Mapping[str, str], cures: Mapping[str, str]
+    ) -> None:
+        """Open or begin a file.
+
+        Args:
+            path: The file.
+            magic: Its first line, such as ``b"cardan ensemble 1\\n"``.
+            whose: Hashes of what decides about its content, by name.
+            cures: What it means that one of them differs, in words.
+
+        Raises:
+            ModelError: it belongs to something else or another process, or is no such file.
+        """
+        self.path, self._magic, self._whose, self._cures = path, magic, dict(whose), cures
+        try:
+            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        except OSError as error:
+            raise ModelError(f"checkpoint {path} cannot be opened: {error.strerror}") from error
+        try:
+            try:
+                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise ModelError(f"checkpoint {path} is in use by another process") from None
+            self._open()
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Let others have the file."""
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+    @property
+    def _kind(self) -> str:
+        return self._magic.split()[1].decode()
+
+    def _open(self) -> None:
+        head = os.pread(self._file, len(self._magic), 0)
+        if head != self._magic[: len(head)]:
+            raise ModelError(f"checkpoint {self.path} is no file of an {self._kind}: name another")
+        self._end = len(self._magic)
+        first = next(self._records(), None) if len(head) == len(self._magic) else None
+        if first is None:
+            # new, or cut off before anything was computed
+            self.begin()
+            return
+        stated = json.loads(first)
+        wrong = [self._cures[k] for k, value in self._whose.items() if stated.get(k) != value]
+        if wrong:
+            raise ModelError(
+                f"checkpoint {self.path} belongs to another {self._kind}: {'; '.join(wrong)}. Name "
+                "another file, or remove it to begin anew"
+            )
+
+    def begin(self) -> None:
+        """Throw away all records."""
+        os.ftruncate(self._file, 0)
+        self._end = 0
+        self._write(self._magic)
+        self.add(json.dumps(self._whose).encode())
+
+    def contents(self) -> Iterator[bytes]:
+        """The records behind the first; what was cut off behind them is removed."""
+        yield from self._records()
+        os.ftruncate(self._file, self._end)
+
+    def _records(self) -> Iterator[bytes]:
+        """Contents from ``_end`` on, which moves along; the first broken one ends them."""
+        while True:
+            start = self._end + LENGTH.size + DIGEST
+            head = os.pread(self._file, LENGTH.size + DIGEST, self._end)
+            if len(head) < LENGTH.size + DIGEST:
+                return
+            (length,) = LENGTH.unpack(head[: LENGTH.size])
+            if start + length > os.fstat(self._file).st_size:
+                return
+            content = os.pread(self._file, length, start)
+            if hashlib.sha256(content).digest() != head[LENGTH.size :]:
+                return
+            self._end = start + length
+            yield content
+
+    def add(self, content: bytes) -> None:
+        """Put a record on the disk.
+
+        Raises:
+            SolveError: there is no room for it.
+        """
+        head = LENGTH.pack(len(content)) + hashlib.sha256(content).digest()
+        self._write(head + content)
+
+    def _write(self, content: bytes) -> None:
+        try:
+            done = 0
+            while done < len(content):
+                done += os.pwrite(self._file, content[done:], self._end + done)
+            os.fsync(self._file)
+        except OSError as error:
+            raise SolveError(
+                f"checkpoint {self.path} cannot be written to: {error.strerror}. The blocks in it "
+                "are whole: make room and call again to go on from there"
+            ) from error
+        self._end += len(content)
+
+
+def packed(arrays: Mapping[str, Any]) -> bytes:
+    """Arrays as bytes: an npz file without objects."""
+    stream = io.BytesIO()
+    np.savez(stream, **dict(arrays))
+    return stream.getvalue()
+
+
+def unpacked(content: bytes) -> dict[str, Any]:
+    """The arrays that :func:`packed` made bytes of.
+
+    Raises:
+        ModelError: others made them.
+    """
+    try:
+        with np.load(io.BytesIO(content), allow_pickle=False) as found:
+            return dict(found)
+    except (ValueError, OSError, zipfile.BadZipFile) as error:
+        raise ModelError(f"a block of the checkpoint cannot be read: {error}") from error
+
+
+def text(value: Any) -> Any:
+    """Plain data as an array of bytes."""
+    return np.frombuffer(json.dumps(value).encode(), dtype=np.uint8)
+
+
+def build_key(model: CompiledModel) -> str:
+    """What decides about the last bit of a run here: compiler, flags, processor and all texts.
+
+    The name of the compiled ``rhs`` and integrators in the cache; "NumPy" without a compiler.
+    """
+    function = model._function("rhs")
+    if function.code.built is None:
+        return "NumPy"
+    names = (str(function.code.built.path), model._kernels()._name)
+    return "-".join(Path(name).stem[:16] for name in names)
+
+
+def model_key(model: CompiledModel) -> str:
+    """Hash of the equations and parameters of a model."""
+    texts = {name: entry["sha256"] for name, entry in model.manifest["functions"].items()}
+    return digest(model.name, texts.get("rhs"), model.parameters.vector)
+
+
+def digest(*values: Any) -> str:
+    """Hash of arrays, and of what JSON or ``repr`` can tell."""
+    found = hashlib.sha256()
+    for value in values:
+        if isinstance(value, np.ndarray):
+            found.update(repr((value.shape, value.dtype.str)).encode())
+            found.update(np.ascontiguousarray(value).tobytes())
+        elif isinstance(value, dict):
+            found.update(json.dumps(value, sort_keys=True).encode())
+        else:
+            found.update(repr(value).encode())
+    return found.hexdigest()

@@ -1,0 +1,267 @@
+"""The folder of a model whose elements stand in tables: what the manifest says, and numbers."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import __version__
+from ..equations import blocks
+from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
+from ..ir.function import Function
+from . import layout
+from .manifest import ABI, SCHEMA, Base, parameter_rows
+from .writing import generate
+
+FILE = "mesh.npz"
+PARTS = ("K", "C", "M", "R", "G")
+
+
+def base(absolute: Absolute, functions: Sequence[str]) -> Base:
+    """What the manifest says before any function is written.
+
+    Args:
+        absolute: The equations.
+        functions: Names that may be asked for.
+    """
+    system, places = absolute.system, absolute.places
+    coordinates, speeds = _entries(absolute)
+    joints = _joints(absolute)
+    data: dict[str, Any] = {
+        "abi": ABI,
+        "schema": SCHEMA,
+        "cardan": __version__,
+        "name": system.name,
+        "method": "absolute",
+        "coordinates": coordinates,
+        "speeds": speeds,
+        "z": [{"name": n, "unit": u, "default": d} for n, u, d in blocks.internals(system)],
+        "s": [
+            {"name": name, "default": mode.default, "labels": {str(k): v for k, v in mode.labels}}
+            for name, mode in blocks.discrete(system)
+        ],
+        "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
+        "parameters": parameter_rows(system),
+        "structural": dict(system.structural),
+        "multipliers": _multipliers(absolute),
+        "cuts": [],
+        "joints": joints,
+        "fixed": list(system.fixed),
+        "bodies": [
+            {"name": b.name, "parent": "ground", "parts": [p.name for p in b.parts]}
+            for b in system.bodies
+            if b.parts
+        ],
+        "frames": [_frame(absolute, k) for k in range(len(system.frames))],
+        "shapes": [{"frame": system.frames[k].name, **shape} for k, shape in system.shapes],
+        "outputs": [{"name": name, "unit": unit} for name, unit in absolute.results],
+        "quaternions": _quaternions(absolute),
+        "notes": list(system.notes),
+        "snaps": list(system.snaps),
+        "available": list(functions),
+        "scene": {"parents": [], "kinds": [], "rotations": [], "forces": [], "unknown": []},
+        "mesh": {
+            "places": [_place(kind) for kind in places.kinds],
+            "kinds": [_kind(kind, absolute.groups) for kind in absolute.kinds],
+            "groups": [_group(k, group) for k, group in enumerate(absolute.groups)],
+            "frames": "frames__data",
+            "states": absolute.states.name,
+            "reactions": {name: list(at) for name, at in absolute.joints.items()},
+        },
+        "functions": {},
+        "sha256": {},
+    }
+    return Base(data, lambda: saved(absolute))
+
+
+def saved(absolute: Absolute) -> tuple[Function, ...]:
+    """Functions of the parameters that the runtime evaluates as they are."""
+    found = [
+        replace(group.common, name=_common(k, group))
+        for k, group in enumerate(absolute.groups)
+        if group.common is not None
+    ]
+    return (*found, absolute.frames.poses, absolute.states)
+
+
+def _common(k: int, group: Group) -> str:
+    """Name of what gives the data of group k by the parameters, "" where nothing does."""
+    return f"data_{k}__{group.kind.name}" if group.common is not None else ""
+
+
+def functions(absolute: Absolute) -> tuple[Function, ...]:
+    """What is written as C: the functions of all kinds of elements and places."""
+    kinds: Sequence[Kind | BlockKind] = (*absolute.kinds, *absolute.places.kinds)
+    return tuple({f.name: f for kind in kinds for f in kind.functions.values()}.values())
+
+
+def numbers(absolute: Absolute) -> bytes:
+    """The tables as a file of NumPy; the same bytes for the same tables."""
+    tables: dict[str, Any] = {"kind": absolute.places.kind}
+    for k, group in enumerate(absolute.groups):
+        tables[f"place_{k}"] = group.places
+        for name in ("own", "z", "s", "outputs", "powers"):
+            values = getattr(group, name)
+            if values is not None:
+                tables[f"{name}_{k}"] = values
+    room = io.BytesIO()
+    with zipfile.ZipFile(room, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, table in tables.items():
+            # without a date: the same tables are the same bytes
+            with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, np.ascontiguousarray(table), allow_pickle=False)
+    return room.getvalue()
+
+
+def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
+    """Write a model: manifest, tables, and the C of every kind of element.
+
+    Args:
+        folder: Made if it does not exist.
+        absolute: The equations.
+        available: Names of the functions of the whole model.
+    """
+    layout.write_model(folder, base(absolute, available))
+    layout.add_bytes(folder, FILE, numbers(absolute))
+    missing = [f for f in functions(absolute) if not layout.has_function(folder, f.name)]
+    name = absolute.system.name
+    made = [(generate(f, model=name, notes=[], of=None), f) for f in missing]
+    if made:
+        layout.add_functions(folder, made)
+
+
+def _place(kind: BlockKind) -> dict[str, Any]:
+    return {
+        "name": kind.name,
+        "nq": kind.nq,
+        "nu": kind.nu,
+        "quaternion": kind.quaternion,
+        "functions": {name: f.name for name, f in kind.functions.items()},
+    }
+
+
+def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
+    group = next(group for group in groups if group.kind.name == kind.name)
+    return {
+        "name": kind.name,
+        "nq": kind.nq,
+        "nu": kind.nu,
+        "m": kind.m,
+        "mp": kind.mp,
+        "nz": 0 if group.z is None else group.z.shape[1],
+        "ns": 0 if group.s is None else group.s.shape[1],
+        "functions": {name: f.name for name, f in kind.functions.items()},
+        "parts": _parts(kind.functions),
+    }
+
+
+def _parts(found: Mapping[str, Function]) -> dict[str, int]:
+    """Where the matrices of a tangent begin in its results."""
+    if "balance_tangent" not in found:
+        return {}
+    starts, at = {}, 0
+    for output in found["balance_tangent"].outputs:
+        if output.name in PARTS:
+            starts[output.name] = at
+        at += output.size
+    return starts
+
+
+def _group(k: int, group: Group) -> dict[str, Any]:
+    return {
+        "kind": group.kind.name,
+        "common": _common(k, group),
+        "members": list(group.members),
+    }
+
+
+def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Rows of the coordinates and of the speeds."""
+    places, system = absolute.places, absolute.system
+    starts: dict[str, Sequence[float]] = {
+        joint.name: joint.q0 for joint in system.joints if joint.q0 is not None
+    }
+    inner = absolute.reference.reshape(-1, 7)
+    last = places.names[len(places) - len(inner) :]
+    starts |= dict(zip(last, inner.tolist(), strict=True))
+    q: list[dict[str, Any]] = []
+    u: list[dict[str, Any]] = []
+    names = iter(absolute.coordinates), iter(absolute.speeds)
+    for owner, k in zip(places.names, places.kind, strict=True):
+        kind = places.kinds[k]
+        defaults = starts.get(owner) or kind.defaults
+        for unit, default in zip(kind.q_units, defaults, strict=True):
+            q.append({"name": next(names[0]), "unit": unit, "default": default, "joint": owner})
+        for unit in kind.u_units:
+            u.append({"name": next(names[1]), "unit": unit, "joint": owner})
+    return q, u
+
+
+def _joints(absolute: Absolute) -> list[dict[str, Any]]:
+    """Rows of the places, which histories and initial values know by name."""
+    places = absolute.places
+    known = {joint.name: joint for joint in absolute.system.joints}
+    rows: list[dict[str, Any]] = []
+    for k, (name, kind_of) in enumerate(zip(places.names, places.kind, strict=True)):
+        kind, joint = places.kinds[kind_of], known.get(name)
+        quaternion = kind.quaternion
+        rows.append(
+            {
+                "name": name,
+                "kind": joint.element.kind if joint is not None else "free",
+                "parent": "ground",
+                "child": name,
+                "parent_frame": "ground",
+                "child_frame": "ground",
+                "q": [int(places.q[k]), kind.nq],
+                "u": [int(places.u[k]), kind.nu],
+                "q0": list(joint.q0) if joint is not None and joint.q0 is not None else None,
+                "u0": list(joint.u0) if joint is not None and joint.u0 is not None else None,
+                "limits": {},
+                "quaternion": int(places.q[k]) + quaternion if quaternion is not None else None,
+                "rotation": "quaternion" if quaternion is not None else None,
+                "domain": None,
+                "coupled": None,
+                "solved": None,
+                "prescribed": False,
+            }
+        )
+    return rows
+
+
+def _quaternions(absolute: Absolute) -> list[int]:
+    """First entry of every unit quaternion in q."""
+    places = absolute.places
+    at = np.array([-1 if k.quaternion is None else k.quaternion for k in places.kinds])
+    own = at[places.kind] if len(at) else np.zeros(0, dtype=int)
+    return [int(start) for start in (places.q[:-1] + own)[own >= 0]]
+
+
+def _multipliers(absolute: Absolute) -> list[dict[str, Any]]:
+    """Rows of the multipliers, those of positions first."""
+    positions: list[dict[str, Any]] = []
+    others: list[dict[str, Any]] = []
+    for group in absolute.groups:
+        for member in group.members:
+            for k, (row, unit) in enumerate(group.kind.rows):
+                level = "position" if k < group.kind.mp else "velocity"
+                told = {"name": f"{member}.{row}" if row else member, "unit": unit}
+                told |= {"joint": member, "level": level}
+                (positions if k < group.kind.mp else others).append(told)
+    return [*positions, *others]
+
+
+def _frame(absolute: Absolute, k: int) -> dict[str, Any]:
+    system, places = absolute.system, absolute.places
+    frame, place = system.frames[k], int(absolute.frames.place[k])
+    starts = None if place == GROUND else [int(places.q[place]), int(places.u[place])]
+    body = system.bodies[frame.body] if frame.body >= 0 else None
+    part = body.parts[frame.part].name if body is not None and body.parts else None
+    name = body.name if body is not None and body.parts else "ground"
+    return {"name": frame.name, "body": name, "part": part, "node": starts}

@@ -1,0 +1,53 @@
+"""The flexible elements, by kind."""
+
+from .bushing import Bushing
+from .cable import Cable
+from .cable_inertia import CableInertia
+from .classical import Classical
+from .damping import Damping
+from .dead_load import DeadLoad
+from .element import FlexibleElement
+from .follower_load import FollowerLoad
+from .helicoidal import Helicoidal
+from .hellinger_reissner import HellingerReissner
+from .hinge import FlexibleHinge
+from .linked_inertia import LinkedInertia
+from .lumped_inertia import LumpedInertia
+
+FLEXIBLE: dict[str, type[FlexibleElement]] = {
+    element.kind: element
+    for element in (
+        HellingerReissner,
+        Helicoidal,
+        Classical,
+        Bushing,
+        FlexibleHinge,
+        Cable,
+        LinkedInertia,
+        LumpedInertia,
+        CableInertia,
+        Damping,
+        DeadLoad,
+        FollowerLoad,
+    )
+}
+
+# what a beam may be made of, as scenes call it: elements with their options, and inertias
+BEAMS: dict[str, FlexibleElement] = {
+    element.name(): element
+    for element in (
+        HellingerReissner(),
+        Helicoidal(),
+        Classical(),
+        Classical(residual_flexibility=False),
+    )
+}
+INERTIAS: dict[str, FlexibleElement] = {"linked": LinkedInertia(), "lumped": LumpedInertia()}
+
+__all__ = [
+    "BEAMS",
+    "FLEXIBLE",
+    "INERTIAS",
+    "FlexibleElement",
+    *(element.__name__ for element in FLEXIBLE.values()),
+]

@@ -1,0 +1,56 @@
+"""A straight piece of a cable, or a bar of a truss."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.arithmetic import norm
+from ...ir.function import Function
+from ...ir.matrix import Matrix
+from .element import FlexibleElement, balance, energy, tangents
+from .ends import Ends
+
+
+@dataclass(frozen=True)
+class Cable(FlexibleElement):
+    """Elastic along the line between its ends, between points or anything else.
+
+    The strain is that of the distance, ell/L - 1 less ``strain_4``; pieces of a cable are slack
+    where it is negative.
+
+    Args:
+        compression: The bar of a truss: it pushes too.
+
+    Source: Irvine, Cable Structures (1981), chapter 1; Géradin and Cardona, Flexible Multibody
+    Dynamics (2001), section 5.2.
+    """
+
+    kind: ClassVar[str] = "cable"
+    source: ClassVar[str] = "H. M. Irvine, Cable Structures, 1981, chapter 1"
+    common: ClassVar[tuple[str, ...]] = ("EA", "strain_4")
+    own: ClassVar[tuple[str, ...]] = ("length",)
+    compression: bool = False
+
+    @property
+    def variant(self) -> str:
+        return "truss" if self.compression else ""
+
+    def functions(self, ends: Ends) -> dict[str, Function]:
+        length, stiffness = ends.number("length"), ends.number("EA")
+        apart = ends.pose(1).position - ends.pose(0).position
+        distance = norm(*apart)
+        strain = distance / length - 1.0 - ends.number("strain_4")
+        if not self.compression:
+            strain = strain.apply("max", 0.0)
+        pull = apart * (stiffness * strain / distance)
+        none, read = Matrix.zeros(ends.graph, 3), ends.blocks("q", "p")
+        loads = ends.told([none, -pull, none, pull])
+        stored = Matrix.vector(ends.graph, [0.5 * length * stiffness * strain * strain])
+        return {
+            "balance": self.function(ends, "balance", read, balance(ends, loads)),
+            "balance_tangent": self.function(
+                ends, "balance_tangent", read, *tangents(ends, loads, "q")
+            ),
+            "energy": self.function(ends, "energy", read, energy(None, stored)),
+        }

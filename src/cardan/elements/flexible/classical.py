@@ -1,0 +1,52 @@
+"""The classical two-node beam with reduced integration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.short_rotations import Slopes
+from .ends import Ends
+from .relative import Relative, mean_axes
+from .section import SECTION, SHAPE, Section, without_locking
+from .strain import Elastic, Field, StrainElement
+
+
+@dataclass(frozen=True)
+class Classical(StrainElement):
+    """Simo's geometrically exact beam, two nodes, integrated by its middle point.
+
+    Positions and the rotation between the ends vary linearly, so that the strain is objective and
+    independent of the path. Second order in statics.
+
+    Args:
+        residual_flexibility: The shear compliance gains L²/(12 EI), which makes straight elements
+            exact for small displacements under loads at nodes.
+
+    Source: Simo and Vu-Quoc, CMAME 58 (1986); Crisfield and Jelenić, Proc. R. Soc. A 455 (1999);
+    MacNeal, Computers and Structures 8 (1978) for the residual bending flexibility.
+    """
+
+    kind: ClassVar[str] = "classical"
+    source: ClassVar[str] = (
+        "M. A. Crisfield, G. Jelenić, Objectivity of strain measures in the geometrically exact "
+        "three-dimensional beam theory and its finite-element implementation, 1999"
+    )
+    common: ClassVar[tuple[str, ...]] = SECTION
+    own: ClassVar[tuple[str, ...]] = SHAPE
+    residual_flexibility: bool = True
+
+    @property
+    def variant(self) -> str:
+        return "" if self.residual_flexibility else "plain"
+
+    def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
+        return mean_axes(at.turn)
+
+    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+        section = Section.of(ends)
+        stiffness, length = list(section.stiffness), section.length
+        if self.residual_flexibility:
+            stiffness = without_locking(stiffness, length)
+        return Elastic.of(Matrix.vstack(theta, e), section.free, stiffness, length)

@@ -1,0 +1,35 @@
+"""A force along a beam that keeps its direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from .ends import Ends
+from .loading import LoadElement
+from .places import Pose
+
+FORCE = ("dead_force_1", "dead_force_2", "dead_force_3")
+MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")
+
+
+@dataclass(frozen=True)
+class DeadLoad(LoadElement):
+    """Force and moment per length of the reference shape in ground axes.
+
+    The force has a potential; a moment that keeps its direction has none.
+
+    Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6.
+    """
+
+    kind: ClassVar[str] = "dead_load"
+    source: ClassVar[str] = (
+        "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6"
+    )
+    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
+    own: ClassVar[tuple[str, ...]] = ("length",)
+    fixed: ClassVar[bool] = True
+
+    def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
+        return ends.vector(*FORCE), pose.rotation.T @ ends.vector(*MOMENT)

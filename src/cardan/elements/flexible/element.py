@@ -1,0 +1,134 @@
+"""What every flexible element says of itself, and how its functions are put together.
+
+An element couples two ends (:mod:`.ends`). Its functions have local inputs: q, u and udot of the
+nodes of its ends one after the other, and its data p, whose names stand in ``common`` (what
+section, material and parameters give) and ``own`` (what the geometry gives), in this order,
+followed by those of ends that are not at a node (:meth:`.Ends.names`).
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+from ...ir.derivative import directional
+from ...ir.function import Block, Function, Output
+from ...ir.graph import Graph
+from ...ir.matrix import Matrix
+from .ends import NODE, Ends
+
+
+class FlexibleElement(ABC):
+    """A flexible element between two ends.
+
+    Attributes:
+        kind: Name in scenes, and of its kind of element.
+        source: Literature.
+        common: Names of the data that may depend on parameters.
+        own: Names of the data that come from the geometry once and for all.
+    """
+
+    kind: ClassVar[str]
+    source: ClassVar[str]
+    common: ClassVar[tuple[str, ...]]
+    own: ClassVar[tuple[str, ...]] = ()
+
+    @abstractmethod
+    def functions(self, ends: Ends) -> dict[str, Function]:
+        """Its functions between such ends, by name."""
+
+    @property
+    def about(self) -> str:
+        """One line for the reader of the C."""
+        return " ".join((self.__doc__ or "").split(".")[0].split())
+
+    @property
+    def variant(self) -> str:
+        """What its options add to the name of its kind."""
+        return ""
+
+    def name(self, kinds: tuple[str, str] = (NODE, NODE)) -> str:
+        """C name of its kind between such ends."""
+        apart = kinds if set(kinds) != {NODE} else ()
+        return "_".join(word for word in (self.kind, self.variant, *apart) if word)
+
+    def data(self, kinds: tuple[str, str] = (NODE, NODE)) -> tuple[str, ...]:
+        """Names of the entries of p between such ends."""
+        return (*self.common, *self.own, *Ends.names(kinds))
+
+    def ends(self, kinds: tuple[str, str] = (NODE, NODE)) -> Ends:
+        """A fresh graph with the two ends in it."""
+        return Ends(Graph(), kinds, self.data(kinds))
+
+    def derived(self, kinds: tuple[str, str] = (NODE, NODE)) -> Mapping[str, Function]:
+        """Its functions between such ends.
+
+        Args:
+            kinds: Of both ends, see :mod:`.places`; one is no ground.
+        """
+        return self.functions(self.ends(kinds))
+
+    def rows(self, stations: Any, poses: Any) -> Any:
+        """The own data of the elements of a beam, (n, len(own)).
+
+        Args:
+            stations: Arc lengths of the nodes in the reference shape (n + 1,) [m].
+            poses: Unit quaternions of the section axes and positions in ground axes there, those
+                of the two ends of every element one after the other, (n, 14).
+        """
+        import numpy as np
+
+        length = np.diff(np.asarray(stations, dtype=float))
+        known = {"length": length} | self.shapes(length, np.asarray(poses, dtype=float))
+        columns = [known[name] for name in self.own]
+        return np.column_stack(columns) if columns else np.empty((len(length), 0))
+
+    def shapes(self, length: Any, poses: Any) -> dict[str, Any]:
+        """Data by name that come from the reference shape, (n,) each; see :meth:`rows`."""
+        return {}
+
+    def function(
+        self, ends: Ends, name: str, blocks: Sequence[Block], *outputs: Output
+    ) -> Function:
+        """A function of the kind."""
+        symbol, kind = f"{self.name(ends.kinds)}__{name}", self.kind.replace("_", " ")
+        owners = ("", kind)
+        return Function(symbol, ends.graph, tuple(blocks), outputs, owners, self.about)
+
+
+def balance(ends: Ends, loads: Matrix) -> Output:
+    """What the ends must be held with (nu)."""
+    return Output("balance", (loads.rows,), loads.nodes, ends.speeds, ends.load_units)
+
+
+def matrix(ends: Ends, name: str, values: Matrix) -> Output:
+    """A tangent (nu, nu)."""
+    entries = tuple(f"{a},{b}" for a in ends.speeds for b in ends.speeds)
+    return Output(name, (values.rows, values.columns), values.nodes, entries)
+
+
+def energy(kinetic: Matrix | None, potential: Matrix | None) -> Output:
+    """Kinetic and potential energy from columns with one entry."""
+    nodes = tuple(0 if part is None else part.nodes[0] for part in (kinetic, potential))
+    return Output("energy", (2,), nodes, ("kinetic", "potential"), ("J", "J"))
+
+
+def tangents(ends: Ends, loads: Matrix, *letters: str) -> tuple[Output, ...]:
+    """K, C and M of a balance by differentiation, those that are asked for and not zero.
+
+    Args:
+        ends: What the balance depends on.
+        loads: The balance (nu, 1).
+        letters: Of "q" along increments, "u" and "udot".
+    """
+    g, found = ends.graph, list[Output]()
+    for letter, name in (("q", "K"), ("u", "C"), ("udot", "M")):
+        if letter not in letters:
+            continue
+        columns = directional(g, loads.nodes, ends.directions(letter))
+        rows = zip(*columns, strict=True)
+        values = Matrix(g, loads.rows, loads.rows, [x for row in rows for x in row])
+        if not values.is_zero:
+            found.append(matrix(ends, name, values))
+    return tuple(found)

@@ -1,0 +1,36 @@
+"""A force along a beam that turns with its section."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from .ends import Ends
+from .loading import LoadElement
+from .places import Pose
+
+FORCE = ("follower_force_1", "follower_force_2", "follower_force_3")
+MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")
+
+
+@dataclass(frozen=True)
+class FollowerLoad(LoadElement):
+    """Force and moment per length of the reference shape in section axes.
+
+    It has no potential, and its tangent is not symmetric.
+
+    Source: Argyris and Symeonidis, CMAME 26 (1981).
+    """
+
+    kind: ClassVar[str] = "follower_load"
+    source: ClassVar[str] = (
+        "J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under "
+        "nonconservative loading, CMAME 26, 1981"
+    )
+    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
+    own: ClassVar[tuple[str, ...]] = ("length",)
+    fixed: ClassVar[bool] = False
+
+    def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
+        return pose.rotation @ ends.vector(*FORCE), ends.vector(*MOMENT)

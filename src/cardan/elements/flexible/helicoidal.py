@@ -1,0 +1,39 @@
+"""The displacement beam with helicoidal strain."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.short_rotations import Slopes
+from .ends import Ends
+from .relative import Relative
+from .section import SECTION, SHAPE, Section
+from .strain import Elastic, Field, StrainElement
+
+
+@dataclass(frozen=True)
+class Helicoidal(StrainElement):
+    """Geometrically exact beam whose shape is a helix: constant strain, exact for pure bending.
+
+    Second order in statics; does not lock in bending of slender beams.
+
+    Source: Sonneville, Cardona and Brüls, CMAME 268 (2014).
+    """
+
+    kind: ClassVar[str] = "helicoidal"
+    source: ClassVar[str] = (
+        "V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated "
+        "on the special Euclidean group SE(3), CMAME 268, 2014"
+    )
+    common: ClassVar[tuple[str, ...]] = SECTION
+    own: ClassVar[tuple[str, ...]] = SHAPE
+
+    def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
+        return Slopes(-0.5), at.inverse
+
+    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+        section = Section.of(ends)
+        whole = Matrix.vstack(theta, e)
+        return Elastic.of(whole, section.free, section.stiffness, section.length)

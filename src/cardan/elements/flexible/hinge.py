@@ -1,0 +1,44 @@
+"""A flexible hinge: soft about one axis, stiff in all other directions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.matrix import Matrix
+from ...spatial.short_rotations import Slopes
+from .ends import Ends
+from .relative import Relative, mean_axes
+from .section import diagonal, flat
+from .strain import WHOLE, Elastic, Field, StrainElement
+
+# about axis 1 and across it [N m/rad], along axis 1 and across it [N/m]
+STIFFNESSES = ("turn", "tilt", "axial", "radial")
+
+
+@dataclass(frozen=True)
+class FlexibleHinge(StrainElement):
+    """A solid hinge that turns about axis 1 of its ends and gives a little elsewhere.
+
+    Four stiffnesses: about the axis, across it, along it, and across it. Strain as of a bushing:
+    the rotation vector and the distance of the ends in the axes halfway between them.
+
+    Source: Howell, Compliant Mechanisms (2001), chapter 5; Masarati and Morandini, Multibody System
+    Dynamics 24 (2010).
+    """
+
+    kind: ClassVar[str] = "flexible_hinge"
+    source: ClassVar[str] = "L. L. Howell, Compliant Mechanisms, 2001, chapter 5"
+    common: ClassVar[tuple[str, ...]] = STIFFNESSES
+    own: ClassVar[tuple[str, ...]] = WHOLE
+    # a hinge that turns freely has no flexibility
+    mixed: ClassVar[bool] = False
+
+    def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
+        return mean_axes(at.turn)
+
+    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+        whole = Matrix.vstack(theta, e)
+        turn, tilt, axial, radial = ends.vector(*STIFFNESSES)
+        stiffness = diagonal(ends.graph, [turn, tilt, tilt, axial, radial, radial])
+        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)

@@ -1,0 +1,179 @@
+"""From an energy of the relative pose of two ends to forces and tangents of the nodes.
+
+The pose of end 2 seen from end 1 is a rotation r and a position d. Forces and tangents are made in
+the six increments of these, rho in axes of end 2 and those of d in axes of end 1, and only then
+told in those of the nodes: rotations R exp(dtheta), positions in ground axes.
+
+Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapter 6; the exact tangents are
+our own arrangement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...ir.matrix import Matrix
+from ...spatial.short_rotations import (
+    HALF_COSINE,
+    HALF_SINE,
+    INVERSE_TANGENT,
+    Slopes,
+    slopes,
+)
+from .ends import relative_rotation
+from .places import Pose
+
+
+@dataclass(frozen=True)
+class Relative:
+    """The pose of end 2 seen from end 1.
+
+    Attributes:
+        start, end: The two poses.
+        turn: Rotation vector theta of r (3, 1) [rad], shorter than pi.
+        position: d (3, 1) [m], from end 1 to end 2 in axes of end 1.
+        rotation: r (3, 3), coordinates in axes of end 2 to those of end 1.
+        inverse: a of :func:`inverse_tangent`, a function of |theta|².
+        slope: D (3, 3): theta changes by D rho.
+    """
+
+    start: Pose
+    end: Pose
+    turn: Matrix
+    position: Matrix
+    rotation: Matrix
+    inverse: Slopes
+    slope: Matrix
+
+    @staticmethod
+    def of(start: Pose, end: Pose) -> Relative:
+        """The pose of ``end`` seen from ``start``."""
+        turn, rotation = relative_rotation(start, end)
+        inverse = slopes(INVERSE_TANGENT, turn.dot(turn))
+        slope = carried_by(turn, Slopes(0.5), inverse)
+        position = start.rotation.T @ (end.position - start.position)
+        return Relative(start, end, turn, position, rotation, inverse, slope)
+
+
+def carried_by(turn: Matrix, first: Slopes, second: Slopes) -> Matrix:
+    """U = 1 + first [theta] + second [theta]², (3, 3)."""
+    g = turn.graph
+    square = turn.outer(turn) - Matrix.identity(g, 3) * turn.dot(turn)
+    return Matrix.identity(g, 3) + turn.skew * first.value + square * second.value
+
+
+def carried_slope(turn: Matrix, first: Slopes, second: Slopes, d: Matrix) -> Matrix:
+    """Derivative of U d by theta, (3, 3), with U of :func:`carried_by`."""
+    across = turn.cross(d)
+    twice = turn.cross(across)
+    along = Matrix.identity(turn.graph, 3) * turn.dot(d) + turn.outer(d) - d.outer(turn) * 2.0
+    change = across * (2.0 * first.first) + twice * (2.0 * second.first)
+    return along * second.value - d.skew * first.value + change.outer(turn)
+
+
+def carried_bend(turn: Matrix, first: Slopes, second: Slopes, d: Matrix, g: Matrix) -> Matrix:
+    """Second derivative of g · U d by theta, symmetric (3, 3)."""
+    identity = Matrix.identity(turn.graph, 3)
+    c = d.cross(g)
+    once, both = turn.dot(c), g.dot(d)
+    along_g, along_d = turn.dot(g), turn.dot(d)
+    twice = along_g * along_d - both * turn.dot(turn)
+    r = g * along_d + d * along_g - turn * (2.0 * both)
+    # terms of slopes with theta at one side, those of second slopes at both
+    side = c * (2.0 * first.first) + r * (2.0 * second.first)
+    side = side + turn * (2.0 * (first.second * once + second.second * twice))
+    round_about = 2.0 * (first.first * once + second.first * twice) - 2.0 * second.value * both
+    pair = g.outer(d) * second.value + turn.outer(side)
+    return pair + pair.T + identity * round_about
+
+
+def mean_axes(turn: Matrix) -> tuple[Slopes, Slopes]:
+    """What U is made of where it turns from axes of end 1 to those halfway, exp(-theta/2)."""
+    x = turn.dot(turn)
+    return -slopes(HALF_SINE, x), slopes(HALF_COSINE, x)
+
+
+@dataclass(frozen=True)
+class Response:
+    """Force and tangent of an element in the increments of the relative pose.
+
+    Attributes:
+        moment, force: Derivatives of the energy by rho and by d (3, 1).
+        turning: Derivative of the moment along rho (3, 3), its antisymmetric part [moment]/2.
+        mixed: Derivative of the force along rho (3, 3).
+        stretching: Derivative of the force by d, symmetric (3, 3).
+    """
+
+    moment: Matrix
+    force: Matrix
+    turning: Matrix
+    mixed: Matrix
+    stretching: Matrix
+
+
+def forces(at: Relative, moment: Matrix, force: Matrix) -> list[Matrix]:
+    """What the ends must be held with: moment and force on end 1, on end 2.
+
+    Moments are in axes of their end, forces in ground axes.
+
+    Args:
+        at: The relative pose.
+        moment, force: What works along rho and along d (3, 1).
+    """
+    held = at.start.rotation @ force
+    return [force.cross(at.position) - at.rotation @ moment, -held, moment, held]
+
+
+def tangent(at: Relative, response: Response) -> list[list[Matrix]]:
+    """Derivatives of :func:`forces` along the increments of the ends: 4 x 4 blocks (3, 3)."""
+    R, r, d = at.start.rotation, at.rotation, at.position.skew
+    moment, _, _, _ = forces(at, response.moment, response.force)
+    # columns of end 1: rho = -rᵀ theta_1, d changes by [d] theta_1
+    by_force = response.stretching @ d - response.mixed @ r.T
+    by_moment = response.mixed.T @ d - response.turning @ r.T
+    pp = R.congruence(response.stretching)
+    p2 = R @ response.mixed
+    p1 = R @ (by_force - response.force.skew)
+    inner = by_moment + response.moment.skew @ r.T
+    own = upper(response.force.skew @ d - r @ inner - d @ by_force, moment)
+    return [
+        [own, -p1.T, by_moment.T, p1.T],
+        [-p1, pp, -p2, -pp],
+        [by_moment, -p2.T, response.turning, p2.T],
+        [p1, -pp, p2, pp],
+    ]
+
+
+def moved(at: Relative, increments: Sequence[Matrix], first: Slopes, second: Slopes) -> Matrix:
+    """Change of (theta, e), (6, 1), where e = U d.
+
+    Args:
+        at: The relative pose.
+        increments: Of end 1 and 2: rotation in axes of the end, position in ground axes.
+        first, second: What U is made of, see :func:`carried_by`.
+    """
+    turn_1, move_1, turn_2, move_2 = increments
+    rho = turn_2 - at.rotation.T @ turn_1
+    d = at.start.rotation.T @ (move_2 - move_1) + at.position.cross(turn_1)
+    theta = at.slope @ rho
+    bent = carried_slope(at.turn, first, second, at.position)
+    return Matrix.vstack(theta, bent @ theta + carried_by(at.turn, first, second) @ d)
+
+
+def upper(whole: Matrix, moment: Matrix) -> Matrix:
+    """A matrix X with X - Xᵀ = [moment], made of its upper triangle."""
+    g, skew = whole.graph, moment.skew
+    nodes = [
+        whole.nodes[3 * i + j] if i <= j else g.add(whole.nodes[3 * j + i], skew.nodes[3 * i + j])
+        for i in range(3)
+        for j in range(3)
+    ]
+    return Matrix(g, 3, 3, nodes)
+
+
+def mirrored(whole: Matrix) -> Matrix:
+    """The symmetric matrix of an upper triangle."""
+    n = whole.rows
+    nodes = [whole.nodes[n * min(i, j) + max(i, j)] for i in range(n) for j in range(n)]
+    return Matrix(whole.graph, n, n, nodes)

@@ -1,0 +1,72 @@
+"""Data that beams share: stiffness of the section, thermal strain, reference shape.
+
+Axes of the section: 1 along the beam, 2 and 3 principal. Stress is (m1 m2 m3, n1 n2 n3), torsion
+and bending before tension and shear; strain (K1 K2 K3, E1 E2 E3) with E = (1, 0, 0) where a
+straight beam is not strained.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...ir.arithmetic import Scalar
+from ...ir.graph import ZERO, Graph
+from ...ir.matrix import Matrix
+from .ends import OUTSIDE, Ends
+
+# stiffness in the order of the stress [N m², N]; what there is without stress beyond the reference
+# shape, such as by temperature [rad/m, -]
+STIFFNESS = ("GJ", "EI2", "EI3", "EA", "GA2", "GA3")
+FREE = tuple(f"strain_{k}" for k in range(1, 7))
+SECTION = (*STIFFNESS, *FREE)
+# length [m] and strain of the reference shape [rad/m, -]
+SHAPE = ("length", "K1", "K2", "K3", "E1", "E2", "E3")
+
+
+@dataclass(frozen=True)
+class Section:
+    """What the data of a beam element say.
+
+    Attributes:
+        length: L [m].
+        stiffness: Of the section, six numbers.
+        free: Strain without stress times L: reference shape, temperature (6, 1).
+    """
+
+    length: Scalar
+    stiffness: tuple[Scalar, ...]
+    free: Matrix
+
+    @staticmethod
+    def of(ends: Ends) -> Section:
+        """From the data of an element that has ``SECTION`` and ``SHAPE``."""
+        length = ends.number("length")
+        strain = flat(ends, ends.vector(*SHAPE[1:]) + ends.vector(*FREE))
+        return Section(length, tuple(ends.vector(*STIFFNESS)), strain * length)
+
+
+def flat(ends: Ends, column: Matrix) -> Matrix:
+    """Strain or stress (6, 1) without the entries that leave the plane, where there is one."""
+    nodes = [ZERO if ends.planar and k in OUTSIDE else x for k, x in enumerate(column.nodes)]
+    return Matrix(column.graph, 6, 1, nodes)
+
+
+def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:
+    """Stiffness of a section with the residual bending flexibility of a straight element.
+
+    The compliance in shear gains L²/(12 EI): so soft is an element that bends linearly.
+    """
+    found = list(stiffness)
+    # shear along 2 goes with bending about 3
+    for shear, bending in ((4, 2), (5, 1)):
+        residual = length * length / (12.0 * found[bending])
+        found[shear] = 1.0 / (1.0 / found[shear] + residual)
+    return found
+
+
+def diagonal(graph: Graph, entries: Sequence[Scalar]) -> Matrix:
+    """A diagonal matrix."""
+    n = len(entries)
+    nodes = [entries[i].node if i == j else ZERO for i in range(n) for j in range(n)]
+    return Matrix(graph, n, n, nodes)

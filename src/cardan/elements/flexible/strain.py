@@ -1,0 +1,273 @@
+"""Elements whose energy depends on one strain: that of the relative pose of their ends.
+
+The strain of an element of length L is (theta, e) / L less that of its reference shape: theta the
+rotation vector of end 2 seen from end 1, and e = d + first theta x d + second theta x (theta x d),
+d the position of end 2 in axes of end 1. A member says what ``first`` and ``second`` are, functions
+of |theta|², and what stress (m, n) a strain makes.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Number, Scalar
+from ...ir.function import Block, Function, Output
+from ...ir.graph import Graph
+from ...ir.interpreter import evaluate
+from ...ir.matrix import Matrix
+from ...spatial.short_rotations import Slopes
+from .element import FlexibleElement, balance, energy, matrix
+from .ends import NODE, Ends
+from .relative import (
+    Relative,
+    Response,
+    carried_bend,
+    carried_by,
+    carried_slope,
+    forces,
+    mirrored,
+    moved,
+    tangent,
+    upper,
+)
+from .section import diagonal, flat
+
+STRAINS = ("K1", "K2", "K3", "E1", "E2", "E3")
+# the same of the whole element
+WHOLE = ("theta1", "theta2", "theta3", "e1", "e2", "e3")
+STRESSES = ("m1", "m2", "m3", "n1", "n2", "n3")
+STRESS_UNITS = ("N*m",) * 3 + ("N",) * 3
+STRAIN_UNITS = ("rad/m",) * 3 + ("",) * 3
+
+
+@dataclass(frozen=True)
+class Law:
+    """What a strain does; all in angles theta and lengths e of the whole element.
+
+    Attributes:
+        moment, force: Derivatives of the energy by theta and e (3, 1).
+        tangent: Second derivatives (3, 3): by theta and theta, theta and e, e and e.
+        energy: (1, 1) [J], where the stress is that of the strain.
+        ends: Stress (m, n) at ends 1 and 2, (6, 1) each.
+        strains: Strain there, (6, 1) each.
+    """
+
+    moment: Matrix
+    force: Matrix
+    tangent: tuple[Matrix, Matrix, Matrix]
+    energy: Matrix
+    ends: tuple[Matrix, Matrix]
+    strains: tuple[Matrix, Matrix]
+
+
+@dataclass(frozen=True)
+class Field(ABC):
+    """Stress and strain of an element at a relative pose.
+
+    What it stores is y · s less an energy of the stress s alone, s · F s / 2 where it is linear.
+
+    Attributes:
+        strain: y (6, 1): (theta, e) less what it is without stress.
+    """
+
+    strain: Matrix
+
+    @abstractmethod
+    def relaxed(self, stress: Matrix) -> Matrix:
+        """F s: the strain that belongs to a stress (6, 1)."""
+
+    @abstractmethod
+    def solved(self, right: Matrix) -> Matrix:
+        """F⁻¹ y: the stress that belongs to a strain (6, 1)."""
+
+    @abstractmethod
+    def slope(self, stress: Matrix) -> Matrix:
+        """Derivative of y - F s by theta and e at fixed stress (6, 6)."""
+
+    @abstractmethod
+    def law(self, stress: Matrix) -> Law:
+        """What the element does with that stress."""
+
+
+class StrainElement(FlexibleElement):
+    """An element with a helicoidal or mean strain.
+
+    The functions ``mixed`` and ``mixed_step`` keep the stress z (6) as an unknown of Newton's
+    method: from far away it then takes a few steps where it diverges without. ``mixed`` gives the
+    balance [b] and [K] with the stress eliminated; when the increments du of the nodes are known,
+    ``mixed_step`` gives the new z, before the nodes are moved. z starts from the stress there is,
+    the mean of that at both ends. At the solution both are ``balance`` and its tangent, and z is
+    the stress.
+
+    Attributes:
+        mixed: Whether it has them.
+
+    Source: Magisano, Leonetti and Garcea, CMAME 313 (2017).
+    """
+
+    mixed: ClassVar[bool] = True
+
+    @abstractmethod
+    def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
+        """``first`` and ``second`` of e, functions of |theta|²."""
+
+    @abstractmethod
+    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+        """Stress and strain at theta and e."""
+
+    def functions(self, ends: Ends) -> dict[str, Function]:
+        at = Relative.of(ends.pose(0), ends.pose(1))
+        first, second = self.measures(at)
+        field = self.field(ends, at.turn, carried_strain(at, first, second))
+        law = field.law(field.solved(field.strain))
+        response = respond(at, first, second, law)
+        loads = forces(at, response.moment, response.force)
+        stiffness = ends.derivative(tangent(at, response), loads)
+        found = {
+            "balance": (balance(ends, ends.told(loads)),),
+            "balance_tangent": (matrix(ends, "K", stiffness),),
+            "energy": (energy(None, law.energy),),
+            "stress": (_stress(law),),
+        }
+        plain = {
+            name: self.function(ends, name, ends.blocks("q", "p"), *outputs)
+            for name, outputs in found.items()
+        }
+        return plain | (self._mixed(ends, at, field) if self.mixed else {})
+
+    def _mixed(self, ends: Ends, at: Relative, field: Field) -> dict[str, Function]:
+        """Balance and tangent at a stress that is not yet that of the strain, and its increment."""
+        first, second = self.measures(at)
+        unknown = Matrix(ends.graph, 6, 1, [ends.graph.var("z", k) for k in range(6)])
+        stress = flat(ends, unknown)
+        gap, slope, law = (
+            field.strain - field.relaxed(stress),
+            field.slope(stress),
+            field.law(stress),
+        )
+        response = respond(at, first, second, law)
+        stiffness = ends.derivative(
+            tangent(at, response), forces(at, response.moment, response.force)
+        )
+        # what the missing strain adds to the forces
+        added = slope.T @ field.solved(gap)
+        whole = replace(
+            law,
+            moment=law.moment + added.block(slice(3)),
+            force=law.force + added.block(slice(3, 6)),
+        )
+        held = respond(at, first, second, whole)
+        loads = ends.told(forces(at, held.moment, held.force))
+        change = moved(at, ends.increments(), first, second)
+        new = stress + field.solved(gap + slope @ change)
+        found = {
+            "mixed": (balance(ends, loads), matrix(ends, "K", stiffness)),
+            "mixed_step": (Output("z", (6,), new.nodes, STRESSES, STRESS_UNITS),),
+        }
+        z = Block("z", STRESSES, STRESS_UNITS)
+        blocks = (*ends.blocks("q"), z, *ends.blocks("p", "du"))
+        return {name: self.function(ends, name, blocks, *o) for name, o in found.items()}
+
+    def reference(self) -> Function:
+        """theta and e (6) of two poses q: what they are in the reference shape."""
+        ends = Ends(Graph(), (NODE, NODE), ())
+        at = Relative.of(ends.pose(0), ends.pose(1))
+        e = carried_strain(at, *self.measures(at))
+        output = Output("reference", (6,), Matrix.vstack(at.turn, e).nodes, STRAINS)
+        return self.function(ends, "reference", ends.blocks("q"), output)
+
+    def shapes(self, length: Any, poses: Any) -> dict[str, Any]:
+        found = evaluate(self.reference(), {"q": poses}, "numpy")["reference"]
+        density = found / length[:, None]
+        return dict(zip(WHOLE, found.T, strict=True)) | dict(zip(STRAINS, density.T, strict=True))
+
+
+def _stress(law: Law) -> Output:
+    """Stress and strain at both ends (4, 6)."""
+    entries = ("start", "end")
+    names = [f"{end}.{x}" for kind in (STRESSES, STRAINS) for end in entries for x in kind]
+    units = STRESS_UNITS * 2 + STRAIN_UNITS * 2
+    nodes = Matrix.vstack(*law.ends, *law.strains).nodes
+    return Output("stress", (4, 6), nodes, tuple(names), units)
+
+
+def carried_strain(at: Relative, first: Slopes, second: Slopes) -> Matrix:
+    """e (3, 1) [m]."""
+    return carried_by(at.turn, first, second) @ at.position
+
+
+def respond(at: Relative, first: Slopes, second: Slopes, law: Law) -> Response:
+    """Force and tangent in the increments of the relative pose."""
+    turn, d, slope = at.turn, at.position, at.slope
+    carried = carried_by(turn, first, second)
+    bent = carried_slope(turn, first, second, d)
+    # derivatives by theta and d
+    by_theta = law.moment + bent.T @ law.force
+    force = carried.T @ law.force
+    theta_theta, theta_e, e_e = law.tangent
+    across = theta_e + bent.T @ e_e
+    stretching = carried.T.congruence(e_e)
+    bend = carried_bend(turn, first, second, d, law.force)
+    both = mirrored(theta_theta + theta_e @ bent + (across @ bent).T + bend)
+    mixed = (across @ carried).T + carried_slope(turn, -first, second, law.force)
+    # theta changes by D rho, and D with it
+    moment = slope.T @ by_theta
+    turned = slope.T @ both + carried_slope(turn, Slopes(-0.5), at.inverse, by_theta)
+    turning = upper(turned @ slope, moment)
+    return Response(moment, force, turning, mixed @ slope, stretching)
+
+
+@dataclass(frozen=True)
+class Elastic(Field):
+    """A stress that is proportional to the strain and the same all along the element.
+
+    Attributes:
+        whole: (theta, e) (6, 1).
+        stiffness: Stress of the element by its strain (6, 6).
+        flexibility: Its inverse; None where that does not exist.
+        length: What makes strain of (theta, e) [m].
+    """
+
+    whole: Matrix
+    stiffness: Matrix
+    flexibility: Matrix | None
+    length: Number
+
+    @staticmethod
+    def of(whole: Matrix, free: Matrix, stiffness: Sequence[Scalar], length: Scalar) -> Elastic:
+        """With the stiffness of a section, six numbers, and what (theta, e) is without stress."""
+        g = whole.graph
+        return Elastic(
+            whole - free,
+            whole,
+            diagonal(g, [x / length for x in stiffness]),
+            diagonal(g, [length / x for x in stiffness]),
+            length,
+        )
+
+    def relaxed(self, stress: Matrix) -> Matrix:
+        assert self.flexibility is not None
+        return self.flexibility @ stress
+
+    def solved(self, right: Matrix) -> Matrix:
+        return self.stiffness @ right
+
+    def slope(self, stress: Matrix) -> Matrix:
+        return Matrix.identity(stress.graph, 6)
+
+    def law(self, stress: Matrix) -> Law:
+        upper, below = slice(3), slice(3, 6)
+        blocks = ((upper, upper), (upper, below), (below, below))
+        first, second, third = (self.stiffness.block(*block) for block in blocks)
+        strain = self.whole / self.length
+        return Law(
+            stress.block(upper),
+            stress.block(below),
+            (first, second, third),
+            stress.T @ self.strain * 0.5,
+            (stress, stress),
+            (strain, strain),
+        )

@@ -1,0 +1,51 @@
+"""A full circle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ..quantity import Quantity
+from ..written import positive
+from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+
+
+@dataclass(frozen=True)
+class Circle(Section):
+    """A full circle.
+
+    Args:
+        radius: [m].
+        shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+
+    Raises:
+        ModelError: a number that is not positive.
+
+    Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
+    """
+
+    kind: ClassVar[str] = "circle"
+    source: ClassVar[str] = "G. R. Cowper, J. Appl. Mech. 33, 1966, 335-340"
+    radius: Any
+    shear: Any = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "radius", positive("circle", "radius", self.radius))
+        object.__setattr__(self, "shear", pair("circle", "shear", self.shear))
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"radius": Quantity(self.radius, "m")} | both("shear", self.shear, "")
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        nu, square = material["nu"], data["radius"] ** 2
+        second = math.pi / 4 * square**2
+        k = 6 * (1 + nu) / (7 + 6 * nu)
+        shear = corrections(data, k, k)
+        return made_of(math.pi * square, (second, second), 2 * second, shear, material)
+
+    def complaint(self, values: Numbers) -> str:
+        return ""
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return Outline(values["radius"], values["radius"], round=True)

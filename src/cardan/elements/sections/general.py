@@ -1,0 +1,82 @@
+"""Stiffness and inertia as numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ..quantity import Quantity
+from ..written import is_expression, number, positive
+from .section import Data, Numbers, Outline, Section, Stiffness, both, pair
+
+
+@dataclass(frozen=True)
+class General(Section):
+    """Stiffness and inertia as numbers, without a shape; no material gives them.
+
+    ``GA``, ``EI`` and ``rhoI`` are one number for both directions or two: shear along e2 and e3,
+    bending and inertia about e2 and e3. Inertia about e1 is the sum of the two.
+
+    Args:
+        EA: Against stretch [N].
+        GA: Against shear, corrected [N].
+        GJ: Against twist [N m^2].
+        EI: Against bending [N m^2].
+        rhoA: Mass per length [kg/m].
+        rhoI: Moments of inertia per length [kg m].
+
+    Raises:
+        ModelError: a stiffness that is not positive, a negative inertia.
+    """
+
+    kind: ClassVar[str] = "general"
+    source: ClassVar[str] = "J. C. Simo, A finite strain beam formulation I, 1985"
+    shaped: ClassVar[bool] = False
+    EA: Any
+    GA: Any
+    GJ: Any
+    EI: Any
+    rhoA: Any = 0
+    rhoI: Any = 0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "EA", positive("general", "EA", self.EA))
+        object.__setattr__(self, "GA", pair("general", "GA", self.GA))
+        object.__setattr__(self, "GJ", positive("general", "GJ", self.GJ))
+        object.__setattr__(self, "EI", pair("general", "EI", self.EI))
+        # massless beams are allowed
+        for name in ("rhoA", "rhoI"):
+            value = getattr(self, name)
+            if not is_expression(value) and not isinstance(value, (list, tuple)):
+                value = number("general", name, value)
+            given = 0 if isinstance(value, float) and value == 0 else pair("general", name, value)
+            object.__setattr__(self, name, given)
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "EA": Quantity(self.EA, "N"),
+            **both("GA", self.GA, "N"),
+            "GJ": Quantity(self.GJ, "N*m^2"),
+            **both("EI", self.EI, "N*m^2"),
+            "rhoA": Quantity(self.rhoA, "kg/m"),
+            **both("rhoI", self.rhoI, "kg*m"),
+        }
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        return Stiffness(
+            EA=data["EA"],
+            GA2=data["GA.e2"],
+            GA3=data["GA.e3"],
+            GJ=data["GJ"],
+            EI2=data["EI.e2"],
+            EI3=data["EI.e3"],
+            rhoA=data["rhoA"],
+            rhoI2=data["rhoI.e2"],
+            rhoI3=data["rhoI.e3"],
+        )
+
+    def complaint(self, values: Numbers) -> str:
+        return ""
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return None

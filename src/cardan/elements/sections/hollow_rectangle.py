@@ -1,0 +1,86 @@
+"""A box with walls of one thickness."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Scalar
+from ..quantity import Quantity
+from ..written import positive
+from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+
+
+@dataclass(frozen=True)
+class HollowRectangle(Section):
+    """A box with walls of one thickness; torsion and shear as of thin walls.
+
+    Args:
+        width, height: Outer measures along e2 and e3 [m].
+        thickness: Of the walls [m].
+        shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+
+    Raises:
+        ModelError: a number that is not positive, or walls that leave no room between them.
+
+    Source: R. Bredt, Kritische Bemerkungen zur Drehungselastizität, 1896 (torsion); G. R. Cowper,
+        The shear coefficient in Timoshenko's beam theory, 1966.
+    """
+
+    kind: ClassVar[str] = "hollow_rectangle"
+    source: ClassVar[str] = "Bredt, Z. VDI 40, 1896; Cowper, J. Appl. Mech. 33, 1966, 335-340"
+    width: Any
+    height: Any
+    thickness: Any
+    shear: Any = None
+
+    def __post_init__(self) -> None:
+        for name in ("width", "height", "thickness"):
+            value = positive("hollow_rectangle", name, getattr(self, name))
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "shear", pair("hollow_rectangle", "shear", self.shear))
+
+    def quantities(self) -> dict[str, Quantity]:
+        names = ("width", "height", "thickness")
+        sides = {name: Quantity(getattr(self, name), "m") for name in names}
+        return sides | both("shear", self.shear, "")
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        w, h, t = data["width"], data["height"], data["thickness"]
+        inner_w, inner_h = w - 2 * t, h - 2 * t
+        second = (
+            (w * h**3 - inner_w * inner_h**3) / 12,
+            (h * w**3 - inner_h * inner_w**3) / 12,
+        )
+        # between the middles of the walls
+        mid_w, mid_h = w - t, h - t
+        torsion = 2 * t * (mid_w * mid_h) ** 2 / (mid_w + mid_h)
+        nu = material["nu"]
+        shear = corrections(data, _shear(mid_h, mid_w, nu), _shear(mid_w, mid_h, nu))
+        return made_of(w * h - inner_w * inner_h, second, torsion, shear, material)
+
+    def complaint(self, values: Numbers) -> str:
+        least = min(values["width"], values["height"])
+        if 2 * values["thickness"] < least:
+            return ""
+        return (
+            f"walls of {values['thickness']:g} m leave no room in a hollow_rectangle of "
+            f"{least:g} m; a full one is a rectangle"
+        )
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return Outline(values["width"] / 2, values["height"] / 2)
+
+
+def _shear(across: Scalar, along: Scalar, nu: Scalar) -> Scalar:
+    """Factor for shear along one side of a box with walls of one thickness."""
+    n = across / along
+    m = n
+    return (
+        10 * (1 + nu) * (1 + 3 * m) ** 2
+        / (
+            12 + 72 * m + 150 * m**2 + 90 * m**3
+            + nu * (11 + 66 * m + 135 * m**2 + 90 * m**3)
+            + 10 * n**2 * ((3 + nu) * m + 3 * m**2)
+        )
+    )  # fmt: skip

@@ -1,0 +1,99 @@
+"""Two flanges and a web between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ..quantity import Quantity
+from ..written import positive
+from .section import (
+    Data,
+    Numbers,
+    Outline,
+    Section,
+    Stiffness,
+    both,
+    corrections,
+    made_of,
+    pair,
+    rectangle_shear,
+)
+
+
+@dataclass(frozen=True)
+class IBeam(Section):
+    """Two flanges along e2 and a web along e3; torsion and shear as of thin walls.
+
+    Warping is left free: what a clamped end adds to the torsional stiffness is not there.
+
+    Args:
+        width: Of the flanges, along e2 [m].
+        height: Over both flanges, along e3 [m].
+        flange, web: Their thicknesses [m].
+        shear: Shear correction factor, or two along e2 and e3. By default that of Cowper along the
+            web, and that of two rectangles along the flanges.
+
+    Raises:
+        ModelError: a number that is not positive, flanges that leave no web, or a web wider than
+            they.
+
+    Source: S. P. Timoshenko, Strength of Materials II, chapter 6 (torsion); G. R. Cowper, The shear
+        coefficient in Timoshenko's beam theory, 1966.
+    """
+
+    kind: ClassVar[str] = "i_beam"
+    source: ClassVar[str] = "Timoshenko, Strength of Materials II; Cowper, J. Appl. Mech. 33, 1966"
+    width: Any
+    height: Any
+    flange: Any
+    web: Any
+    shear: Any = None
+
+    def __post_init__(self) -> None:
+        for name in ("width", "height", "flange", "web"):
+            object.__setattr__(self, name, positive("i_beam", name, getattr(self, name)))
+        object.__setattr__(self, "shear", pair("i_beam", "shear", self.shear))
+
+    def quantities(self) -> dict[str, Quantity]:
+        names = ("width", "height", "flange", "web")
+        sides = {name: Quantity(getattr(self, name), "m") for name in names}
+        return sides | both("shear", self.shear, "")
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        w, h, flange, web = (data[name] for name in ("width", "height", "flange", "web"))
+        inner = h - 2 * flange
+        flanges = 2 * w * flange
+        area = flanges + inner * web
+        second = (
+            (w * h**3 - (w - web) * inner**3) / 12,
+            (flanges * w**2 + inner * web**3) / 12,
+        )
+        torsion = (flanges * flange**2 + (h - flange) * web**3) / 3
+        # between the middles of the flanges
+        nu, m, n = material["nu"], flanges / ((h - flange) * web), w / (h - flange)
+        along_web = (
+            10 * (1 + nu) * (1 + 3 * m) ** 2
+            / (
+                12 + 72 * m + 150 * m**2 + 90 * m**3
+                + nu * (11 + 66 * m + 135 * m**2 + 90 * m**3)
+                + 30 * n**2 * (m + m**2)
+                + 5 * nu * n**2 * (8 * m + 9 * m**2)
+            )
+        )  # fmt: skip
+        along_flanges = rectangle_shear(nu) * flanges / area
+        shear = corrections(data, along_flanges, along_web)
+        return made_of(area, second, torsion, shear, material)
+
+    def complaint(self, values: Numbers) -> str:
+        if 2 * values["flange"] >= values["height"]:
+            return (
+                f"two flanges of {values['flange']:g} m leave no web in a height of "
+                f"{values['height']:g} m"
+            )
+        if values["web"] > values["width"]:
+            return f"the web of {values['web']:g} m is wider than the flanges"
+        return ""
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return Outline(values["width"] / 2, values["height"] / 2)

@@ -1,0 +1,86 @@
+"""A full rectangle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Scalar
+from ..quantity import Quantity
+from ..written import positive
+from .section import (
+    Data,
+    Numbers,
+    Outline,
+    Section,
+    Stiffness,
+    both,
+    corrections,
+    made_of,
+    pair,
+    rectangle_shear,
+)
+
+# sum of 1/n^5 over odd n: 31/32 zeta(5)
+FIFTH = 1.0045237627951382
+LEADING = 192 / math.pi**5
+
+
+@dataclass(frozen=True)
+class Rectangle(Section):
+    """A full rectangle.
+
+    Args:
+        width: Along e2 [m].
+        height: Along e3, the direction of ``up`` [m].
+        shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+
+    Raises:
+        ModelError: a number that is not positive.
+
+    Source: S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, section 109 (torsion);
+        G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
+    """
+
+    kind: ClassVar[str] = "rectangle"
+    source: ClassVar[str] = "Timoshenko, Goodier, Theory of Elasticity, section 109; Cowper, 1966"
+    width: Any
+    height: Any
+    shear: Any = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "width", positive("rectangle", "width", self.width))
+        object.__setattr__(self, "height", positive("rectangle", "height", self.height))
+        object.__setattr__(self, "shear", pair("rectangle", "shear", self.shear))
+
+    def quantities(self) -> dict[str, Quantity]:
+        sides = {"width": Quantity(self.width, "m"), "height": Quantity(self.height, "m")}
+        return sides | both("shear", self.shear, "")
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        width, height = data["width"], data["height"]
+        area = width * height
+        second = (area * height**2 / 12, area * width**2 / 12)
+        k = rectangle_shear(material["nu"])
+        return made_of(area, second, torsion(width, height), corrections(data, k, k), material)
+
+    def complaint(self, values: Numbers) -> str:
+        return ""
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return Outline(values["width"] / 2, values["height"] / 2)
+
+
+def torsion(a: Scalar, b: Scalar) -> Scalar:
+    """Torsion constant of a rectangle, to rounding.
+
+    With tanh x = 1 - 2/(exp 2x + 1) the series falls as exp(-n pi): four terms are enough.
+    """
+    long, short = a.apply("max", b), a.apply("min", b)
+    slope = math.pi * long / short
+    rest = sum(
+        (2 / n**5 / ((n * slope).apply("exp") + 1) for n in (3, 5, 7)),
+        2 / (slope.apply("exp") + 1),
+    )
+    return long * short**3 / 3 * (1 - LEADING * short / long * (FIFTH - rest))

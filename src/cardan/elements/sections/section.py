@@ -1,0 +1,144 @@
+"""What every cross-section of a beam states in its one file.
+
+The axes of a section: e1 along the beam, e2 to the side, e3 up; all quantities refer to the
+centroid, which is also taken for the shear center.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.arithmetic import Scalar
+from ..quantity import Quantity
+from ..written import positive, vector
+
+Data = Mapping[str, "Scalar"]
+Numbers = Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Stiffness:
+    """What a beam is made of: expressions of the parameters.
+
+    Attributes:
+        EA, GA2, GA3: Against stretch and shear along e2, e3, shear-corrected [N].
+        GJ, EI2, EI3: Against twist and bending about e2, e3 [N m^2].
+        rhoA, rhoI2, rhoI3: Mass and moments of inertia about e2, e3 per length [kg/m, kg m].
+    """
+
+    EA: Scalar
+    GA2: Scalar
+    GA3: Scalar
+    GJ: Scalar
+    EI2: Scalar
+    EI3: Scalar
+    rhoA: Scalar
+    rhoI2: Scalar
+    rhoI3: Scalar
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What to draw: half widths along e2 and e3 [m], an ellipse where ``round``."""
+
+    e2: float
+    e3: float
+    round: bool = False
+
+
+class Section(ABC):
+    """A cross-section; numbers, parameters or expressions of them."""
+
+    kind: ClassVar[str]
+    source: ClassVar[str]
+    # whether the material gives the stiffness
+    shaped: ClassVar[bool] = True
+
+    @abstractmethod
+    def quantities(self) -> dict[str, Quantity]:
+        """What the user wrote, by name; becomes ``data``."""
+
+    @abstractmethod
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        """Stiffness and inertia.
+
+        Args:
+            data: Its quantities; those of two entries as ``name.e2`` and ``name.e3``.
+            material: ``E G nu rho``; nothing is read where the section is not :attr:`shaped`.
+        """
+
+    @abstractmethod
+    def complaint(self, values: Numbers) -> str:
+        """Why no section has these numbers; "" where one may."""
+
+    @abstractmethod
+    def outline(self, values: Numbers) -> Outline | None:
+        """What to draw; None where it has no shape."""
+
+
+def made_of(
+    area: Scalar,
+    second: tuple[Scalar, Scalar],
+    torsion: Scalar,
+    shear: tuple[Scalar, Scalar],
+    material: Data,
+) -> Stiffness:
+    """A shape of one material.
+
+    Args:
+        area: [m^2].
+        second: Second moments of area about e2 and e3 [m^4].
+        torsion: Torsion constant [m^4].
+        shear: Correction factors for shear along e2 and e3.
+        material: ``E G rho``.
+    """
+    e, g, rho = material["E"], material["G"], material["rho"]
+    return Stiffness(
+        EA=e * area,
+        GA2=g * area * shear[0],
+        GA3=g * area * shear[1],
+        GJ=g * torsion,
+        EI2=e * second[0],
+        EI3=e * second[1],
+        rhoA=rho * area,
+        rhoI2=rho * second[0],
+        rhoI3=rho * second[1],
+    )
+
+
+def corrections(data: Data, e2: Scalar, e3: Scalar) -> tuple[Scalar, Scalar]:
+    """The shear correction factors that the user gave, else those of the shape."""
+    return data.get("shear.e2", e2), data.get("shear.e3", e3)
+
+
+def pair(owner: str, name: str, value: Any) -> Any:
+    """One positive number for both directions, or two; None stays.
+
+    Raises:
+        ModelError: neither.
+    """
+    if value is None:
+        return None
+    listed = hasattr(value, "tolist") or isinstance(value, (list, tuple))
+    if not listed:
+        return positive(owner, name, value)
+    two = vector(owner, name, value, 2)
+    return tuple(positive(owner, f"{name}[{k}]", x) for k, x in enumerate(two))
+
+
+def both(name: str, value: Any, unit: str) -> dict[str, Quantity]:
+    """A quantity of one or two entries, for :meth:`Section.quantities`; none where not given."""
+    if value is None:
+        return {}
+    return {name: Quantity(value, unit, labels=("e2", "e3") if isinstance(value, tuple) else ())}
+
+
+def rectangle_shear(nu: Scalar) -> Scalar:
+    """Correction factor of a rectangle.
+
+    Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
+    """
+    return 10 * (1 + nu) / (12 + 11 * nu)

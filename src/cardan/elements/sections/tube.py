@@ -1,0 +1,61 @@
+"""A hollow circle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ..quantity import Quantity
+from ..written import positive
+from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+
+
+@dataclass(frozen=True)
+class Tube(Section):
+    """A hollow circle.
+
+    Args:
+        outer, inner: Its radii [m].
+        shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+
+    Raises:
+        ModelError: a number that is not positive, or an inner radius that is not smaller.
+
+    Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
+    """
+
+    kind: ClassVar[str] = "tube"
+    source: ClassVar[str] = "G. R. Cowper, J. Appl. Mech. 33, 1966, 335-340"
+    outer: Any
+    inner: Any
+    shear: Any = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "outer", positive("tube", "outer", self.outer))
+        object.__setattr__(self, "inner", positive("tube", "inner", self.inner))
+        object.__setattr__(self, "shear", pair("tube", "shear", self.shear))
+
+    def quantities(self) -> dict[str, Quantity]:
+        radii = {"outer": Quantity(self.outer, "m"), "inner": Quantity(self.inner, "m")}
+        return radii | both("shear", self.shear, "")
+
+    def stiffness(self, data: Data, material: Data) -> Stiffness:
+        nu, outer, inner = material["nu"], data["outer"] ** 2, data["inner"] ** 2
+        second = math.pi / 4 * (outer**2 - inner**2)
+        # with m = inner / outer
+        square = (outer + inner) ** 2
+        k = 6 * (1 + nu) * square / ((7 + 6 * nu) * square + (20 + 12 * nu) * (outer * inner))
+        shear = corrections(data, k, k)
+        return made_of(math.pi * (outer - inner), (second, second), 2 * second, shear, material)
+
+    def complaint(self, values: Numbers) -> str:
+        if values["inner"] < values["outer"]:
+            return ""
+        return (
+            f"the inner radius {values['inner']:g} m of the tube is not below the outer "
+            f"{values['outer']:g} m"
+        )
+
+    def outline(self, values: Numbers) -> Outline | None:
+        return Outline(values["outer"], values["outer"], round=True)

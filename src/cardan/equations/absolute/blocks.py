@@ -1,0 +1,97 @@
+"""What places hold: nodes, lines, and joints with rotations, with the way their q moves."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from ...elements.joints.free import Free
+from ...elements.joints.joint import Joint as JointElement
+from ...ir.function import Function
+from ...topology.system import System
+from ..blocks import blocks
+from ..context import Context
+from ..dynamics import Dynamics
+from ..kinematics import Kinematics
+from ..recipes import RECIPES
+from ..record import ABI_ORDER
+from .cutting import Cutting
+from .record import BlockKind, Integers
+from .scene import NODE, Key, Scene
+
+FUNCTIONS = ("move", "qdot", "difference")
+
+
+def block_kinds(scene: Scene) -> tuple[tuple[BlockKind, ...], Integers]:
+    """The kinds of places of a scene, nodes first, and the kind of every place."""
+    kinds: dict[str, BlockKind] = {NODE: _node(scene)}
+    numbers = []
+    for key in scene.places:
+        text = _structure(scene, key)
+        if text not in kinds:
+            kinds[text] = _made(scene, key, {kind.name for kind in kinds.values()})
+        numbers.append(list(kinds).index(text))
+    return tuple(kinds.values()), np.array(numbers, dtype=np.intp)
+
+
+def _structure(scene: Scene, key: Key) -> str:
+    """Text that places of one kind share."""
+    if key[0] == NODE:
+        return NODE
+    element = scene.system.joints[key[1]].element
+    rotation = "" if scene.line(key[1]) else f"{element.kind} {getattr(element, 'rotation', '')}"
+    return repr((rotation, element.coordinates, element.speeds))
+
+
+def _made(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
+    element, count = scene.system.joints[key[1]].element, scene.line(key[1])
+    if count:
+        return _block(f"line{count}", element, {})
+    cutting = Cutting(scene)
+    cutting.joint(key[1])
+    name = base = re.sub(r"\W", "_", f"{element.kind}_{getattr(element, 'rotation', '')}")
+    while name in taken:
+        name = f"{base}_{len(taken)}"
+    return _block(name, element, _functions(cutting.made(), name))
+
+
+def _node(scene: Scene) -> BlockKind:
+    cutting = Cutting(scene)
+    cutting.floating(NODE)
+    return _block(NODE, Free(), _functions(cutting.made(), NODE))
+
+
+def _block(name: str, element: JointElement, functions: dict[str, Function]) -> BlockKind:
+    coordinates, speeds = element.coordinates, element.speeds
+    return BlockKind(
+        name=name,
+        coordinates=tuple(c.name for c in coordinates),
+        speeds=tuple(c.name for c in speeds),
+        q_units=tuple(c.unit for c in coordinates),
+        u_units=tuple(c.unit for c in speeds),
+        defaults=tuple(c.default for c in coordinates),
+        quaternion=element.quaternion,
+        functions=functions,
+    )
+
+
+def _functions(system: System, name: str) -> dict[str, Function]:
+    """How the coordinates of a joint move."""
+    listed = blocks(system)
+    names = {block.name: block.entries for block in listed.values()}
+    units = {block.name: block.units for block in listed.values()}
+    names["qdot"] = tuple(f"{entry}dot" for entry in names["q"])
+    units["qdot"] = tuple(f"{unit}/s" if unit else "1/s" for unit in units["q"])
+    context = Context(Dynamics(Kinematics(system), "composite"), names, units)
+    return {
+        key: Function(
+            f"{name}__{key}",
+            context.k.graph,
+            tuple(listed[letter] for letter in ABI_ORDER),
+            RECIPES[key].build(context),
+            (name,),
+            RECIPES[key].about,
+        )
+        for key in FUNCTIONS
+    }

@@ -1,0 +1,38 @@
+"""Absolute equations on one screen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .record import Absolute
+
+SHOWN = 10
+
+
+def overview(scene: Absolute) -> str:
+    """Sizes, names, and for every kind of element its members, rows and operations."""
+    system, places = scene.system, scene.places
+    lines = [
+        f"equations of '{system.name}' in absolute coordinates",
+        f"  {len(places)} places, {places.nq} coordinates, {places.nu} speeds, "
+        f"{sum(len(group) * group.kind.m for group in scene.groups)} multipliers, "
+        f"{len(scene.parameters)} parameters, {len(scene.inputs)} inputs",
+        "  places: " + _row(places.names),
+        f"  {'element':20} members  unknowns  rows  balance  tangent",
+    ]
+    for group in scene.groups:
+        kind = group.kind
+        counts = [
+            scene.operations[kind.c_name(name)].total if name in kind.functions else 0
+            for name in ("balance", "balance_tangent")
+        ]
+        row = f"  {kind.name:20} {len(group):7d}  {kind.nu:8d}  {kind.m:4d}"
+        lines.append(row + f"  {counts[0]:7d}  {counts[1]:7d}")
+    return "\n".join(lines)
+
+
+def _row(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:SHOWN])
+    return shown + (f", ... ({len(names)})" if len(names) > SHOWN else "")

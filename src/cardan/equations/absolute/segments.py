@@ -1,0 +1,254 @@
+"""Segments of beams as tables of flexible elements on their nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
+from ...elements.flexible.element import FlexibleElement
+from ...elements.flexible.ends import GROUND as AT_GROUND
+from ...elements.flexible.ends import NODE as AT_NODE
+from ...elements.flexible.ends import OFFSET
+from ...ir.function import Function, Output
+from ...ir.graph import ZERO
+from ...ir.interpreter import evaluate
+from ...topology.convert import IDENTITY, ORIGIN
+from ...topology.segment import Segment
+from ..blocks import parameters
+from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers
+from .scene import NODE, Key, Scene
+
+# elements of a segment up to which they share a table with those of others
+FEW = 100
+# kind of element -> data of a segment without which it does nothing
+ASIDE = {
+    "damping": ("damping",),
+    "dead_load": ("dead_force", "dead_moment"),
+    "follower_load": ("follower_force", "follower_moment"),
+}
+
+
+@dataclass(frozen=True)
+class Beamed:
+    """What the segments of a scene add.
+
+    Attributes:
+        names: Of the nodes between named ones.
+        reference: Their coordinates in the reference configuration (7 n,).
+        lines: Places of the nodes of every segment, GROUND at ends fixed to the ground.
+        groups: The elements.
+    """
+
+    names: tuple[str, ...]
+    reference: Numbers
+    lines: tuple[Integers, ...]
+    groups: tuple[Group, ...]
+
+
+@dataclass(frozen=True)
+class _End:
+    """Where a segment ends: its place, how it sits there, and the numbers that say so."""
+
+    place: int
+    kind: str
+    data: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Elements of one kind in a segment.
+
+    Attributes:
+        kind: Theirs.
+        names: Of the elements.
+        places: Of their nodes (n, number of nodes).
+        common: Expressions of their common data.
+        own: The other data (n, k).
+        power: Number of the source of power, -1 for none.
+    """
+
+    kind: Kind
+    names: Sequence[str]
+    places: Integers
+    common: tuple[int, ...]
+    own: Numbers
+    power: int
+
+
+def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]) -> Beamed:
+    """Nodes and elements of all segments.
+
+    Args:
+        scene: The scene.
+        at: Its places, which the nodes in between follow.
+        node: What a node is.
+        powers: Numbers of the sources of power; beams are added.
+    """
+    builder = _Builder(scene, at, node, powers)
+    names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
+    place, known = len(at), dict[str, tuple[int, int]]()
+    for segment in scene.system.segments:
+        count = segment.line.elements
+        # nodes and elements are numbered along the whole beam
+        nodes, elements = known.get(segment.name, (0, 0))
+        known[segment.name] = nodes + count - 1, elements + count
+        ends = [builder.end(frame) for frame in (segment.frame_a, segment.frame_b)]
+        inner = range(place, place + count - 1)
+        line = np.array([ends[0].place, *inner, ends[1].place], dtype=np.intp)
+        names += [f"{segment.name}.node{nodes + k + 1}" for k in range(count - 1)]
+        place += count - 1
+        own = _poses(segment)
+        poses.append(own[1:-1].ravel())
+        lines.append(line)
+        told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
+        parts += builder.parts(segment, told, line, ends, np.hstack([own[:-1], own[1:]]))
+    reference = np.concatenate(poses) if poses else np.zeros(0)
+    return Beamed(tuple(names), reference, tuple(lines), tuple(builder.groups(parts)))
+
+
+def _poses(segment: Segment) -> Numbers:
+    """Unit quaternions and positions of the nodes (n + 1, 7)."""
+    from scipy.spatial.transform import Rotation
+
+    xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
+
+
+class _Builder:
+    """Makes the groups of segments; kinds are derived once."""
+
+    def __init__(
+        self, scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]
+    ) -> None:
+        self.scene, self.system = scene, scene.system
+        self.at, self.node, self.powers = at, node, powers
+        self._kinds: dict[str, Kind] = {}
+
+    def end(self, number: int) -> _End:
+        """Where a frame at the end of a segment is."""
+        frame = self.system.frames[self.scene.frame(number)]
+        if frame.body < 0:
+            return _End(GROUND, AT_GROUND, self._numbers(frame.rotation + frame.position))
+        place = self.at[NODE, frame.body]
+        if (frame.rotation, frame.position) == (IDENTITY, ORIGIN):
+            return _End(place, AT_NODE)
+        return _End(place, OFFSET, self._numbers(frame.rotation + frame.position))
+
+    def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
+        """Expressions at the values of the parameters: geometry of beams is fixed."""
+        made = self._function("place", nodes)
+        p = [parameter.value for parameter in self.system.parameters]
+        return tuple(float(x) for x in evaluate(made, {"p": p})["data"])
+
+    def _function(self, name: str, nodes: tuple[int, ...], *shape: int) -> Function:
+        output = Output("data", shape or (len(nodes),), nodes)
+        p = parameters(self.system)
+        return Function(name, self.system.graph, (p,), (output,), ("ground",))
+
+    def groups(self, parts: Sequence[_Part]) -> Iterator[Group]:
+        """One table for each kind; long parts have one of their own, with data told once."""
+        sorted_by: dict[tuple[object, ...], list[_Part]] = {}
+        for part in parts:
+            apart = part.common if len(part.names) > FEW else ()
+            sorted_by.setdefault((part.kind.name, apart), []).append(part)
+        for some in sorted_by.values():
+            kind, counts = some[0].kind, [len(part.names) for part in some]
+            power = np.repeat([part.power for part in some], counts)[:, None]
+            yield Group(
+                kind=kind,
+                members=[name for part in some for name in part.names],
+                places=np.concatenate([part.places for part in some]),
+                rows=np.zeros((sum(counts), 2), dtype=np.intp),
+                common=self._common(kind, some),
+                own=np.concatenate([part.own for part in some]),
+                powers=power.astype(np.intp) if "power" in kind.functions else None,
+            )
+
+    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+        """Common data of a group as a function of the parameters of the scene."""
+        name, first = f"{kind.name}__data", parts[0].common
+        if all(part.common == first for part in parts):
+            return self._function(name, first)
+        nodes = [node for part in parts for node in part.common * len(part.names)]
+        return self._function(name, tuple(nodes), len(nodes) // len(first), len(first))
+
+    def parts(
+        self,
+        segment: Segment,
+        names: Sequence[str],
+        line: Integers,
+        ends: Sequence[_End],
+        poses: Numbers,
+    ) -> Iterator[_Part]:
+        """The elements of a segment: those at its ends apart where they are no nodes.
+
+        Args:
+            segment: The segment.
+            names: Of its elements.
+            line: Places of its nodes.
+            ends: Where it begins and ends.
+            poses: Of both nodes of every element in the reference configuration (n, 14).
+        """
+        values = self._values(segment)
+        for element in self._elements(segment):
+            own = element.rows(segment.line.stations, poses)
+            for part, kinds, data in _parts(segment.line.elements, ends):
+                places = np.stack([line[:-1][part], line[1:][part]], axis=1)
+                places = places[:, [kind != AT_GROUND for kind in kinds]]
+                rows, kind = own[part], self._kind(element, kinds)
+                own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
+                common = tuple(values[name] for name in element.common)
+                power = self._power(segment) if "power" in kind.functions else -1
+                yield _Part(kind, names[part], places, common, own_data, power)
+
+    def _power(self, segment: Segment) -> int:
+        """Where the power of elements goes: one sum for the whole beam."""
+        return self.powers.setdefault(segment.name, len(self.powers))
+
+    def _kind(self, element: FlexibleElement, kinds: tuple[str, str]) -> Kind:
+        name = element.name(kinds)
+        if name not in self._kinds:
+            moving = sum(kind != AT_GROUND for kind in kinds)
+            functions = element.derived(kinds)
+            places, source = (self.node,) * moving, element.source
+            self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
+        return self._kinds[name]
+
+    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
+        """The elements that a segment is made of."""
+        yield BEAMS[segment.element]
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        if data["rhoA"] != (ZERO,):
+            yield INERTIAS[segment.inertia]
+        for kind, names in ASIDE.items():
+            if any(node != ZERO for name in names for node in data[name]):
+                yield FLEXIBLE[kind]()
+
+    def _values(self, segment: Segment) -> dict[str, int]:
+        """Common data by name; entries of vectors are numbered."""
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        values: dict[str, int] = {}
+        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
+            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
+            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
+        return values
+
+
+def _parts(
+    count: int, ends: Sequence[_End]
+) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
+    """Runs of elements between ends of the same kinds, with the data of these ends."""
+    first, last = ends
+    if count == 1:
+        yield slice(0, 1), (first.kind, last.kind), first.data + last.data
+        return
+    start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)
+    if start:
+        yield slice(0, 1), (first.kind, AT_NODE), first.data
+    if stop > start:
+        yield slice(start, stop), (AT_NODE, AT_NODE), ()
+    if stop < count:
+        yield slice(stop, count), (AT_NODE, last.kind), last.data

@@ -1,0 +1,178 @@
+/* Functions of a whole mesh with the interface of generated ones; `w` is the mesh.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "mesh_calls.h"
+
+/* what resists a motion without inertia while circuits are closed */
+static const real LIGHT = 1e-6;
+
+static const cardan_mesh *mesh_of(const cardan_in *in)
+{
+    return (const cardan_mesh *)(const void *)in->w;
+}
+
+static cardan_state state_of(const cardan_in *in)
+{
+    const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
+                             in->z, in->s, in->r};
+
+    return at;
+}
+
+int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = state_of(in);
+
+    return cardan_mesh_balance(mesh_of(in), &at, out, work);
+}
+
+int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work)
+{
+    return cardan_mesh_rates(mesh_of(in), in->q, in->u, out, work);
+}
+
+int cardan_mesh_call_move(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+
+    return cardan_mesh_move(mesh, in->q, in->du, out, out + mesh->nq, work);
+}
+
+int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = state_of(in);
+    const int status = cardan_mesh_sum(mesh_of(in), &at, CARDAN_ENERGY, 2, out, work);
+
+    out[2] = out[0] + out[1];
+    return status;
+}
+
+/* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */
+int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
+                              real *out, real *work)
+{
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
+    cardan_state at = *asked;
+    int assembled, status;
+
+    at.udot = at.lam = NULL;
+    status = cardan_mesh_balance(mesh, &at, missing, system.work);
+    if (status == 0)
+        status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
+    if (status == 0)
+        status = cardan_mesh_factor(mesh, &at, &parts, &system, &assembled);
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system.right[i] = (tau ? tau[i] : 0) - missing[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system.right[mesh->unknown[k]] = gamma[k];
+    status = cardan_mesh_solve(mesh, &system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[i] = system.found[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = -system.found[mesh->unknown[k]];
+    return status;
+}
+
+int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    /* behind what is worked with */
+    real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
+
+    if (status == 0)
+        status = cardan_mesh_accelerations(mesh, &at, NULL, found, work);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[mesh->nq + i] = found[i];
+    return status;
+}
+
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little. */
+static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *open,
+                        ptrdiff_t rows, cardan_mesh_system *system)
+{
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    int status = cardan_mesh_matrix(mesh, at, &parts, system);
+
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        if (system->a[mesh->diagonal[i]] == 0)
+            system->a[mesh->diagonal[i]] = LIGHT;
+    status = cardan_mesh_refactor(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = 0;
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = k < rows ? -open[k] : 0;
+    return status != 0 ? status : cardan_mesh_solve(mesh, system);
+}
+
+/* q (nq) a step nearer to closing all circuits, then what was open (mp). */
+int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system), *open = missing + mesh->nu;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->mp; k++)
+        out[mesh->nq + k] = open[k];
+    if (status == 0)
+        status = closing_step(mesh, &at, open, mesh->mp, &system);
+    return status != 0 ? status
+                       : cardan_mesh_move(mesh, in->q, system.found, out, NULL, system.work);
+}
+
+/* u (nu) that the constraints allow, then what the given ones missed (m). */
+int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_state at = state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *rates = missing + mesh->nu + mesh->mp;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = rates[k];
+    if (status == 0)
+        status = closing_step(mesh, &at, rates, mesh->m, &system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[i] = in->u[i] + system.found[i];
+    return status;
+}
+
+/* The values (plan->values) of shares[0] K + shares[1] C + shares[2] M with its constraints. */
+int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
+                       real *a, real *work)
+{
+    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL};
+    cardan_mesh_system system = {0};
+
+    (void)cardan_mesh_lay(mesh, work, &system);
+    system.a = a;
+    return cardan_mesh_matrix(mesh, at, &parts, &system);
+}
+
+/* Numbers of work memory that each of these needs, at most. */
+ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
+{
+    cardan_mesh_system system;
+    ptrdiff_t most = mesh->work;
+
+    /* q and T of a place */
+    for (ptrdiff_t k = 0; k < mesh->mover_count; k++) {
+        const cardan_movers *movers = &mesh->movers[k];
+        if (most < mesh->work + movers->nq + movers->nu * movers->nu)
+            most = mesh->work + movers->nq + movers->nu * movers->nu;
+    }
+    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
+}

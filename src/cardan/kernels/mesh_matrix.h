@@ -1,0 +1,36 @@
+/* Matrices of a mesh in the places of a sparse plan, and systems with them. Part of cardan. */
+#ifndef CARDAN_MESH_MATRIX_H
+#define CARDAN_MESH_MATRIX_H
+
+#include "mesh.h"
+
+/* What a matrix is made of. */
+typedef struct cardan_assembly {
+    real shares[3];     /* of K, C and M */
+    real lever;         /* of R in rows that bind speeds */
+    int stabilized;     /* 1: rows of positions bind speeds too */
+    const real *turned; /* (places, 9), NULL: increments are small */
+} cardan_assembly;
+
+/* A matrix with its factors, and room for what is solved with it. */
+typedef struct cardan_mesh_system {
+    real *a; /* as the plan has it */
+    cardan_sparse_factors factors;
+    real *rows, *units;   /* (n) what equations are multiplied with, what unknowns are counted in */
+    real *right, *found;  /* (n) */
+    real *work;           /* of refinement (2 n); a row of an element; loops over elements */
+} cardan_mesh_system;
+
+/* Point into a block, NULL: only measure. Returns how many numbers that takes. */
+ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_system *system);
+int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
+                       const cardan_assembly *parts, const cardan_mesh_system *system);
+/* Assemble and factor. Returns the status of an element, or CARDAN_UNSOLVED; `assembled` says which
+ * came first. */
+int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
+                       const cardan_assembly *parts, cardan_mesh_system *system, int *assembled);
+int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system);
+/* found = a^-1 right. Returns 0 or CARDAN_UNSOLVED. */
+int cardan_mesh_solve(const cardan_mesh *mesh, const cardan_mesh_system *system);
+
+#endif

@@ -1,0 +1,230 @@
+/* The factorization of sparse.h: panels are filled, eliminated and handed on. Part of cardan. */
+#include "sparse.h"
+#include "sparse_dense.h"
+
+/* pivots below these parts of their size count as zero; what stands for them then */
+#define SPEED_NOISE 3e-14
+#define MULTIPLIER_NOISE 1e-12
+#define REPLACEMENT 1e-8
+
+/* Put a block of the matrix into its panel, in units. */
+static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
+                 ptrdiff_t width)
+{
+    const double *columns = f->columns ? f->columns + item->column : NULL, *from = a + item->from;
+    double *to = f->values + item->to;
+
+    for (ptrdiff_t i = 0; i < item->rows; i++, from += item->stride) {
+        const double row = f->rows ? f->rows[item->row + i] : 1;
+        if (item->turned)
+            for (ptrdiff_t j = 0; j < item->columns; j++)
+                to[j * width] = row * from[j] * (columns ? columns[j] : 1);
+        else if (columns)
+            cardan_scaled(item->columns, row, from, columns, to);
+        else
+            for (ptrdiff_t j = 0; j < item->columns; j++)
+                to[j] = row * from[j];
+        to += item->turned ? 1 : width;
+    }
+}
+
+/* Fill a panel with the numbers of the matrix, before anything else is added to it. */
+static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s];
+
+    memset(f->values + plan->panel[s], 0, (size_t)(n * width) * sizeof(double));
+    memset(f->scale + first, 0, (size_t)n * sizeof(double));
+    for (ptrdiff_t i = plan->load_start[s]; i < plan->load_start[s + 1]; i++)
+        load(plan->load + i, a, f, width);
+}
+
+/* Up to which size a pivot is nothing but rounding. */
+static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
+{
+    return (plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE) * f->scale[k];
+}
+
+/* Count the signs of the eigenvalues of D. */
+static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+                  cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    double *noise = f->work;
+
+    for (ptrdiff_t k = 0; k < n; k++)
+        noise[k] = noise_of(plan, f, first + k);
+    cardan_sparse_signs(n, panel, plan->width[s], noise, f);
+}
+
+/* The row that is empty like column k: others are needed as pivots of columns to come. */
+static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double *panel,
+                          ptrdiff_t width)
+{
+    ptrdiff_t found = k;
+    double least = -1;
+
+    for (ptrdiff_t i = k; i < n; i++) {
+        double most = 0;
+        for (ptrdiff_t j = k; j < all; j++)
+            most = fmax(most, fabs(panel[i * width + j]));
+        if (least < 0 || most < least)
+            least = most, found = i;
+    }
+    return found;
+}
+
+/* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
+static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t own = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
+    double *pivot = row + own, scale = f->scale[k], small, wanted;
+
+    /* where its panel holds nothing but zeros, what lies beside it gives the size */
+    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
+        scale = fmax(fabs(row[n + j]), fabs(row[plan->turned[s] + j]));
+    small = REPLACEMENT * scale;
+    wanted = plan->multiplier[k] || *pivot < 0 ? -small : small;
+    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
+        f->singular = plan->order[k];
+        return CARDAN_SINGULAR;
+    }
+    f->shift[f->weak] = wanted - *pivot;
+    f->replaced[f->weak++] = (int32_t)k;
+    *pivot = wanted;
+    return CARDAN_OK;
+}
+
+static void exchange(ptrdiff_t n, double *a, double *b)
+{
+    for (ptrdiff_t j = 0; j < n; j++) {
+        const double held = a[j];
+        a[j] = b[j];
+        b[j] = held;
+    }
+}
+
+/* [D | U] = P L [U of D | L^-1 P U], pivots in the rows; the diagonal keeps their reciprocals. */
+static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
+                     cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s], all = n + plan->later[s];
+
+    for (ptrdiff_t k = 0; k < n; k++) {
+        double *row = panel + k * width, *below = row + width;
+        const ptrdiff_t place = first + k;
+        const double noise = noise_of(plan, f, place);
+        ptrdiff_t pivot = k;
+        double most = fabs(row[k]), inverse;
+
+        for (ptrdiff_t i = k + 1; i < n; i++) {
+            const double size = fabs(panel[i * width + k]);
+            if (size > most)
+                most = size, pivot = i;
+        }
+        if (!(most > noise)) {
+            pivot = emptiest(k, n, all, panel, width);
+            if (replace(plan, s, place, panel + pivot * width, f))
+                return CARDAN_SINGULAR;
+        }
+        f->pivot[place] = (int32_t)pivot;
+        if (pivot != k)
+            exchange(all, row, panel + pivot * width);
+        inverse = 1 / row[k];
+        row[k] = inverse;
+        if (!(inverse - inverse == 0)) {
+            f->singular = plan->order[place];
+            return CARDAN_SINGULAR;
+        }
+        for (ptrdiff_t i = k + 1; i < n; i++, below += width) {
+            const double factor = below[k] * inverse;
+            below[k] = factor;
+            cardan_minus(all - k - 1, factor, row + k + 1, below + k + 1);
+        }
+    }
+    return CARDAN_OK;
+}
+
+/* Lt = (U of D)^-T Lt */
+static void turn(ptrdiff_t n, ptrdiff_t later, const double *panel, ptrdiff_t width, double *lt)
+{
+    for (ptrdiff_t k = 0; k < n; k++) {
+        const double *row = panel + k * width;
+        double *own = lt + k * width;
+        for (ptrdiff_t j = 0; j < later; j++)
+            own[j] *= row[k];
+        for (ptrdiff_t i = k + 1; i < n; i++)
+            cardan_minus(later, row[i], own, lt + i * width);
+    }
+}
+
+/* Subtract L U from the panels of later unknowns. */
+static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+                    cardan_sparse_factors *f)
+{
+    const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
+    const double *u = panel + n, *lt = panel + plan->turned[s];
+    const cardan_sparse_run *end = plan->run + plan->run_start[s + 1];
+    const int32_t *target = plan->target + plan->target_start[s];
+
+    for (const cardan_sparse_run *i = plan->run + plan->run_start[s]; i < end; i++)
+        for (const cardan_sparse_run *j = plan->run + plan->run_start[s]; j < end; j++) {
+            const int turned = i->owner > j->owner;
+            const ptrdiff_t stride = plan->width[turned ? j->owner : i->owner];
+            double *to = f->values + *target++;
+            /* what a diagonal was before something is taken from it tells how much was lost */
+            if (i == j)
+                for (ptrdiff_t k = 0; k < i->size; k++) {
+                    const double size = fabs(to[k * stride + k]);
+                    double *scale = f->scale + i->place + k;
+                    *scale = size > *scale ? size : *scale;
+                }
+            if (turned)
+                cardan_product(j->size, i->size, n, u + j->at, width, lt + i->at, width, to,
+                               stride);
+            else
+                cardan_product(i->size, j->size, n, lt + i->at, width, u + j->at, width, to,
+                               stride);
+        }
+}
+
+ptrdiff_t cardan_sparse_work(const cardan_sparse *plan)
+{
+    return plan->n + plan->widest * plan->widest;
+}
+
+static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f)
+{
+    for (ptrdiff_t s = 0; s < plan->supernodes; s++) {
+        const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
+        double *panel = f->values + plan->panel[s];
+
+        for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
+            fill(plan, plan->open[i], a, f);
+        /* the largest number in each column of D, or what was there before */
+        for (ptrdiff_t i = 0; i < n; i++)
+            cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
+        if (f->count)
+            count(plan, s, panel, f);
+        if (eliminate(plan, s, panel, f))
+            return CARDAN_SINGULAR;
+        turn(n, plan->later[s], panel, width, panel + plan->turned[s]);
+        hand_on(plan, s, panel, f);
+    }
+    return CARDAN_OK;
+}
+
+int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f)
+{
+    const uint64_t mode = cardan_flush();
+    int status;
+
+    f->weak = f->positive = f->negative = 0;
+    f->singular = -1;
+    status = factor(plan, a, f);
+    cardan_restore(mode);
+    return status;
+}

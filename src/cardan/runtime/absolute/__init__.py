@@ -1,0 +1,1 @@
+"""Systems in finite-element coordinates: large sparse matrices of small blocks."""

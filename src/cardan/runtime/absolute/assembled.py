@@ -1,0 +1,107 @@
+"""The functions of a model whose elements stand in tables: summed over these, or solved for."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from math import prod
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+
+from ...errors import ModelError
+from ..calling import Array, Caller
+from ..generated import Source
+from ..loaded import LoadedFunction
+from ..objects import Code, Key
+from ..slots import ORDER
+from .evaluated import FUNCTIONS, Results
+from .loading import load
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledModel
+
+# functions that runs call from C: closures over the mesh
+CLOSURES = ("rhs", "qdot", "balance", "energy", "move", "close_position", "close_velocity")
+
+
+@final
+class Assembled(Source):
+    """Functions over the tables of a model at its parameters."""
+
+    def __init__(self) -> None:
+        self._results: Results | None = None
+
+    def results(self, model: CompiledModel) -> Results:
+        """What evaluates them; made on first use."""
+        if self._results is None:
+            self._results = Results(load(model), model)
+        return self._results
+
+    def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
+        """Make functions callable."""
+        for name, of in missing:
+            if name not in FUNCTIONS:
+                known = ", ".join(FUNCTIONS)
+                raise ModelError(
+                    f"model '{model.name}' is in absolute coordinates, which offer no '{name}'. "
+                    f"There are: {known}"
+                )
+            model._functions[name, of] = self._function(model, name, of)
+
+    def mesh(self, model: CompiledModel) -> int:
+        """Address of the tables, with what methods ask of elements themselves."""
+        self.results(model).mesh.connect("balance", "balance_tangent", "gamma")
+        return ctypes.addressof(self.results(model).mesh.record)
+
+    def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
+        results, arguments = self.results(model), model._layout.reads(name, of)
+        shape, entries = results.shape(name)
+        code = self._code(results, name, entries, shape)
+        address = code.address
+        # runs hand the address of the record on as prepared parameters
+        record = results.mesh.record
+        count = ctypes.sizeof(record) // 8
+        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
+        caller = Caller(
+            f"{name}('{of}')" if of else name,
+            address,
+            arguments,
+            shape,
+            entries,
+            0,
+            w,
+            evaluator=_Evaluator(results.of(name, of)),  # type: ignore[arg-type]
+        )
+        return LoadedFunction(name, of, code, w, caller, caller)
+
+    def _code(
+        self, results: Results, name: str, entries: Sequence[str], shape: tuple[int, ...]
+    ) -> Code:
+        address = results.mesh.closure(name) if name in CLOSURES else 0
+        entry: dict[str, Any] = {
+            "work_size": results.mesh.work if address else 0,
+            "output_size": prod(shape),
+            "outputs": [{"name": name, "shape": list(shape), "entries": list(entries)}],
+            "operations": {},
+            "inputs": [],
+            "lanes": [1],
+        }
+        return Code(name, entry, False, address)
+
+
+class _Evaluator:
+    """A function of one state, called as generated C is; see :class:`.Interpreted`."""
+
+    def __init__(self, function: Callable[[dict[str, Array]], Array]) -> None:
+        self.function = function
+
+    def run(
+        self, blocks: list[Array | None], strides: Sequence[int], out: Array
+    ) -> tuple[int, int]:
+        """The results of every row of ``out``."""
+        given = [(n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None]
+        for k in range(len(out)):
+            here = {name: block[k * stride :] for name, block, stride in given}
+            out[k] = np.reshape(self.function(here), -1)
+        return 0, -1

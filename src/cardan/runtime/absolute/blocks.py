@@ -1,0 +1,177 @@
+"""Block elimination with pivots inside blocks: the C of ``kernels/sparse.h`` for Python."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...errors import ArgumentError, SolveError
+from .plan import Plan
+from .solver import ENOUGH, Reals, checked, guess, refused, scales, sides
+
+STEPS = 10
+NUMBERS = ("n", "blocks", "values", "supernodes", "factors", "widest")
+MATRIX = ("first", "row", "column", "at", "stride")
+ELIMINATION = (
+    *("order", "multiplier", "start", "panel", "width", "later", "turned", "open_start", "open"),
+    *("load_start", "load", "run_start", "run", "target_start", "target"),
+)
+
+
+class PlanRecord(ctypes.Structure):
+    """``cardan_sparse``."""
+
+    _fields_ = [
+        *((name, ctypes.c_ssize_t) for name in NUMBERS),
+        *((name, ctypes.c_void_p) for name in (*MATRIX, *ELIMINATION)),
+    ]
+
+
+class FactorsRecord(ctypes.Structure):
+    """``cardan_sparse_factors``."""
+
+    _fields_ = [
+        *((name, ctypes.c_void_p) for name in ("values", "scale", "work", "shift")),
+        *((name, ctypes.c_void_p) for name in ("pivot", "replaced", "rows", "columns")),
+        *((name, ctypes.c_int32) for name in ("count", "weak", "singular", "positive", "negative")),
+    ]
+
+
+def plan_record(plan: Plan) -> PlanRecord:
+    """A plan as C sees it; the plan must outlive it."""
+    matrix = plan.pattern
+    numbers = (matrix.n, len(matrix.sizes), matrix.values, len(plan.later), plan.factors)
+    tables = [getattr(matrix, name) for name in MATRIX]
+    tables += [getattr(plan, name) for name in ELIMINATION]
+    return PlanRecord(*numbers, plan.widest, *(table.ctypes.data for table in tables))
+
+
+@dataclass(frozen=True)
+class Memory:
+    """What a factorization is kept in, in the order of ``cardan_sparse_factors``."""
+
+    values: Reals
+    scale: Reals
+    work: Reals
+    shift: Reals
+    pivot: NDArray[np.int32]
+    replaced: NDArray[np.int32]
+
+    @staticmethod
+    def of(plan: Plan) -> Memory:
+        """Memory of the sizes that a plan asks for."""
+        n = plan.pattern.n
+        values, scale, work, shift = (np.zeros(size) for size in (plan.factors, n, plan.work, n))
+        pivot, replaced = (np.zeros(n, np.int32) for _ in range(2))
+        return Memory(values, scale, work, shift, pivot, replaced)
+
+
+class BlockSolver:
+    """A :class:`~cardan.runtime.absolute.solver.Solver` in C.
+
+    Attributes:
+        plan: The plan.
+        library: The kernels.
+    """
+
+    def __init__(self, plan: Plan, library: ctypes.CDLL) -> None:
+        self.plan: Final = plan
+        self.library: Final = library
+        self._record = plan_record(plan)
+        self._memory = Memory.of(plan)
+        self._factors = FactorsRecord(*(x.ctypes.data for x in vars(self._memory).values()))
+        self._values: Reals | None = None
+        self._scales: tuple[Reals | None, Reals | None] = (None, None)
+
+    def factor(
+        self,
+        values: ArrayLike,
+        rows: ArrayLike | None = None,
+        columns: ArrayLike | None = None,
+        symmetric: bool = False,
+    ) -> None:
+        """See :meth:`Solver.factor`."""
+        given = checked("values", values, self.plan.pattern.values)
+        self._values = None
+        self._scales = scales(self.plan, rows, columns)
+        self._factors.rows, self._factors.columns = (
+            None if scale is None else scale.ctypes.data for scale in self._scales
+        )
+        self._factors.count = symmetric
+        if self._call("factor", ctypes.c_int, given, ctypes.byref(self._factors)):
+            raise refused(self.plan, given, self._factors.singular)
+        self._values = given
+
+    def solve(self, b: ArrayLike, transposed: bool = False) -> Reals:
+        """See :meth:`Solver.solve`."""
+        self._ready()
+        x = sides(self.plan, b)
+        count = ctypes.c_ssize_t(x.size // max(self.plan.pattern.n, 1))
+        name = "solve_turned" if transposed else "solve"
+        self._call(name, None, ctypes.byref(self._factors), count, x, x)
+        return x.T
+
+    def refine(self, b: ArrayLike, x: ArrayLike, enough: float = ENOUGH) -> tuple[Reals, float]:
+        """See :meth:`Solver.refine`."""
+        values, n = self._ready(), self.plan.pattern.n
+        given, better, room = checked("b", b, n), checked("x", x, n).copy(), np.zeros(2 * n)
+        limits = ctypes.c_double(enough), ctypes.c_ssize_t(STEPS)
+        factors = ctypes.byref(self._factors)
+        error = self._call("refine", ctypes.c_double, factors, values, given, *limits, better, room)
+        return better, float(error)
+
+    def determinant(self) -> tuple[float, float]:
+        """See :meth:`Solver.determinant`."""
+        self._ready()
+        sign, factors = ctypes.c_double(), ctypes.byref(self._factors)
+        size = self._call("determinant", ctypes.c_double, factors, ctypes.byref(sign))
+        return sign.value, float(size)
+
+    def inertia(self) -> tuple[int, int, int]:
+        """See :meth:`Solver.inertia`."""
+        self._ready()
+        if not self._factors.count:
+            raise ArgumentError("signs were not counted: factor(values, symmetric=True)")
+        positive, negative = self._factors.positive, self._factors.negative
+        return positive, negative, self.plan.pattern.n - positive - negative
+
+    def smallest(self, steps: int = 4) -> tuple[float, Reals]:
+        """See :meth:`Solver.smallest`."""
+        self._ready()
+        x, factors = guess(self.plan.pattern.n), ctypes.byref(self._factors)
+        least = self._call("smallest", ctypes.c_double, factors, ctypes.c_ssize_t(steps), x)
+        columns = self._scales[1]
+        return float(least), x if columns is None else x * columns
+
+    @property
+    def weak(self) -> NDArray[np.int32]:
+        """See :attr:`Solver.weak`."""
+        self._ready()
+        return self.plan.order[self._memory.replaced[: self._factors.weak]]
+
+    def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
+        """See :meth:`Solver.carried`."""
+        self._ready()
+        n, unknown = self.plan.pattern.n, ctypes.c_int32()
+        given, found = checked("b", b, n), checked("x", x, n)
+        factors = ctypes.byref(self._factors)
+        part = self._call("carried", ctypes.c_double, factors, given, found, ctypes.byref(unknown))
+        return float(part), unknown.value
+
+    def _ready(self) -> Reals:
+        if self._values is None:
+            raise SolveError("there are no factors: call factor first")
+        return self._values
+
+    def _call(self, name: str, answer: Any, *arguments: Any) -> Any:
+        """Call a function of the kernels; arrays go as pointers."""
+        function = getattr(self.library, f"cardan_sparse_{name}")
+        function.restype = answer
+        given = (
+            ctypes.c_void_p(x.ctypes.data) if isinstance(x, np.ndarray) else x for x in arguments
+        )
+        return function(ctypes.byref(self._record), *given)

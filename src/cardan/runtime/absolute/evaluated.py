@@ -1,0 +1,237 @@
+"""What every function of a model in absolute coordinates gives at one state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import scipy.sparse
+
+from ...errors import ModelError
+from ..calling import Array
+from .frames import Frames
+from .mesh import Mesh, State
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledModel
+
+FUNCTIONS = (
+    "rhs",
+    "forward_dynamics",
+    "inverse_dynamics",
+    "mass_matrix",
+    "bias",
+    "qdot",
+    "energy",
+    "momentum",
+    "pose",
+    "velocity",
+    "acceleration",
+    "frame_jacobian",
+    "reaction",
+    "outputs",
+    "constraints",
+    "constraint_rates",
+    "constraint_jacobian",
+    "multipliers",
+    "close_position",
+    "close_velocity",
+    "balance",
+    "move",
+    "integrate",
+)
+# matrices that are written out are for looking at
+WHOLE = 600
+Given = dict[str, Array]
+
+
+class Results:
+    """The functions of a model, one state at a time.
+
+    Args:
+        mesh: Its elements.
+        model: For names and frames.
+    """
+
+    def __init__(self, mesh: Mesh, model: CompiledModel) -> None:
+        self.mesh = mesh
+        self.tables = mesh.tables
+        self.manifest = model.manifest
+        self.name = model.name
+        self.frames = Frames(model)
+        self._names = {"q": model.coordinates, "u": model.speeds, "lam": model.multipliers_of}
+
+    def of(self, name: str, of: str | None) -> Callable[[Given], Array]:
+        """A function of given blocks."""
+        function: Callable[..., Array] = getattr(self, name)
+        return function if of is None else partial(function, of)
+
+    def shape(self, name: str) -> tuple[tuple[int, ...], list[str]]:
+        """Shape of a result, and names of its numbers."""
+        tables, outputs = self.tables, [row["name"] for row in self.manifest["outputs"]]
+        nq, nu, m, mp = tables.nq, tables.nu, tables.m, tables.mp
+        shapes: dict[str, tuple[int, ...]] = {
+            "rhs": (nq + nu + tables.nz,),
+            "mass_matrix": (nu, nu),
+            "qdot": (nq,),
+            "energy": (3,),
+            "momentum": (6,),
+            "pose": (4, 4),
+            "velocity": (6,),
+            "acceleration": (6,),
+            "frame_jacobian": (6, nu),
+            "reaction": (6,),
+            "outputs": (len(outputs),),
+            "constraints": (mp,),
+            "constraint_rates": (m,),
+            "constraint_jacobian": (m, nu),
+            "multipliers": (m,),
+            "balance": (nu + mp + m,),
+            "close_position": (nq + mp,),
+            "close_velocity": (nu + m,),
+            "move": (nq,),
+            "integrate": (nq,),
+        }
+        shape = shapes.get(name, (nu,))
+        named = {"outputs": outputs, "rhs": [*self._names["q"], *self._names["u"]]}
+        named |= {"qdot": list(self._names["q"]), "constraints": list(self._names["lam"][:mp])}
+        named |= {"multipliers": list(self._names["lam"])}
+        if name in named and len(named[name]) == shape[0]:
+            return shape, named[name]
+        if shape == (nu,):
+            return shape, list(self._names["u"])
+        return shape, [f"{name}[{k}]" for k in range(int(np.prod(shape)))]
+
+    # what elements are asked at
+
+    def _at(self, given: Given, **more: Array) -> State:
+        """A state of given blocks; arrays may be longer than what belongs to it."""
+        tables = self.tables
+        sizes = {"q": tables.nq, "u": tables.nu, "udot": tables.nu, "lam": tables.m}
+        sizes |= {"z": tables.nz, "s": tables.ns, "r": tables.nr}
+        blocks: dict[str, Any] = {n: given[n][:k] for n, k in sizes.items() if n in given and k}
+        return State(t=float(given["t"][0]) if "t" in given else 0.0, **(blocks | more))
+
+    def _small(self, name: str) -> None:
+        if self.tables.nu > WHOLE:
+            raise ModelError(
+                f"{name}: model '{self.name}' has {self.tables.nu} speeds, too many for a full "
+                "matrix. model.contract().tangents(...) gives sparse ones"
+            )
+
+    # dynamics
+
+    def _solved(self, given: Given) -> tuple[Array, Array]:
+        """udot and multipliers under the forces of the scene and tau."""
+        tau = given["tau"][: self.tables.nu] if "tau" in given else None
+        return self.mesh.accelerations(self._at(given), tau)
+
+    def forward_dynamics(self, given: Given) -> Array:
+        return self._solved(given)[0]
+
+    def multipliers(self, given: Given) -> Array:
+        return self._solved(given)[1]
+
+    def rhs(self, given: Given) -> Array:
+        return np.concatenate([self.qdot(given), self.forward_dynamics(given)])
+
+    def inverse_dynamics(self, given: Given) -> Array:
+        return self.mesh.balance(self._at(given))[0]
+
+    def bias(self, given: Given) -> Array:
+        return self.mesh.balance(self._at(given))[0]
+
+    def mass_matrix(self, given: Given) -> Array:
+        self._small("mass_matrix")
+        full: Array = self.mesh.tangent(self._at(given))["M"].toarray()
+        return full
+
+    def balance(self, given: Given) -> Array:
+        return np.concatenate(self.mesh.balance(self._at(given)))
+
+    # constraints
+
+    def constraints(self, given: Given) -> Array:
+        return self.mesh.balance(self._at(given))[1]
+
+    def constraint_rates(self, given: Given) -> Array:
+        return self.mesh.balance(self._at(given))[2]
+
+    def constraint_jacobian(self, given: Given) -> Array:
+        self._small("constraint_jacobian")
+        G: scipy.sparse.csr_matrix = self.mesh.tangent(self._at(given))["G"]
+        full: Array = G.toarray()
+        return full
+
+    def close_position(self, given: Given) -> Array:
+        return self.mesh.call("close_position", self._at(given), self.tables.nq + self.tables.mp)
+
+    def close_velocity(self, given: Given) -> Array:
+        return self.mesh.call("close_velocity", self._at(given), self.tables.nu + self.tables.m)
+
+    # motion
+
+    def qdot(self, given: Given) -> Array:
+        at = self._at(given)
+        assert at.u is not None
+        return self.mesh.rates(at.q, at.u)
+
+    def integrate(self, given: Given) -> Array:
+        return self.mesh.move(given["q"][: self.tables.nq], given["du"][: self.tables.nu])
+
+    def move(self, given: Given) -> Array:
+        return self.integrate(given)
+
+    def energy(self, given: Given) -> Array:
+        kinetic, potential = self.mesh.total("energy", 2, self._at(given))
+        return np.array([kinetic, potential, kinetic + potential])
+
+    def momentum(self, given: Given) -> Array:
+        return self.mesh.total("momentum", 6, self._at(given))
+
+    # frames and elements
+
+    def pose(self, frame: str, given: Given) -> Array:
+        return self.frames.pose(frame, given["q"])
+
+    def velocity(self, frame: str, given: Given) -> Array:
+        return self.frames.velocity(frame, given["q"], given["u"])
+
+    def acceleration(self, frame: str, given: Given) -> Array:
+        return self.frames.acceleration(frame, given["q"], given["u"], given["udot"])
+
+    def frame_jacobian(self, frame: str, given: Given) -> Array:
+        return self.frames.jacobian(frame, given["q"], self.tables.nu)
+
+    def reaction(self, joint: str, given: Given) -> Array:
+        """The wrench of an element of the scene; its multipliers are solved for."""
+        at = self._at(given, lam=self.multipliers(given))
+        return self._of_member("reaction", joint, at)
+
+    def outputs(self, given: Given) -> Array:
+        return self._summed("outputs", len(self.manifest["outputs"]), self._at(given))
+
+    def _summed(self, form: str, size: int, at: State) -> Array:
+        """What elements contribute to the entries of a result."""
+        total = np.zeros(size)
+        having = [group for group in self.tables.groups if form in group.kind.functions]
+        for group, rows in zip(having, self.mesh.results(form, at), strict=True):
+            which = group.outputs if form == "outputs" else group.powers
+            assert which is not None
+            np.add.at(total, which, rows)
+        return total
+
+    def _of_member(self, form: str, name: str, at: State) -> Array:
+        """The result of one element of the scene."""
+        told = self.manifest["mesh"]["reactions"].get(name)
+        if told is None:
+            raise ModelError(
+                f"{form}: '{name}' transmits none in model '{self.name}' in absolute coordinates"
+            )
+        having = [g for g in self.tables.groups if form in g.kind.functions]
+        results = self.mesh.results(form, at)
+        rows: Array = results[having.index(self.tables.groups[told[0]])]
+        row: Array = rows[told[1]]
+        return row

@@ -1,0 +1,94 @@
+"""Frames that are fixed to nodes: where they are and how they move."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..calling import Array
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledModel
+
+GROUND = -1
+
+
+def rotation(q: Array) -> Array:
+    """Rotation matrices (..., 3, 3) of unit quaternions (..., 4), w x y z."""
+    w, x, y, z = np.moveaxis(np.asarray(q, dtype=np.float64), -1, 0)
+    rows = (
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    )
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+class Frames:
+    """The frames of a model at its parameters.
+
+    Every frame stands on a place that is a node, or on the ground: R (3, 3) and p (3,) there.
+    """
+
+    def __init__(self, model: CompiledModel) -> None:
+        rows, told = model.manifest["frames"], model.manifest["mesh"]["frames"]
+        at = model._evaluate_saved(told, p=model.parameters.vector)
+        self._rotation = dict(zip((r["name"] for r in rows), _shaped(at["rotation"]), strict=True))
+        self._position = dict(zip((r["name"] for r in rows), at["position"], strict=True))
+        # first coordinate and speed of the node
+        self._starts = {row["name"]: row["node"] for row in rows}
+
+    def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
+        """R (3, 3) and origin (3,) of the node that carries a frame."""
+        start = self._starts[frame]
+        if start is None:
+            return np.eye(3), np.zeros(3)
+        at = start[0]
+        return rotation(q[at : at + 4]), q[at + 4 : at + 7]
+
+    def pose(self, frame: str, q: Array) -> Array:
+        """Transform (4, 4) from the axes of a frame to those of the ground."""
+        R, p = self._node(frame, q)
+        T = np.eye(4)
+        T[:3, :3] = R @ self._rotation[frame]
+        T[:3, 3] = p + R @ self._position[frame]
+        return T
+
+    def velocity(self, frame: str, q: Array, u: Array) -> Array:
+        """Angular velocity and velocity of the origin (6,), ground axes."""
+        start = self._starts[frame]
+        if start is None:
+            return np.zeros(6)
+        R, _ = self._node(frame, q)
+        omega, v = R @ u[start[1] : start[1] + 3], u[start[1] + 3 : start[1] + 6]
+        return np.concatenate([omega, v + np.cross(omega, R @ self._position[frame])])
+
+    def acceleration(self, frame: str, q: Array, u: Array, udot: Array) -> Array:
+        """Angular acceleration and acceleration of the origin (6,), ground axes."""
+        start = self._starts[frame]
+        if start is None:
+            return np.zeros(6)
+        R, _ = self._node(frame, q)
+        own, arm = slice(start[1], start[1] + 3), R @ self._position[frame]
+        omega, alpha = R @ u[own], R @ udot[own]
+        a = udot[start[1] + 3 : start[1] + 6]
+        a = a + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
+        return np.concatenate([alpha, a])
+
+    def jacobian(self, frame: str, q: Array, nu: int) -> Array:
+        """J (6, nu) with velocity = J u."""
+        J, start = np.zeros((6, nu)), self._starts[frame]
+        if start is None:
+            return J
+        R, _ = self._node(frame, q)
+        x, y, z = R @ self._position[frame]
+        skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+        J[:3, start[1] : start[1] + 3] = R
+        J[3:, start[1] : start[1] + 3] = -skew @ R
+        J[3:, start[1] + 3 : start[1] + 6] = np.eye(3)
+        return J
+
+
+def _shaped(rotations: Array) -> Array:
+    return np.asarray(rotations, dtype=np.float64).reshape(-1, 3, 3)

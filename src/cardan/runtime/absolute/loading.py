@@ -1,0 +1,87 @@
+"""Read the tables of a model from its folder and load the functions of its kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import ModelError
+from ..calling import Array
+from ..objects import Code
+from .mesh import Mesh
+from .tables import Kind, PlaceKind, Table, Tables
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledModel
+
+FILE = "mesh.npz"
+WHOLE = ("z", "s", "outputs", "powers")
+
+
+def tables(manifest: dict[str, Any], directory: Path) -> Tables:
+    """The tables of a model.
+
+    Raises:
+        ModelError: the file with its numbers is missing or damaged.
+    """
+    told = manifest["mesh"]
+    try:
+        with np.load(directory / FILE, allow_pickle=False) as file:
+            numbers = {name: file[name] for name in file.files}
+        sizes = (len(manifest[block]) for block in ("inputs", "z", "s"))
+        return _tables(told, numbers, *sizes)
+    except (OSError, ValueError, KeyError) as error:
+        raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
+
+
+def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns: int) -> Tables:
+    kinds = {row["name"]: Kind(**row) for row in told["kinds"]}
+    groups = []
+    for k, row in enumerate(told["groups"]):
+        groups.append(
+            Table(
+                kind=kinds[row["kind"]],
+                place=numbers[f"place_{k}"].astype(np.intp),
+                common=row["common"],
+                own=numbers.get(f"own_{k}"),
+                members=row["members"],
+                **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
+            )
+        )
+    places = tuple(PlaceKind(**row) for row in told["places"])
+    return Tables(places, numbers["kind"].astype(np.intp), tuple(groups), nr, nz, ns)
+
+
+def _whole(array: Any) -> Any:
+    return None if array is None else array.astype(np.intp)
+
+
+def data_of(model: CompiledModel, group: Table) -> Array:
+    """Data (n, k) of the elements of a group at the parameters of a model."""
+    n, parts = len(group), []
+    if group.common:
+        found = model._evaluate_saved(group.common, p=model.parameters.vector)
+        common = np.asarray(found["data"], dtype=np.float64)
+        # (k,) for all of them, or (n, k)
+        parts.append(np.broadcast_to(common, (n, common.shape[-1])))
+    if group.own is not None:
+        parts.append(group.own)
+    return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
+
+
+def load(model: CompiledModel) -> Mesh:
+    """The elements of a model at its parameters, ready to be asked."""
+    found = tables(model.manifest, model.directory)
+    objects = model._objects
+
+    def codes(symbols: Sequence[str]) -> dict[str, Code]:
+        """Functions of elements, several compiled at once."""
+        wanted = list(dict.fromkeys(symbols))
+        loaded = zip(wanted, objects.load(wanted), strict=True)
+        return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
+
+    data = [data_of(model, group) for group in found.groups]
+    return Mesh(found, model.manifest["functions"], codes, data, model._kernels())

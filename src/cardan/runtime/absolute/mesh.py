@@ -1,0 +1,396 @@
+"""The elements of a model, loaded: balances, tangents and sums over tables."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.sparse
+from numpy.typing import NDArray
+
+from ...errors import SolveError
+from .. import lanes as lane_builds
+from ..abi_ctypes import FUNCTION
+from ..loaded import prepare
+from ..objects import Code
+from ..slots import ORDER
+from .blocks import plan_record
+from .plan import plan
+from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
+from .tables import Kind, Table, Tables
+
+Array = NDArray[np.float64]
+# elements of a group from which on lanes are compiled
+WORTH = 8
+# what functions of the whole mesh ask of the elements
+SOLVED = ("balance", "balance_tangent", "gamma")
+NEEDED = {
+    "balance": ("balance",),
+    "gamma": ("gamma",),
+    "accelerations": SOLVED,
+    "rhs": SOLVED,
+    "values": ("balance_tangent",),
+    "close_position": ("balance", "balance_tangent"),
+    "close_velocity": ("balance", "balance_tangent"),
+    "energy": ("energy",),
+    "qdot": (),
+    "move": (),
+}
+
+
+@dataclass(frozen=True)
+class State:
+    """What elements are asked at; blocks that are left out count as zeros.
+
+    Attributes:
+        q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
+        lam: Multipliers (m,).
+        t, r: Time [s] and inputs (nr,).
+        z, s: Internal states and modes of elements.
+    """
+
+    q: Array
+    u: Array | None = None
+    udot: Array | None = None
+    lam: Array | None = None
+    t: float = 0.0
+    r: Array | None = None
+    z: Array | None = None
+    s: Array | None = None
+
+
+class Mesh:
+    """The tables of a model with loaded functions and data.
+
+    Args:
+        tables: Places and elements.
+        entries: C name -> what the manifest says about a function.
+        load: C names -> loaded functions.
+        data: Of every group (n, k).
+        library: The kernels.
+    """
+
+    def __init__(
+        self,
+        tables: Tables,
+        entries: Mapping[str, Mapping[str, Any]],
+        load: Callable[[Sequence[str]], Mapping[str, Code]],
+        data: Sequence[Array],
+        library: ctypes.CDLL,
+    ) -> None:
+        self.tables = tables
+        self.library = library
+        self._keep: list[Any] = []
+        self._load = load
+        self._data = data
+        self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
+        self._connected: set[str] = set()
+        self._width = lane_builds.width()
+        self._groups = groups = (Group * max(1, len(tables.groups)))()
+        for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
+            self._group(record, group, number)
+        movers = self._movers()
+        self._keep += [groups, movers]
+        self.record = MeshRecord(
+            nq=tables.nq,
+            nu=tables.nu,
+            nz=tables.nz,
+            ns=tables.ns,
+            nr=tables.nr,
+            mp=tables.mp,
+            m=tables.m,
+            places=len(tables.kind),
+            q=self._pointer(tables.q),
+            u=self._pointer(tables.u),
+            group_count=len(tables.groups),
+            mover_count=len(movers),
+            groups=ctypes.addressof(groups),
+            movers=ctypes.addressof(movers),
+            lanes=self._width,
+            work=max((int(e["work_size"]) for e in entries.values()), default=0),
+            local=max((_local(group.kind, entries) for group in tables.groups), default=0),
+        )
+        self._sparse()
+        poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
+        nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
+        self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
+        library.cardan_mesh_room.restype = ctypes.c_ssize_t
+        library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
+
+    @property
+    def reference(self) -> Any:
+        """The record, by reference."""
+        return ctypes.byref(self.record)
+
+    # loading
+
+    def _pointer(self, array: NDArray[Any] | None) -> int | None:
+        if array is None:
+            return None
+        array = np.ascontiguousarray(array)
+        self._keep.append(array)
+        return array.ctypes.data
+
+    def _group(self, record: Group, group: Table, number: int) -> None:
+        """Fill in the record of a group."""
+        kind, tables = group.kind, self.tables
+        record.count, record.places = len(group), group.place.shape[1]
+        for name in ("nq", "nu", "nz", "ns", "mp", "m"):
+            setattr(record, name, getattr(kind, name))
+        record.place = self._pointer(group.place.astype(np.intp))
+        record.rows = self._pointer(tables.rows[number])
+        record.z, record.s = self._pointer(group.z), self._pointer(group.s)
+        parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
+        record.parts = self._pointer(parts)
+
+    def connect(self, *forms: str) -> None:
+        """Load functions of all elements that are not there yet; those of one call side by side."""
+        missing = [name for name in forms if name not in self._connected]
+        if not missing:
+            return
+        groups = self.tables.groups
+        having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
+        self._codes |= self._load([group.kind.functions[name] for group, name in having])
+        for record, group, data in zip(self._groups, groups, self._data, strict=False):
+            for name in missing:
+                if name in group.kind.functions:
+                    form = record.forms[FORMS.index(name)]
+                    self._form(form, self._codes[group.kind.functions[name]], data)
+        self._connected.update(missing)
+
+    def _form(self, form: Form, code: Code, data: Array) -> None:
+        """Connect a function of a kind, with the data of its elements prepared."""
+        w = prepare(code, data)
+        form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
+        form.size = int(code.entry["output_size"])
+        if len(data) < WORTH or self._width == 1 or code.recipe is None:
+            return
+        if self._width not in code.entry["lanes"]:
+            return
+        built = code.recipe.there(self._width, True) or code.recipe.made(self._width, True)
+        self._keep.append(built)
+        form.lanes = built.address
+        # what is missing in the last block repeats the last element
+        rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
+        blocks = w[rows].reshape(-1, self._width, w.shape[1]).transpose(0, 2, 1)
+        form.w_lanes = self._pointer(_on_lines(blocks))
+
+    def _movers(self) -> Any:
+        """Places whose coordinates are no poses, kind by kind."""
+        kinds = [(k, kind) for k, kind in enumerate(self.tables.kinds) if kind.name != "node"]
+        movers = (Movers * len(kinds))()
+        for record, (k, kind) in zip(movers, kinds, strict=True):
+            places = np.flatnonzero(self.tables.kind == k).astype(np.intp)
+            record.count, record.nq, record.nu = len(places), kind.nq, kind.nu
+            record.place = self._pointer(places)
+            for field, name in (("move", "move"), ("rates", "qdot")):
+                if name in kind.functions:
+                    code = self._codes[kind.functions[name]]
+                    setattr(record, field, code.address)
+                    w = prepare(code, np.zeros(0))
+                    setattr(record, f"w_{field}", self._pointer(w))
+        return movers
+
+    def _sparse(self) -> None:
+        """Plan the matrices, and say where elements stand in them."""
+        tables, record = self.tables, self.record
+        places = len(tables.kind)
+        having = [len(g) if g.kind.m else 0 for g in tables.groups]
+        starts = places + np.concatenate(([0], np.cumsum(having)))
+        sizes = [np.diff(tables.u)]
+        cliques = []
+        for group, count, start in zip(tables.groups, having, starts, strict=False):
+            sizes.append(np.full(count, group.kind.m))
+            own = (start + np.arange(count))[:, None]
+            cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
+        total = np.concatenate(sizes)
+        poses = [kind.name == "node" for kind in tables.kinds]
+        massless = np.zeros(len(total), bool)
+        massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
+        self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
+        matrix, unknown = self.plan.pattern, np.empty(tables.m, dtype=np.intp)
+        for number, (group, count, start) in enumerate(
+            zip(tables.groups, having, starts, strict=False)
+        ):
+            lines = tables.lines(number)
+            if count:
+                own = matrix.first[start : start + count, None] + np.arange(group.kind.m)
+                unknown[lines] = own
+            stride = matrix.stride[cliques[number]].astype(np.intp)
+            spots = np.concatenate([matrix.places[number], stride[:, :, None]], axis=2)
+            self._groups[number].spots = self._pointer(spots.astype(np.intp))
+        told = plan_record(self.plan)
+        self._keep.append(told)
+        record.plan = ctypes.addressof(told)
+        record.unknown, record.diagonal = self._pointer(unknown), self._pointer(self._diagonal())
+        record.widest = max((g.kind.nu for g in tables.groups), default=0)
+
+    def _diagonal(self) -> NDArray[np.intp]:
+        """Where the diagonal entry of every speed stands in the values of a matrix."""
+        matrix = self.plan.pattern
+        own = np.flatnonzero(matrix.rows == matrix.column)[: len(self.tables.kind)]
+        sizes = matrix.sizes[: len(self.tables.kind)].astype(np.intp)
+        inside = np.arange(self.tables.nu) - np.repeat(self.tables.u[:-1], sizes)
+        start = np.repeat(matrix.value[own].astype(np.intp), sizes)
+        step = np.repeat(matrix.stride[: len(sizes)].astype(np.intp) + 1, sizes)
+        return start + inside * step
+
+    def closure(self, name: str) -> int:
+        """Address of the C function of the whole mesh."""
+        self.connect(*NEEDED[name])
+        function = getattr(self.library, f"cardan_mesh_call_{name}")
+        return ctypes.cast(function, ctypes.c_void_p).value or 0
+
+    @property
+    def work(self) -> int:
+        """Numbers of work memory that functions of the whole mesh need."""
+        return int(self.library.cardan_mesh_call_work(self.reference))
+
+    def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
+        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
+        out = np.empty(self.tables.nu + self.tables.m)
+        more = None if tau is None else _at(np.ascontiguousarray(tau))
+        self._call("accelerations", at, more, _at(out))
+        udot, lam = np.split(out, [self.tables.nu])
+        return udot, lam
+
+    # evaluation
+
+    def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
+        given = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
+        given |= {"z": at.z, "s": at.s, "r": at.r}
+        held = {name: np.ascontiguousarray(x, float) for name, x in given.items() if x is not None}
+        pointers = {name: x.ctypes.data for name, x in held.items()}
+        return StateRecord(t=at.t, **pointers), list(held.values())
+
+    def _call(self, name: str, at: State, *arguments: Any) -> None:
+        self.connect(*NEEDED.get(name, ()))
+        record, held = self._state(at)
+        function = getattr(self.library, f"cardan_mesh_{name}")
+        memory = np.empty(self.work)
+        status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
+        del held
+        if status:
+            raise SolveError(f"an element returned the status {status} in {name}")
+
+    def balance(self, at: State) -> tuple[Array, Array, Array]:
+        """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
+        tables = self.tables
+        out = np.empty(tables.nu + tables.mp + tables.m)
+        self._call("balance", at, _at(out))
+        force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
+        return force, gaps, rates
+
+    def call(self, name: str, at: State, size: int) -> Array:
+        """A function of the whole mesh with the interface of generated ones."""
+        record, held = self._state(at)
+        blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
+        time = np.array([at.t])
+        blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
+        given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
+        out, memory = np.empty(size), np.empty(self.work)
+        status = FUNCTION(self.closure(name))(ctypes.addressof(given), *map(_at, (out, memory)))
+        del held
+        if status:
+            raise SolveError(f"{name} has no solution (status {status})")
+        return out
+
+    def gamma(self, at: State) -> Array:
+        """gamma (m,) with G udot = gamma."""
+        out = np.empty(self.tables.m)
+        self._call("gamma", at, _at(out))
+        return out
+
+    def total(self, form: str, size: int, at: State) -> Array:
+        """Sum (size,) of a function over the elements: ``energy``, ``momentum``, ``power``."""
+        out = np.empty(size)
+        self.connect(form)
+        self._call("sum", at, FORMS.index(form), ctypes.c_ssize_t(size), _at(out))
+        return out
+
+    def results(self, form: str, at: State) -> list[Array]:
+        """Of every group that has the function the results of its elements (n, size)."""
+        self.connect(form)
+        k = FORMS.index(form)
+        with_it = [g for g in self.tables.groups if form in g.kind.functions]
+        sizes = [int(self._codes[g.kind.functions[form]].entry["output_size"]) for g in with_it]
+        counts = [len(g) * size for g, size in zip(with_it, sizes, strict=True)]
+        out = np.empty(sum(counts))
+        self._call("results", at, k, _at(out))
+        parts = np.split(out, np.cumsum(counts)[:-1]) if counts else []
+        return [part.reshape(-1, size) for part, size in zip(parts, sizes, strict=True)]
+
+    def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
+        tables = self.tables
+        found: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
+        numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
+        results = self.results("balance_tangent", at)
+        for number, values in zip(numbers, results, strict=True):
+            group = tables.groups[number]
+            columns, lines = tables.columns(group), tables.lines(number)
+            for name, start in group.kind.parts.items():
+                rows = lines if name in "RG" else columns
+                block = values[:, start : start + rows.shape[1] * columns.shape[1]]
+                found[name].append(_entries(rows, columns, block))
+        shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
+        return {name: _assembled(found[name], shapes[name]) for name in PARTS}
+
+    def values(self, at: State, shares: tuple[float, float, float]) -> Array:
+        """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
+        out, given = np.empty(self.plan.pattern.values), np.array(shares, float)
+        self._call("values", at, _at(given), _at(out))
+        return out
+
+    def rates(self, q: Array, u: Array) -> Array:
+        """qdot (nq,)."""
+        out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
+        memory = np.empty(self.work)
+        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, memory)))
+        return out
+
+    def move(self, q: Array, du: Array) -> Array:
+        """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
+        out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
+        memory = np.empty(self.work)
+        arguments = (_at(q), _at(du), _at(out), None, _at(memory))
+        self.library.cardan_mesh_move(self.reference, *arguments)
+        return out
+
+
+def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
+    """Numbers that an element reads, and gives at most."""
+    reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
+    return reads + max(sizes, default=0)
+
+
+def _at(array: Array) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def _on_lines(array: Array) -> Array:
+    """A contiguous copy that begins at a multiple of 64 bytes, as vectors want it."""
+    room = np.empty(array.size + 8)
+    start = (-room.ctypes.data // 8) % 8
+    copy = room[start : start + array.size].reshape(array.shape)
+    copy[...] = array
+    return copy
+
+
+def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:
+    """Row, column and value of every entry of element matrices."""
+    n, height, width = len(values), rows.shape[1], columns.shape[1]
+    i = np.broadcast_to(rows[:, :, None], (n, height, width)).reshape(-1)
+    j = np.broadcast_to(columns[:, None, :], (n, height, width)).reshape(-1)
+    return i, j, values.reshape(-1)
+
+
+def _assembled(entries: list[tuple[Any, Any, Any]], shape: tuple[int, int]) -> Any:
+    if not entries:
+        return scipy.sparse.csr_matrix(shape)
+    i, j, values = (np.concatenate(part) for part in zip(*entries, strict=True))
+    return scipy.sparse.csr_matrix((values, (i, j)), shape=shape)

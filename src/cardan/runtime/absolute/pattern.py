@@ -1,0 +1,165 @@
+"""Which blocks of a sparse matrix exist, and where elements add to them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...errors import ArgumentError
+
+Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
+LARGEST = 2**31 - 1
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A square matrix whose rows and columns come in the same nb blocks, stored by rows (CSR).
+
+    Attributes:
+        first: The first unknown of each block, and how many there are (nb + 1,).
+        multiplier, massless: Which blocks are multipliers; which speeds may have no diagonal of
+            their own (nb,).
+        row: Where the list of a row block begins in ``column`` (nb + 1,).
+        column: The blocks that a row block meets, ascending (pairs,).
+        value: Where the pair begins in the values of the matrix (pairs,).
+        stride: Numbers from one row of a row block to the next (nb,).
+        places: Of each group (n, k, k): where what element e adds for its blocks i and j begins in
+            the values; -1 between two blocks of multipliers. Rows are ``stride`` apart.
+    """
+
+    first: Ints
+    multiplier: NDArray[np.bool_]
+    massless: NDArray[np.bool_]
+    row: Ints
+    column: Ints
+    value: Ints
+    stride: Ints
+    places: tuple[Ints, ...]
+
+    @property
+    def sizes(self) -> Ints:
+        """Unknowns of each block (nb,)."""
+        return np.diff(self.first)
+
+    @property
+    def n(self) -> int:
+        """Unknowns."""
+        return int(self.first[-1])
+
+    @property
+    def values(self) -> int:
+        """Numbers of the matrix."""
+        return int((self.stride.astype(np.int64) * self.sizes).sum())
+
+    @cached_property
+    def rows(self) -> Ints:
+        """The row block of each pair (pairs,)."""
+        return np.repeat(np.arange(len(self.stride), dtype=np.int32), np.diff(self.row))
+
+    @cached_property
+    def at(self) -> Ints:
+        """The first value of each row block (nb,)."""
+        count = self.sizes.astype(np.int64) * self.stride
+        return np.asarray(np.cumsum(count) - count, np.int32)
+
+    @cached_property
+    def csr(self) -> tuple[Ints, Ints]:
+        """Columns (values,) and row starts (n + 1,) as SciPy's CSR has them."""
+        width = np.repeat(self.stride, self.sizes)
+        starts = np.concatenate([[0], np.cumsum(width, dtype=np.int64)])
+        # the columns of one row of each row block, then repeated for all its rows
+        once = ranges(self.first[self.column], self.sizes[self.column])
+        begin = np.concatenate([[0], np.cumsum(self.stride, dtype=np.int64)])[:-1]
+        return once[ranges(np.repeat(begin, self.sizes), width)].astype(np.int32), np.asarray(
+            starts, np.int32
+        )
+
+    def block_of(self, unknown: int) -> int:
+        """The block that an unknown belongs to."""
+        return int(np.searchsorted(self.first, unknown, side="right")) - 1
+
+
+def ranges(start: NDArray[Any], count: NDArray[Any]) -> Longs:
+    """start[0], start[0] + 1, ... (count[0] numbers), start[1], ..."""
+    ends = np.cumsum(count, dtype=np.int64)
+    total = int(ends[-1]) if len(ends) else 0
+    moved = np.asarray(start, np.int64) - (ends - count)
+    return np.asarray(np.arange(total) + np.repeat(moved, count), np.int64)
+
+
+def pattern(
+    sizes: ArrayLike,
+    cliques: Sequence[ArrayLike],
+    multiplier: ArrayLike | None = None,
+    massless: ArrayLike | None = None,
+) -> Pattern:
+    """The matrix of elements each of which couples its blocks pairwise.
+
+    Args:
+        sizes: Unknowns of each block (nb,).
+        cliques: Of each group of elements the blocks (n, k) they couple. Every block of speeds has
+            a diagonal, whether or not it is in one.
+        multiplier: Which blocks are multipliers (nb,); none by default.
+        massless: Which blocks of speeds may have no diagonal of their own (nb,), such as the
+            coordinates of joints; none by default.
+
+    Raises:
+        ArgumentError: sizes, blocks or masks that do not fit, or more numbers than can be counted.
+    """
+    size = np.asarray(sizes, np.int64).reshape(-1)
+    nb = len(size)
+    if size.size and size.min() < 0:
+        raise ArgumentError(f"block {int(size.argmin())} has {size.min()} unknowns")
+    lam, light = _mask("multiplier", multiplier, nb), _mask("massless", massless, nb)
+    groups = [_blocks(i, clique, nb) for i, clique in enumerate(cliques)]
+    # pairs of blocks as numbers, and where the pairs of every element are among them
+    keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
+    absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
+    wanted = [key[~without] for key, without in zip(keys, absent, strict=True)]
+    pairs = np.unique(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
+    row, column, value, stride = _laid(pairs, size)
+    found = [np.full(key.shape, -1, np.int32) for key in keys]
+    for place, key, without in zip(found, wanted, absent, strict=True):
+        place[~without] = value[np.searchsorted(pairs, key)]
+    first = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
+    return Pattern(first, lam, light & ~lam, row, column, value, stride, tuple(found))
+
+
+def _laid(pairs: Longs, size: Longs) -> tuple[Ints, Ints, Ints, Ints]:
+    """Row, column, value and stride of :class:`Pattern`: rows of a block one behind the other."""
+    rows, columns = np.divmod(pairs, max(len(size), 1))
+    row = np.searchsorted(rows, np.arange(len(size) + 1))
+    before = np.concatenate([[0], np.cumsum(size[columns])])
+    stride = np.diff(before[row])
+    count = stride * size
+    if count.sum() > LARGEST:
+        raise ArgumentError(f"a matrix of {count.sum():,} numbers is too large")
+    value = (np.cumsum(count) - count)[rows] + before[:-1] - before[row[rows]]
+    return (
+        row.astype(np.int32), columns.astype(np.int32), value.astype(np.int32),
+        stride.astype(np.int32),
+    )  # fmt: skip
+
+
+def _mask(name: str, given: ArrayLike | None, nb: int) -> NDArray[np.bool_]:
+    mask = np.zeros(nb, bool) if given is None else np.asarray(given, bool).reshape(-1)
+    if len(mask) != nb:
+        raise ArgumentError(f"{name}: {len(mask)} entries for {nb} blocks")
+    return mask
+
+
+def _blocks(group: int, clique: ArrayLike, nb: int) -> Longs:
+    blocks = np.asarray(clique, np.int64)
+    if blocks.ndim != 2:
+        raise ArgumentError(f"cliques of group {group}: shape {blocks.shape} instead of (n, k)")
+    if blocks.size and not (blocks.min() >= 0 and blocks.max() < nb):
+        raise ArgumentError(
+            f"cliques of group {group}: blocks {blocks.min()} to {blocks.max()}, there are {nb}"
+        )
+    return blocks

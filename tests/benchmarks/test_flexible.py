@@ -1,0 +1,24 @@
+"""The benchmark of flexible elements runs; operations of the default element do not grow."""
+
+from __future__ import annotations
+
+import pytest
+
+from benchmarks import flexible
+
+# of a call, all of it: what a change must not make worse unnoticed
+MOST = {"balance": 760, "balance_tangent": 2550, "mixed": 2800, "mixed_step": 1010}
+
+
+def test_rows() -> None:
+    rows = list(flexible.measured(["hellinger_reissner"], count=16, rounds=1))
+    assert {row.function: row.operations <= MOST[row.function] for row in rows} == dict.fromkeys(
+        MOST, True
+    )
+    assert flexible.table(rows).row_count == 4
+
+
+@pytest.mark.parametrize("name", ["linked_inertia", "lumped_inertia"])
+def test_inertia_is_cheap(name: str) -> None:
+    rows = flexible.measured([name], count=16, rounds=1)
+    assert all(row.operations < 1000 for row in rows)

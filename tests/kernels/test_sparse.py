@@ -1,0 +1,103 @@
+"""The C of the sparse solver by itself: warnings, memory, the mode of the processor."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cardan.runtime import cache, kernels
+from cardan.runtime.absolute.blocks import FactorsRecord, Memory, PlanRecord, plan_record
+from cardan.runtime.absolute.plan import plan
+from cardan.runtime.absolute.solver import solver
+
+SOURCES = sorted(kernels.DIRECTORY.glob("sparse*.c"))
+SIZES = """
+#include "sparse.h"
+ptrdiff_t plan_size(void);
+ptrdiff_t factors_size(void);
+ptrdiff_t plan_size(void) { return sizeof(cardan_sparse); }
+ptrdiff_t factors_size(void) { return sizeof(cardan_sparse_factors); }
+"""
+
+
+def test_sources_compile_without_warnings(tmp_path: Path) -> None:
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-O2"]
+    for source in SOURCES:
+        by = [*cache.compiler().command, *strict, "-fsyntax-only", f"-I{source.parent}"]
+        done = subprocess.run([*by, str(source)], capture_output=True, text=True, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+
+
+def test_records_are_those_of_c(tmp_path: Path) -> None:
+    source = tmp_path / "sizes.c"
+    source.write_text(SIZES)
+    library = cache.build([source], [kernels.DIRECTORY]).load()
+    assert library.plan_size() == ctypes.sizeof(PlanRecord)
+    assert library.factors_size() == ctypes.sizeof(FactorsRecord)
+
+
+def test_denormals_are_flushed_inside_only() -> None:
+    """A chain along which numbers fade below the smallest normal one."""
+    n = 400
+    made = plan([1] * n, [np.stack([np.arange(n - 1), np.arange(1, n)], 1)])
+    columns, starts = made.pattern.csr
+    rows = np.repeat(np.arange(n), np.diff(starts))
+    by = solver(made)
+    by.factor(np.where(columns == rows, 10.0, np.where(columns < rows, 1.0, 0.0)))
+    b = np.zeros(n)
+    b[0] = 1.0
+    x = by.solve(b)
+    tiny = np.finfo(float).tiny
+    assert x[:100] == pytest.approx(0.1 * (-0.1) ** np.arange(100.0), rel=1e-12)
+    assert ((np.abs(x) >= tiny) | (x == 0)).all()
+    assert (x[320:] == 0).all()
+    # outside they are there as ever
+    assert tiny / np.array([4.0]) > 0
+
+
+def test_no_memory_beyond_its_own_is_touched() -> None:
+    """Every array of a factorization stands between guards."""
+    made = plan(
+        [6, 5, 1, 7, 6, 3], [[[0, 1], [1, 3]], [[3, 4, 5]], [[2, 0, 4]]], [0, 0, 0, 0, 0, 1]
+    )
+    library = kernels.library(only="sparse*")
+    rng, guard = np.random.default_rng(9), -12345.0
+    memory, arrays = vars(Memory.of(made)), {}
+    for name, array in memory.items():
+        arrays[name] = np.full(len(array) + 16, guard, array.dtype)
+    starts = [array.ctypes.data + 8 * array.itemsize for array in arrays.values()]
+    factors = FactorsRecord(*starts)
+    factors.count = 1
+    record, numbers = plan_record(made), rng.standard_normal(made.pattern.values)
+    x = np.full(made.pattern.n + 16, guard)
+    x[8:-8] = 1.0
+    at = ctypes.c_void_p(x[8:].ctypes.data)
+    where = ctypes.byref(record), ctypes.byref(factors)
+    given = ctypes.c_void_p(numbers.ctypes.data)
+    assert library.cardan_sparse_factor(where[0], given, where[1]) == 0
+    for solve in (library.cardan_sparse_solve, library.cardan_sparse_solve_turned):
+        solve(*where, ctypes.c_ssize_t(1), at, at)
+    library.cardan_sparse_smallest(*where, ctypes.c_ssize_t(2), at)
+    library.cardan_sparse_work.restype = ctypes.c_ssize_t
+    assert library.cardan_sparse_work(where[0]) == made.work
+    for array in (*arrays.values(), x):
+        assert (array[:8] == guard).all()
+        assert (array[-8:] == guard).all()
+    assert np.isfinite(x).all()
+
+
+def test_the_library_multiplies() -> None:
+    made = plan([6, 5, 3], [[[0, 1], [1, 2]]])
+    rng = np.random.default_rng(10)
+    numbers, x, y = rng.standard_normal(made.pattern.values), rng.standard_normal(14), np.zeros(14)
+    record = plan_record(made)
+    pointers = (ctypes.c_void_p(v.ctypes.data) for v in (numbers, x, y))
+    kernels.library(only="sparse*").cardan_sparse_multiply(ctypes.byref(record), *pointers)
+    dense = np.zeros((14, 14))
+    columns, starts = made.pattern.csr
+    dense[np.repeat(np.arange(14), np.diff(starts)), columns] = numbers
+    assert y == pytest.approx(dense @ x, rel=1e-13)

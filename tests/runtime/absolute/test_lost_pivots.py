@@ -1,0 +1,149 @@
+"""Redundant constraints, mechanisms and empty equations: what remains is solved, the rest named."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from cardan.errors import SolveError
+from cardan.runtime.absolute.plan import Plan, plan
+from cardan.runtime.absolute.solver import Solver, solution, solver
+from cardan.runtime.absolute.superlu import SuperluSolver
+from runtime.absolute.structures import GROUND, Structure, bars, definite, line, values
+
+WAYS = {"blocks": solver, "superlu": SuperluSolver}
+
+
+@pytest.fixture(params=WAYS)
+def way(request: pytest.FixtureRequest) -> type[Solver]:
+    return WAYS[request.param]  # type: ignore[return-value]
+
+
+REDUNDANT = {
+    "one joint twice": Structure(1, [], [(0, GROUND, 1)], again=1),
+    "joints of a row twice": Structure(20, [], bars(20), again=3),
+    "all joints twice": Structure(10, [], bars(10, 2), again=10),
+    "a ring with a joint twice": Structure(8, [], [*bars(8), (7, GROUND, 1)], again=4),
+}
+
+
+@pytest.mark.parametrize("name", REDUNDANT)
+def test_redundant_constraints_leave_bounded_multipliers(name: str, way: type[Solver]) -> None:
+    structure = REDUNDANT[name]
+    drawn = structure.plan()
+    a = structure.matrix(drawn)
+    wanted = np.random.default_rng(4).standard_normal(len(a))
+    by = way(drawn)
+    by.factor(values(drawn, a))
+    x = solution(by, a @ wanted)
+    # speeds are unique, multipliers are not; together they are no larger than need be
+    speeds = np.repeat(~drawn.pattern.multiplier, drawn.pattern.sizes)
+    singular = np.linalg.svd(a, compute_uv=False)
+    condition = singular[0] / singular[singular > 1e-10 * singular[0]].min()
+    assert np.abs((x - wanted)[speeds]).max() <= 1e-12 * condition
+    assert np.abs(x).max() <= 1e2 * np.abs(wanted).max()
+    assert np.abs(a @ (x - wanted)).max() <= 1e-12
+    assert len(by.weak)
+    assert drawn.pattern.multiplier[drawn.pattern.block_of(by.weak[0])]
+
+
+def test_signs_without_redundant_rows() -> None:
+    structure = REDUNDANT["joints of a row twice"]
+    drawn = structure.plan()
+    a = structure.matrix(drawn)
+    by = solver(drawn)
+    by.factor(values(drawn, a), symmetric=True)
+    eigenvalues = np.linalg.eigvalsh(a)
+    wanted = ((eigenvalues > 1e-9).sum(), (eigenvalues < -1e-9).sum(), 6 * structure.again)
+    assert by.inertia() == wanted
+
+
+def test_contradicting_constraints_are_named(way: type[Solver]) -> None:
+    structure = REDUNDANT["joints of a row twice"]
+    drawn = structure.plan()
+    a = structure.matrix(drawn)
+    by = way(drawn)
+    by.factor(values(drawn, a))
+    b = np.zeros(len(a))
+    b[drawn.pattern.first[-2] :] = 1.0
+    with pytest.raises(SolveError, match=r"nothing but rounding holds multiplier \d of block"):
+        solution(by, b)
+
+
+def solved(by: Solver, numbers: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Factor and solve."""
+    by.factor(numbers)
+    return solution(by, b)
+
+
+def test_a_mechanism_without_mass_is_named(way: type[Solver]) -> None:
+    structure = Structure(5, [], bars(5), mass=0)
+    drawn = structure.plan()
+    a = structure.matrix(drawn)
+    b = np.random.default_rng(5).standard_normal(len(a))
+    with pytest.raises(SolveError, match=r"the matrix is singular"):
+        solved(way(drawn), values(drawn, a), b)
+
+
+def free_beam() -> tuple[Plan, NDArray[np.float64]]:
+    """Six nodes in a row; what moves the two ends of an element alike costs nothing."""
+    drawn = plan([6] * 6, [np.array(line(6))])
+    rng, a = np.random.default_rng(6), np.zeros((36, 36))
+    apart = np.concatenate([np.eye(6), -np.eye(6)], axis=1)
+    for i, j in line(6):
+        at = np.r_[6 * i : 6 * i + 6, 6 * j : 6 * j + 6]
+        a[np.ix_(at, at)] += apart.T @ definite(rng, 6) @ apart
+    return drawn, a
+
+
+def test_a_free_beam_is_named(way: type[Solver]) -> None:
+    drawn, a = free_beam()
+    with pytest.raises(SolveError, match=r"singular"):
+        solved(way(drawn), values(drawn, a), np.arange(36.0))
+
+
+def test_loads_in_balance_are_carried_by_a_free_beam() -> None:
+    drawn, a = free_beam()
+    by, b = solver(drawn), a @ np.random.default_rng(7).standard_normal(36)
+    x = solved(by, values(drawn, a), b)
+    assert len(by.weak) == 6
+    assert np.abs(a @ x - b).max() <= 1e-12 * np.abs(b).max()
+
+
+def test_an_empty_equation_is_named(way: type[Solver]) -> None:
+    drawn = plan([6, 6, 2], [[[0, 1]]])
+    a = np.zeros((14, 14))
+    a[:12, :12] = 3 * np.eye(12)
+    with pytest.raises(SolveError, match="speed 0 of block 2: no equation holds this unknown"):
+        way(drawn).factor(values(drawn, a))
+
+
+def test_a_multiplier_of_nothing_is_named(way: type[Solver]) -> None:
+    drawn = plan([6, 1], [[[0]], [[1]]], multiplier=[False, True])
+    with pytest.raises(SolveError, match="multiplier 0 of block 1"):
+        way(drawn).factor(np.eye(6).reshape(-1))
+
+
+def test_zeros_on_diagonals_are_pivoted_or_refined() -> None:
+    """Nodes of speeds that hold each other only through constraints: nothing on any diagonal."""
+    drawn = plan([3, 3, 3], [[[0, 1, 2]]])
+    a = np.zeros((9, 9))
+    a[0:3, 3:6] = a[3:6, 6:9] = a[6:9, 0:3] = np.eye(3)
+    a = a + a.T
+    by = solver(drawn)
+    by.factor(values(drawn, a))
+    b = np.arange(1.0, 10.0)
+    assert solution(by, b) == pytest.approx(np.linalg.solve(a, b), rel=1e-12)
+
+
+def test_nodes_eliminated_before_anything_holds_them() -> None:
+    """A chain of nodes whose blocks meet beside the diagonal only: pivots come by refinement."""
+    n = 10
+    drawn = plan([2] * n, [np.stack([np.arange(n - 1), np.arange(1, n)], 1)])
+    a = np.kron(np.eye(n, k=1) + np.eye(n, k=-1), np.array([[2.0, 1.0], [1.0, 3.0]]))
+    by = solver(drawn)
+    by.factor(values(drawn, a))
+    b = np.cos(np.arange(2.0 * n))
+    assert len(by.weak)
+    assert solution(by, b) == pytest.approx(np.linalg.solve(a, b), rel=1e-9)
