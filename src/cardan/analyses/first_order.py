@@ -102,8 +102,8 @@ def pushed(
     M = _dense(found.M) * columns * columns[:, None]
     G = _dense(found.G) / system.rows[:, None] * columns
     push = np.eye(len(columns))[list(places)] * columns
-    answers = [Dense().solve(M, G, row, np.zeros(len(G)))[0] for row in push]
-    return np.stack(answers, axis=1) * columns[:, None]
+    answer = Dense().solve(M, G, push.T, np.zeros((len(G), len(push))))[0]
+    return answer * columns[:, None]
 
 
 def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:

@@ -10,15 +10,15 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ModelError
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, missing, start_of
 from .assemble import assemble
 from .closed_start import closed_start
 from .consistent import speeds
 from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
 from .mechanism import Mechanism
+from .modeled import Modeled
 from .saddle import Dense, Saddle
 from .settings import blocks, start
 
@@ -27,7 +27,7 @@ REACH = 1.0  # radians, or sizes of the mechanism
 
 
 @final
-class Relative:
+class Relative(Modeled):
     """A :class:`CompiledModel` as :class:`cardan.analyses.contract.Contract`.
 
     Attributes:
@@ -53,16 +53,8 @@ class Relative:
                 f"model '{model.name}' has constraints='{treatment}': equilibria and linear models "
                 "keep constraints exactly. Compile with constraints='multipliers'"
             )
-        self.model, self.name = model, model.name
-        self.coordinates, self.speeds = model.coordinates, model.speeds
-        self.internals, self.inputs = model.internals, model.inputs
-        rows = model.manifest.get("multipliers", ())
-        self.multipliers = tuple(str(row["name"]) for row in rows)
-        self.outputs = tuple(str(row["name"]) for row in model.manifest["outputs"])
-        self.owners = tuple(_owner(row) for row in model.manifest["speeds"])
         m = Mechanism(model)
-        self.positions, self.size = np.arange(m.closing.positions), m.size
-        self.columns, self.rows = m.columns, m.rows
+        super().__init__(model, m.closing.positions, m.size)
         self.reach = REACH
         self.saddle: Saddle = Dense()
 
@@ -74,19 +66,12 @@ class Relative:
 
     def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
         """As :meth:`Contract.start`."""
-        model = self.model.with_parameters(dict(p)) if p else self.model
-        named = q if isinstance(q, Mapping) else {}
-        if q is not None and not isinstance(q, Mapping):
-            array = self.model._vector("q", q)
-            if array.shape != (model.nq,):
-                raise ModelError(f"q has shape {array.shape}, expected ({model.nq},)")
-            named = dict(zip(model.coordinates, array.tolist(), strict=True))
-        x = start_of(model, {**named, **hold}, {})[0]
+        model, x = self.started(q, hold, p)
         place, rest = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
             place = assemble(model, hold, start=place, t=t, r=r).q
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
-        return Moment(t, place, still, still, lam, r, rest, self._modes, p)
+        return Moment(t, place, still, still, lam, r, rest, self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
         """As :meth:`Contract.state`."""
@@ -94,48 +79,11 @@ class Relative:
         begin = closed_start(model, start(model, x0, q, u, z), *blocks(x0, q, u), t, r)
         place, speed, rest = model.parts_of(begin.x)
         lam = np.zeros(len(self.multipliers))
-        return Moment(t, place, speed, 0 * speed, lam, r, rest, self._modes, p)
-
-    @property
-    def _modes(self) -> Array:
-        rows = self.model.manifest["s"]
-        return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
-
-    def given_inputs(self, named: Any) -> Array:
-        """As :meth:`Contract.given_inputs`."""
-        found: Array = self.model._vector("r", {} if named is None else named)
-        if found.shape != (self.model.nr,):
-            raise ArgumentError(
-                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
-                f"{', '.join(self.inputs)}"
-            )
-        if not np.isfinite(found).all():
-            raise SolveError(f"inputs {named}: they must be finite")
-        return found
-
-    def changed(self, values: Mapping[str, float]) -> Parameters:
-        """As :meth:`Contract.changed`."""
-        if values:
-            self.model.with_parameters(dict(values))
-        return dict(values) or None
+        return Moment(t, place, speed, 0 * speed, lam, r, rest, self.modes, p)
 
     def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
         """As :meth:`Contract.consistent`."""
         return speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
-
-    def place(self, name: str) -> tuple[int, int]:
-        """As :meth:`Contract.place`."""
-        known = {n: (k, self.speeds.index(f"{n}.u")) for k, n in enumerate(self.coordinates)
-                 if f"{n}.u" in self.speeds}  # fmt: skip
-        if name not in known:
-            words = ""
-            if name not in entries(self.model.manifest, "q"):
-                words = missing(self.model.manifest, "q", name) + " "
-            raise ModelError(
-                f"hold: '{name}' is no coordinate that can be held. {words}"
-                f"{near(name, known).strip()}"
-            )
-        return known[name]
 
     # equations
 
@@ -258,11 +206,13 @@ class Relative:
         """As :meth:`Contract.integrate`."""
         if self._mechanism.chosen:
             return self._mechanism.advance(q, du / self.columns)
-        return unit(self.model.integrate(q, du), self.model.manifest["quaternions"])
+        moved: Array = unit(self.model.integrate(q, du), self.model.manifest["quaternions"])
+        return moved
 
     def difference(self, q0: Array, q: Array) -> Array:
         """As :meth:`Contract.difference`."""
-        return self._mechanism.between(q0, q) * self.columns
+        found: Array = self._mechanism.between(q0, q) * self.columns
+        return found
 
     def _at(self, at: Moment) -> Mechanism:
         model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
@@ -274,7 +224,3 @@ class Relative:
 
     def _rest(self, at: Moment) -> dict[str, Any]:
         return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
-
-
-def _owner(row: Mapping[str, Any]) -> str:
-    return str(row.get("joint") or row["name"])

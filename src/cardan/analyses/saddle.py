@@ -72,6 +72,10 @@ class Saddle(Protocol):
     def solve(self, K: Any, G: Any, a: Array, b: Array) -> tuple[Array, Array]:
         """x and y with K x - Gᵀ y = a and G x = b; the smallest of several.
 
+        Args:
+            K, G: (n, n), (m, n).
+            a, b: (n,), (m,); or columns of several (n, k), (m, k).
+
         Raises:
             Singular: there is none.
         """
@@ -88,6 +92,7 @@ class Dense:
         """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
         # redundant rows look independent as far as they are open
         U, s, Z, V = split(G, max(RANK, min(ROUGH, 3 * float(np.abs(b).max(initial=0.0)))))
+        s = s.reshape(-1, *[1] * (a.ndim - 1))
         x = V @ ((U.T @ b) / s)
         inner = Z.T @ K @ Z
         if inner.size:
@@ -124,11 +129,11 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
         raise Singular
     U, s, Vt = np.linalg.svd(inner)
     firm = s > LOOSE * max(float(s[0]), 1e-300)
-    found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm])
+    found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
     left = U[:, ~firm].T @ right
     if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
         # along what nothing holds something pushes
-        push = Vt[~firm].T @ (Vt[~firm] @ right)
+        push = Vt[~firm].T @ (Vt[~firm] @ right.reshape(len(right), -1)[:, 0])
         raise Singular(Z @ (push if np.any(push) else Vt[-1]))
     return np.asarray(found)
 

@@ -21,9 +21,10 @@ from .contract import Contract, contract_of
 from .equilibrium import WAYS, Equilibrium, missed, read, record
 from .loading import TIME, Loading, loading
 from .newton import Search, rest
+from .saddle import Singular
 from .standing import words
 from .static_path import StaticPath
-from .static_problem import Point, Problem
+from .static_problem import Load, Point, Problem
 
 Array = NDArray[np.float64]
 STEPS = 10
@@ -112,7 +113,7 @@ def _follow(
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
             found = rest(problem, _ahead(problem, way, track, s), load, WAYS[:2])
-            if found.converged and not _jumped(problem, track, s, found):
+            if found.converged and not _jumped(problem, track, s, load, found):
                 track.append((s, found.point))
                 length *= 1.5 if found.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
@@ -141,14 +142,29 @@ def _ahead(problem: Problem, way: Loading, track: list[tuple[float, Point]], s: 
     return problem.under(problem.moved(last, share * x, share * y, load), load)
 
 
-def _jumped(problem: Problem, track: list[tuple[float, Point]], s: float, found: Search) -> bool:
+def _jumped(
+    problem: Problem, track: list[tuple[float, Point]], s: float, load: Load, found: Search
+) -> bool:
     """Whether the search ended on another branch than the one followed."""
-    if len(track) < 2:
-        return False
-    (s0, before), (s1, last) = track[-2:]
-    way = problem.step(before, last)[0] * ((s - s1) / (s1 - s0))
+    s1, last = track[-1]
+    if len(track) > 1:
+        s0, before = track[-2]
+        way = problem.step(before, last)[0] * ((s - s1) / (s1 - s0))
+    else:
+        way = _tangent(problem, last, load)
     off = float(np.abs(problem.step(last, found.point)[0] - way).max(initial=0.0))
     return off > JUMP * problem.system.reach + AHEAD * float(np.abs(way).max(initial=0.0))
+
+
+def _tangent(problem: Problem, last: Point, load: Load) -> Array:
+    """Where the stiffness leads under another load; nowhere where it leads everywhere."""
+    point = problem.under(last, load)
+    force, gap = problem.residual(point, load)
+    try:
+        way = problem.system.saddle.solve(*problem.tangent(point, load), -force, -gap)[0]
+    except Singular:
+        return np.zeros(1)
+    return way if np.abs(way).max(initial=0.0) <= problem.system.reach else np.zeros(1)
 
 
 def _said(way: Loading, s: float) -> str:

@@ -1,0 +1,103 @@
+"""What contracts of compiled models share: names, units, values given by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.compiled import CompiledModel
+from ..runtime.initial import entries, missing, start_of
+from .contract import Parameters
+
+Array = NDArray[np.float64]
+
+
+class Modeled:
+    """A compiled model with the names that analyses ask for.
+
+    Attributes:
+        model: The model.
+        Others: as :class:`cardan.analyses.contract.Contract` has them.
+    """
+
+    def __init__(self, model: CompiledModel, positions: int, size: float) -> None:
+        """Args:
+        model: Compiled.
+        positions: Number of constraints of positions, which come first.
+        size: Length against which displacements count [m].
+        """
+        manifest = model.manifest
+        self.model, self.name, self.size = model, model.name, size
+        self.coordinates, self.speeds = model.coordinates, model.speeds
+        self.internals, self.inputs = model.internals, model.inputs
+        rows = manifest.get("multipliers", ())
+        self.multipliers = tuple(str(row["name"]) for row in rows)
+        self.outputs = tuple(str(row["name"]) for row in manifest["outputs"])
+        self.owners = tuple(str(row.get("joint") or row["name"]) for row in manifest["speeds"])
+        self.positions = np.arange(positions)
+        units = [row.get("unit", "") for row in manifest["speeds"]]
+        self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
+        self.rows = np.array([size if row["unit"] == "N" else 1.0 for row in rows])
+
+    def started(
+        self, q: Any, hold: Mapping[str, Any], p: Parameters
+    ) -> tuple[CompiledModel, Array]:
+        """The model with these parameters, and the state x (nx,) at rest that q and hold name."""
+        model = self.model.with_parameters(dict(p)) if p else self.model
+        named = q if isinstance(q, Mapping) else {}
+        if q is not None and not isinstance(q, Mapping):
+            array = model._vector("q", q)
+            if array.shape != (model.nq,):
+                raise ArgumentError(f"q has shape {array.shape}, expected ({model.nq},)")
+            named = dict(zip(model.coordinates, array.tolist(), strict=True))
+        # a whole joint that is started from gives way to what is held of it
+        for joint, place in entries(model.manifest, "q").items():
+            own = {model.coordinates[k]: k - place.start for k in range(place.start, place.stop)}
+            if joint in named and joint not in own and set(own) & set(hold):
+                values = np.ravel(np.asarray(named[joint], dtype=np.float64))
+                named = {n: v for n, v in named.items() if n != joint}
+                named |= {n: values[k] for n, k in own.items() if n not in hold}
+        return model, start_of(model, {**named, **hold}, {})[0]
+
+    @cached_property
+    def modes(self) -> Array:
+        """Modes of elements as they start (ns,)."""
+        rows = self.model.manifest["s"]
+        return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
+
+    def given_inputs(self, named: Any) -> Array:
+        """As :meth:`Contract.given_inputs`."""
+        found: Array = self.model._vector("r", {} if named is None else named)
+        if found.shape != (self.model.nr,):
+            raise ArgumentError(
+                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
+                f"{', '.join(self.inputs)}"
+            )
+        if not np.isfinite(found).all():
+            raise SolveError(f"inputs {named}: they must be finite")
+        return found
+
+    def changed(self, values: Mapping[str, float]) -> Parameters:
+        """As :meth:`Contract.changed`."""
+        if values:
+            self.model.with_parameters(dict(values))
+        return dict(values) or None
+
+    def place(self, name: str) -> tuple[int, int]:
+        """As :meth:`Contract.place`."""
+        known = {n: (k, self.speeds.index(f"{n}.u")) for k, n in enumerate(self.coordinates)
+                 if f"{n}.u" in self.speeds}  # fmt: skip
+        if name not in known:
+            words = ""
+            if name not in entries(self.model.manifest, "q"):
+                words = missing(self.model.manifest, "q", name) + " "
+            raise ModelError(
+                f"hold: '{name}' is no coordinate that can be held. {words}"
+                f"{near(name, known).strip()}"
+            )
+        return known[name]
