@@ -6,11 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from cardan.errors import ModelError, TopologyError
 from cardan.model import Model
 from cardan.topology import System, build
+from cardan.topology.beams import quaternion
 from topology.numbers_of import body_poses, default_q, homogeneous, values
 
 GENERAL = cd.section.general(EA=1e6, GA=1e6, GJ=1e3, EI=1e3, rhoA=1)
@@ -103,6 +105,15 @@ def test_section_axes(end: Any, up: Any, axes: Any) -> None:
     system = build(scene)
     np.testing.assert_allclose(system.segments[0].line.rotations[3].T, axes, atol=1e-15)
     assert_joined(system)
+
+
+def test_quaternions_of_rotations() -> None:
+    drawn = [*Rotation.random(20, random_state=1), *Rotation.from_euler("xyz", np.pi * np.eye(3))]
+    for turned in drawn:
+        found = quaternion(turned.as_matrix())
+        x, y, z, w = turned.as_quat()
+        np.testing.assert_allclose(abs(np.dot(found, (w, x, y, z))), 1, rtol=4e-16 * 4)
+        assert found[0] >= 0
 
 
 def test_sections_of_a_curve_are_not_twisted() -> None:

@@ -8,8 +8,9 @@ have their places do, and then bodies with a pose.
 from __future__ import annotations
 
 import copy
+from collections import deque
 from dataclasses import dataclass, field
-from heapq import heapify, heappop, heappush
+from heapq import heappop, heappush
 
 from ..elements.joints.cylindrical import Cylindrical
 from ..elements.joints.free import Free
@@ -105,6 +106,12 @@ def release(beam: Beam, role: str, released: tuple[str, ...]) -> JointElement:
     return found
 
 
+def _homes(beam: Beam) -> set[Body]:
+    """Bodies that a beam hangs on."""
+    homes = {end.place.body for end in beam.ends if end.place is not None}
+    return homes if beam.base is None else homes | {beam.base}
+
+
 class _Growth:
     """Takes joints in an order in which every place follows from those before."""
 
@@ -116,10 +123,16 @@ class _Growth:
         for k, joint in enumerate(self.joints):
             self._attach(k, joint)
         self.ordered: dict[str, Joint] = {}
-        self.waiting = list(model.beams.values())
+        # beams, with the bodies that they wait for, and the other way round
+        self.waiting = {beam: _homes(beam) for beam in model.beams.values()}
+        self.awaited: dict[Body, list[Beam]] = {}
+        for beam, homes in self.waiting.items():
+            for body in homes:
+                self.awaited.setdefault(body, []).append(beam)
+        self.ready = [beam for beam, homes in self.waiting.items() if not homes]
         # nodes whose beams have their places; nodes to be reached, in the order of their beams
         self.known: set[Body] = set()
-        self.loose: list[Body] = []
+        self.loose: deque[Body] = deque()
         self.reached: set[Body] = set()
         self.open: list[int] = []
 
@@ -137,6 +150,10 @@ class _Growth:
 
     def _reach(self, body: Body) -> None:
         self.reached.add(body)
+        for beam in self.awaited.get(body, ()):
+            self.waiting[beam].discard(body)
+            if not self.waiting[beam]:
+                self.ready.append(beam)
         for k in self.at.get(body, ()):
             heappush(self.open, k)
 
@@ -158,9 +175,9 @@ class _Growth:
 
     def _placed(self) -> bool:
         """Beams whose ends have their places: so do their nodes."""
-        ready = [beam for beam in self.waiting if not self._needs(beam)]
-        self.waiting = [beam for beam in self.waiting if beam not in ready]
+        ready, self.ready = self.ready, []
         for beam in ready:
+            del self.waiting[beam]
             own = own_nodes(beam)
             self.known.update(own)
             self.loose += own
@@ -169,21 +186,13 @@ class _Growth:
                     self._released(beam, role, release(beam, role, end.released))
             for body in own:
                 for k in self.at.get(body, ()):
-                    heappush(self.open, k)
-            # a joint waits here until one of its bodies is reached
-            self.open = [k for k in self.open if self._touched(k)]
-            heapify(self.open)
+                    if self._touched(k):
+                        heappush(self.open, k)
         return bool(ready)
 
     def _touched(self, k: int) -> bool:
         joint = self.joints[k]
         return joint.parent.body in self.reached or joint.child.body in self.reached
-
-    def _needs(self, beam: Beam) -> list[Body]:
-        """Bodies that a beam waits for."""
-        homes = [end.place.body for end in beam.ends if end.place is not None]
-        homes += [beam.base] if beam.base is not None else []
-        return [body for body in homes if body not in self.reached]
 
     def _released(self, beam: Beam, role: str, element: JointElement) -> None:
         """The joint of an end that is not clamped."""
@@ -198,23 +207,28 @@ class _Growth:
 
     def _floated(self) -> bool:
         """The next node that no joint reaches, or body with a pose that a beam waits for."""
-        self.loose = [body for body in self.loose if body not in self.reached]
-        needed = [body for beam in self.waiting for body in self._needs(beam)]
-        posed = [b for b in needed if b.pose is not None and b not in self.nodes.beams]
-        for body in (*self.loose[:1], *posed[:1]):
-            name = body.name
-            while name in self.model.joints or name in self.ordered:
-                name += "_"
-            self.ordered[name] = Joint(name, Free(), self.model.ground, body)
-            self.nodes.implicit.add(name)
-            self._reach(body)
-            return True
-        return False
+        while self.loose and self.loose[0] in self.reached:
+            self.loose.popleft()
+        if self.loose:
+            body = self.loose.popleft()
+        else:
+            posed = (b for homes in self.waiting.values() for b in homes if b.pose is not None)
+            found = next(posed, None)
+            if found is None:
+                return False
+            body = found
+        name = body.name
+        while name in self.model.joints or name in self.ordered:
+            name += "_"
+        self.ordered[name] = Joint(name, Free(), self.model.ground, body)
+        self.nodes.implicit.add(name)
+        self._reach(body)
+        return True
 
     def _unplaced(self) -> TopologyError:
         """A beam that hangs on a body without a place."""
-        beam = self.waiting[0]
-        name = self._needs(beam)[0].name
+        beam, homes = next(iter(self.waiting.items()))
+        name = next(iter(homes)).name
         return TopologyError(
             f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. Give "
             "it pose=, its place in the reference configuration, or join it to something else"

@@ -91,6 +91,9 @@ class Beams:
     def values(self, nodes: Sequence[int]) -> Array:
         """Expressions at the values of the parameters, which stay so."""
         graph = self.convert.graph
+        constants = [graph.value(node) for node in nodes]
+        if None not in constants:
+            return np.array(constants, dtype=np.float64)
         for node in live(graph, nodes):
             if graph.nodes[node][:2] == ("var", "p"):
                 self.geometry.add(self.convert.parameters[graph.nodes[node][2]].name)
@@ -149,8 +152,25 @@ class Beams:
 
     def coordinates(self, pose: Placement) -> tuple[float, ...]:
         """Of a free joint from the ground in a pose: unit quaternion w x y z, then position."""
-        from scipy.spatial.transform import Rotation
-
         rotation, position = self.numbers(pose)
-        x, y, z, w = Rotation.from_matrix(rotation).as_quat(canonical=True)
-        return tuple(float(value) + 0.0 for value in (w, x, y, z, *position))
+        return (*quaternion(rotation), *(float(x) for x in position))
+
+
+def quaternion(rotation: Array) -> tuple[float, ...]:
+    """Unit quaternion w x y z of a rotation (3, 3), w not negative.
+
+    Source: S. W. Shepperd, Quaternion from rotation matrix, 1978.
+    """
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation
+    # four times the products of its entries: the row of the largest is a multiple of it
+    products = np.array(
+        [
+            [1 + xx + yy + zz, zy - yz, xz - zx, yx - xy],
+            [zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx],
+            [xz - zx, xy + yx, 1 - xx + yy - zz, yz + zy],
+            [yx - xy, xz + zx, yz + zy, 1 - xx - yy + zz],
+        ]
+    )
+    row = products[int(np.argmax(np.diag(products)))]
+    row = row / np.linalg.norm(row) * (1 if row[0] >= 0 else -1)
+    return tuple(float(x) + 0.0 for x in row)

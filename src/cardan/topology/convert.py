@@ -50,6 +50,7 @@ class Converter:
         self.graph = graph
         self.built_in = built_in
         self.parameters: list[Parameter] = []
+        self._defaults: list[float] = []
         self.structural: dict[str, float] = {}
         self.used: set[str] = set()
         self.moving = False
@@ -77,6 +78,7 @@ class Converter:
             self.structural[name] = value
             return self.graph.const(value)
         self.parameters.append(Parameter(name, value, unit, declared))
+        self._defaults.append(value)
         return self.graph.var("p", len(self.parameters) - 1)
 
     def scalar(self, value: Any, name: str, unit: str = "", ratio: bool = False) -> int:
@@ -108,7 +110,7 @@ class Converter:
             nodes: The expressions.
             graph: Where they live, where that is a fork of this one's.
         """
-        values = {"p": [parameter.value for parameter in self.parameters]}
+        values = {"p": self._defaults}
         output = Output("values", (len(nodes),), tuple(nodes))
         found = evaluate(Function("values", graph or self.graph, (), (output,)), values)["values"]
         return [float(x) for x in found]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from ..elements import material as materials
 from ..elements.forces.line_load import LineLoad
@@ -34,11 +34,12 @@ def segments(scene: Model, assembly: Assembly) -> tuple[Segment, ...]:
         ModelError: numbers that no beam has.
     """
     loads = _loads(scene, assembly.convert)
+    made = [_made(beam, assembly.convert) for beam in scene.beams.values()]
+    _check(made, assembly.convert)
     found: list[Segment] = []
-    for beam in scene.beams.values():
-        laid = assembly.beams.laid(beam)
-        with assembly.graph.made_by(beam.name, "section"):
-            data = _data(beam, assembly.convert) | loads[beam.name]
+    for one in made:
+        beam, laid = one.beam, assembly.beams.laid(one.beam)
+        data = _data(one, assembly.convert) | loads[beam.name]
         frames = [_frame(beam, name, laid, assembly) for name in laid.names]
         found += [
             Segment(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line)
@@ -73,25 +74,35 @@ def _frame(beam: Beam, name: str, laid: Laid, assembly: Assembly) -> int:
         return assembly.new_frame((beam, name), assembly.unwritten(name), number, part, whole)
 
 
-def _data(beam: Beam, convert: Converter) -> Data:
-    """Stiffness, inertia, damping and strain without stress.
+@dataclass(frozen=True)
+class Made:
+    """What a beam is made of, as expressions: what is written, and what follows."""
 
-    Raises:
-        ModelError: they are not those of a beam at the values of the parameters.
-    """
-    graph, who = convert.graph, f"beam '{beam.name}'"
-    section = _scalars(beam.section.quantities(), f"{beam.name}.section", convert)
-    material = _material(beam, convert)
-    made = beam.section.stiffness(section, material)
-    _check(who, beam, (section, material), made, convert)
-    strain = dict.fromkeys(STRAINS, Scalar(graph, ZERO))
-    for name, value in beam.prestrain.items():
-        unit = "" if name in ("stretch", "shear2", "shear3") else "1/m"
-        node = convert.scalar(value, f"{beam.name}.prestrain.{name}", unit)
-        strain[name] = Scalar(graph, node)
-    rise = Scalar(graph, convert.scalar(beam.temperature, f"{beam.name}.temperature", "K"))
-    strain["stretch"] = strain["stretch"] + material["expansion"] * rise
-    numbers = {**vars(made), "damping": material["damping"]}
+    beam: Beam
+    section: Mapping[str, Scalar]
+    material: Mapping[str, Scalar]
+    stiffness: Stiffness
+
+
+def _made(beam: Beam, convert: Converter) -> Made:
+    with convert.graph.made_by(beam.name, "section"):
+        section = _scalars(beam.section.quantities(), f"{beam.name}.section", convert)
+        material = _material(beam, convert)
+        return Made(beam, section, material, beam.section.stiffness(section, material))
+
+
+def _data(made: Made, convert: Converter) -> Data:
+    """Stiffness, inertia, damping and strain without stress."""
+    beam, graph = made.beam, convert.graph
+    with graph.made_by(beam.name, "strain"):
+        strain = dict.fromkeys(STRAINS, Scalar(graph, ZERO))
+        for name, value in beam.prestrain.items():
+            unit = "" if name in ("stretch", "shear2", "shear3") else "1/m"
+            node = convert.scalar(value, f"{beam.name}.prestrain.{name}", unit)
+            strain[name] = Scalar(graph, node)
+        rise = Scalar(graph, convert.scalar(beam.temperature, f"{beam.name}.temperature", "K"))
+        strain["stretch"] = strain["stretch"] + made.material["expansion"] * rise
+    numbers = {**vars(made.stiffness), "damping": made.material["damping"]}
     data: Data = {name: (1, 1, (value.node,)) for name, value in numbers.items()}
     return data | {"strain": (6, 1, tuple(value.node for value in strain.values()))}
 
@@ -119,26 +130,26 @@ def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
     return found
 
 
-def _check(
-    who: str,
-    beam: Beam,
-    written: tuple[Mapping[str, Scalar], Mapping[str, Scalar]],
-    made: Stiffness,
-    convert: Converter,
-) -> None:
-    """Numbers at the values of the parameters are possible ones."""
-    section, material, found = (
-        dict(zip(named, convert.defaults([x.node for x in named.values()]), strict=True))
-        for named in (*written, vars(made))
-    )
-    told = {name: material[name] for name in beam.material.quantities()}
-    problem = beam.section.complaint(section) or materials.complaint(told)
-    for name, value in found.items():
-        least = 0.0 if name.startswith("rho") else math.ulp(0.0)
-        if not problem and not (math.isfinite(value) and value >= least):
-            problem = f"{name} comes out as {value:g}; check the numbers of its section"
-    if problem:
-        raise ModelError(f"{who}: {problem}")
+def _check(made: Sequence[Made], convert: Converter) -> None:
+    """Numbers at the values of the parameters are possible ones.
+
+    Raises:
+        ModelError: those of a beam are not.
+    """
+    # all at once: a walk through the graph for each of many beams would take long
+    named = [each for one in made for each in (one.section, one.material, vars(one.stiffness))]
+    values = iter(convert.defaults([x.node for each in named for x in each.values()]))
+    told = iter([{key: next(values) for key in each} for each in named])
+    for one in made:
+        section, material, found = next(told), next(told), next(told)
+        material = {key: material[key] for key in one.beam.material.quantities()}
+        problem = one.beam.section.complaint(section) or materials.complaint(material)
+        for name, value in found.items():
+            least = 0.0 if name.startswith("rho") else math.ulp(0.0)
+            if not problem and not (math.isfinite(value) and value >= least):
+                problem = f"{name} comes out as {value:g}; check the numbers of its section"
+        if problem:
+            raise ModelError(f"beam '{one.beam.name}': {problem}")
 
 
 def _loads(scene: Model, convert: Converter) -> dict[str, Data]:
