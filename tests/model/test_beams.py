@@ -165,6 +165,7 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
     "up is the zero vector": beam(up=(0, 0, 0)),
     "up 'w' is no direction": beam(up="w"),
     "no direction 'rxx'.*'rx'": beam(start="ground", release_start="rxx"),
+    "is no joint. Known: rx, ry": beam(start="ground", release_start=("x", "ry")),
     "release_end: that end is free": beam(release_end="rx"),
     "prestrain has no 'curvature'": beam(prestrain={"curvature": 1}),
     "temperature is nan": beam(temperature=math.nan),

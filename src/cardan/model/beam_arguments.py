@@ -6,6 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..elements.centerlines import Centerline, Straight
+from ..elements.joints.cylindrical import Cylindrical
+from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.planar import Planar
+from ..elements.joints.prismatic import Prismatic
+from ..elements.joints.revolute import Revolute
+from ..elements.joints.spherical import Spherical
+from ..elements.joints.universal import Universal
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..elements.written import axis, is_expression, number, vector
@@ -23,6 +30,19 @@ ELEMENTS = ("hellinger_reissner",)
 INERTIAS = ("linked", "lumped")
 # what an end may be let go in: displacements along and rotations about e1, e2, e3
 RELEASES = ("x", "y", "z", "rx", "ry", "rz")
+# what is let go at an end -> the joint that lets it
+RELEASED: dict[frozenset[str], JointElement] = {
+    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
+    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
+    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
+    frozenset({"rx", "ry"}): Universal("x", "y"),
+    frozenset({"ry", "rz"}): Universal("y", "z"),
+    frozenset({"rx", "rz"}): Universal("x", "z"),
+    frozenset({"x", "y", "rz"}): Planar("z"),
+    frozenset({"y", "z", "rx"}): Planar("x"),
+    frozenset({"x", "z", "ry"}): Planar("y"),
+    frozenset({"rx", "ry", "rz"}): Spherical(),
+}
 # what a beam may have without stress: its names in the order of the house, rotations first
 STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
 
@@ -109,6 +129,12 @@ def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
             raise ModelError(
                 f"{who}: release_{role} has no direction {one!r}." + near(str(one), RELEASES)
             )
+    if letting and frozenset(letting) not in RELEASED:
+        listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
+        raise ModelError(
+            f"{who}: release_{role} of {'+'.join(letting)} is no joint. Known: {listed}. For all "
+            "six let the end be free: give its point"
+        )
     if isinstance(given, (Body, Frame, str)):
         return End(model.place(who, given, role), None, letting)
     if letting:

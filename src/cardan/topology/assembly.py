@@ -307,19 +307,11 @@ class Assembly:
             joint: Name of the fixed joint that holds it, "" for the first part.
             where: Frame of that joint in the rigid body.
         """
-        g, body = self.graph, branch.outer
+        body = branch.outer
         number, placement = self.home[body]
         rigid = self.rigid(number)
         frame = self.new_frame(body, body.name, number, len(rigid.parts), placement)
-        with g.made_by(body.name, "mass"):
-            mass = self.convert.scalar(body.mass, f"{body.name}.mass", "kg")
-            com = self.convert.vector(body.com, f"{body.name}.com", "m")
-            entries = self.convert.vector(
-                body.inertia, f"{body.name}.inertia", "kg m^2", labels=ENTRIES
-            )
-            first, tensor = moved_mass(g, placement, mass, com, symmetric(entries))
-        if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
-            self.unchecked.append((body.name, (mass, *entries)))
+        mass, first, tensor = self._mass(body, placement)
         inboard = rigid.index[branch.inner.name] if joint else -1
         rigid.index[body.name] = len(rigid.parts)
         side = frame
@@ -330,6 +322,20 @@ class Assembly:
         rigid.parts.append(
             Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
         )
+
+    def _mass(self, body: UserBody, placement: Placement) -> tuple[int, Nodes, Nodes]:
+        """Mass, first moment and inertia in axes of the rigid body; nodes of beams have none."""
+        if body in self.beams.nodes.beams:
+            return ZERO, ORIGIN, (ZERO,) * 9
+        convert, name = self.convert, body.name
+        with self.graph.made_by(name, "mass"):
+            mass = convert.scalar(body.mass, f"{name}.mass", "kg")
+            com = convert.vector(body.com, f"{name}.com", "m")
+            entries = convert.vector(body.inertia, f"{name}.inertia", "kg m^2", labels=ENTRIES)
+            first, tensor = moved_mass(self.graph, placement, mass, com, symmetric(entries))
+        if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
+            self.unchecked.append((name, (mass, *entries)))
+        return mass, first, tensor
 
     def new_frame(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
         """A new frame of the system."""

@@ -12,33 +12,14 @@ from collections import deque
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
-from ..elements.joints.cylindrical import Cylindrical
 from ..elements.joints.free import Free
 from ..elements.joints.joint import Joint as JointElement
-from ..elements.joints.planar import Planar
-from ..elements.joints.prismatic import Prismatic
-from ..elements.joints.revolute import Revolute
-from ..elements.joints.spherical import Spherical
-from ..elements.joints.universal import Universal
-from ..errors import ModelError, TopologyError
+from ..errors import TopologyError
 from ..model.beam import Beam
+from ..model.beam_arguments import RELEASED
 from ..model.body import Body
 from ..model.connections import Joint
 from ..model.model import Model
-
-# what is let go at an end -> the joint that lets it
-RELEASED: dict[frozenset[str], JointElement] = {
-    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
-    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
-    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
-    frozenset({"rx", "ry"}): Universal("x", "y"),
-    frozenset({"ry", "rz"}): Universal("y", "z"),
-    frozenset({"rx", "rz"}): Universal("x", "z"),
-    frozenset({"x", "y", "rz"}): Planar("z"),
-    frozenset({"y", "z", "rx"}): Planar("x"),
-    frozenset({"x", "z", "ry"}): Planar("y"),
-    frozenset({"rx", "ry", "rz"}): Spherical(),
-}
 
 
 @dataclass(frozen=True)
@@ -49,11 +30,27 @@ class BeamNodes:
         beams: Node -> its beam.
         implicit: Names of the joints that let a node, or a body that only beams hold, move freely.
         releases: Names of the joints of released ends.
+        unplaced: Beams whose places do not follow from anything, with the bodies they wait for.
     """
 
     beams: dict[Body, Beam] = field(default_factory=dict)
     implicit: set[str] = field(default_factory=set)
     releases: set[str] = field(default_factory=set)
+    unplaced: dict[Beam, set[Body]] = field(default_factory=dict)
+
+    def check(self) -> None:
+        """Every beam has a place.
+
+        Raises:
+            TopologyError: one hangs on a body without a place.
+        """
+        for beam, homes in self.unplaced.items():
+            name = next(iter(homes)).name
+            raise TopologyError(
+                f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. "
+                "Give it pose=, its place in the reference configuration, or join it to something "
+                "else"
+            )
 
 
 def with_beams(model: Model) -> tuple[Model, BeamNodes]:
@@ -61,10 +58,6 @@ def with_beams(model: Model) -> tuple[Model, BeamNodes]:
 
     Returns:
         The model itself where there are no beams, else a copy; and what was added.
-
-    Raises:
-        ModelError: a release that no joint allows.
-        TopologyError: a beam whose place does not follow from anything.
     """
     nodes = BeamNodes()
     if not model.beams:
@@ -88,22 +81,6 @@ def own_nodes(beam: Beam) -> list[Body]:
     names = (f"{beam.name}.start", f"{beam.name}.end", *beam.stops)
     found = ((name, beam.model.nodes[name]) for name in names)
     return [place.body for name, place in found if place.name == name]
-
-
-def release(beam: Beam, role: str, released: tuple[str, ...]) -> JointElement:
-    """The joint that lets an end go in some directions.
-
-    Raises:
-        ModelError: there is none.
-    """
-    found = RELEASED.get(frozenset(released))
-    if found is None:
-        listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
-        raise ModelError(
-            f"beam '{beam.name}': release_{role} of {'+'.join(released)} is no joint. Known: "
-            f"{listed}. For all six let the end be free: give its point"
-        )
-    return found
 
 
 def _homes(beam: Beam) -> set[Body]:
@@ -145,8 +122,7 @@ class _Growth:
         self._reach(self.model.ground)
         while self._grown() or self._placed() or self._floated():
             pass
-        if self.waiting:
-            raise self._unplaced()
+        self.nodes.unplaced.update(self.waiting)
 
     def _reach(self, body: Body) -> None:
         self.reached.add(body)
@@ -183,7 +159,8 @@ class _Growth:
             self.loose += own
             for role, end in zip(("start", "end"), beam.ends, strict=True):
                 if end.place is not None and end.released:
-                    self._released(beam, role, release(beam, role, end.released))
+                    kind = RELEASED[frozenset(end.released)]
+                    self._released(f"{beam.name}.{role}", kind, end.place.body)
             for body in own:
                 for k in self.at.get(body, ()):
                     if self._touched(k):
@@ -194,16 +171,18 @@ class _Growth:
         joint = self.joints[k]
         return joint.parent.body in self.reached or joint.child.body in self.reached
 
-    def _released(self, beam: Beam, role: str, element: JointElement) -> None:
+    def _released(self, name: str, kind: JointElement, body: Body) -> None:
         """The joint of an end that is not clamped."""
-        name = f"{beam.name}.{role}"
-        place = beam.ends[0 if role == "start" else 1].place
-        if name in self.model.joints or place is None:
-            raise ModelError(f"beam '{beam.name}': the name '{name}' of its end is that of a joint")
-        joint = Joint(name, element, place.body, self.model.nodes[name])
+        joint = Joint(self._unwritten(name), kind, body, self.model.nodes[name])
         self.joints.append(joint)
-        self.nodes.releases.add(name)
+        self.nodes.releases.add(joint.name)
         self._attach(len(self.joints) - 1, joint)
+
+    def _unwritten(self, name: str) -> str:
+        """A name, or one like it where the user gave that to a joint."""
+        while name in self.model.joints or name in self.ordered:
+            name += "_"
+        return name
 
     def _floated(self) -> bool:
         """The next node that no joint reaches, or body with a pose that a beam waits for."""
@@ -217,19 +196,8 @@ class _Growth:
             if found is None:
                 return False
             body = found
-        name = body.name
-        while name in self.model.joints or name in self.ordered:
-            name += "_"
+        name = self._unwritten(body.name)
         self.ordered[name] = Joint(name, Free(), self.model.ground, body)
         self.nodes.implicit.add(name)
         self._reach(body)
         return True
-
-    def _unplaced(self) -> TopologyError:
-        """A beam that hangs on a body without a place."""
-        beam, homes = next(iter(self.waiting.items()))
-        name = next(iter(homes)).name
-        return TopologyError(
-            f"beam '{beam.name}': nothing says where body '{name}' is, to which it is joined. Give "
-            "it pose=, its place in the reference configuration, or join it to something else"
-        )

@@ -72,6 +72,7 @@ def _build(
 ) -> System:
     scene, rotors = with_rotors(model)
     scene, nodes = with_beams(scene)
+    nodes.check()
     convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
     inputs = motion.declare_inputs(scene, convert)

@@ -13,7 +13,11 @@ ROW, COLUMN = 58, 158
 BOX = (144, 36)
 
 
-def text(branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
+# a piece of a beam: its name and the bodies it joins
+Piece = tuple[str, str, str]
+
+
+def text(branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[Piece] = ()) -> str:
     """The tree with one line per body."""
     outboard: dict[str, list[Branch]] = {}
     for branch in branches:
@@ -31,13 +35,18 @@ def text(branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
     for joint in closing:
         ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
         lines.append(f"closes a circuit: {ends}  [{joint.name}: {joint.kind.kind}]")
+    lines += [f"beam: {start} == {end}  [{name}]" for name, start, end in beams]
     return "\n".join(lines)
 
 
 def dot(
-    name: str, bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joint]
+    name: str,
+    bodies: Sequence[str],
+    branches: Sequence[Branch],
+    closing: Sequence[Joint],
+    beams: Sequence[Piece] = (),
 ) -> str:
-    """A directed graph; circuits are closed by dashed arcs."""
+    """A directed graph; circuits are closed by dashed arcs, beams are thick ones."""
     lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
     lines += [f"  {quoted(body)};" for body in bodies]
     for joint, style in (
@@ -48,10 +57,18 @@ def dot(
         # \n is the line break of Graphviz
         label = quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
         lines.append(f"  {ends} [label={label}{style}];")
+    for beam, start, end in beams:
+        ends = f"{quoted(start)} -> {quoted(end)}"
+        lines.append(f"  {ends} [label={quoted(beam)}, style=bold, penwidth=4, dir=none];")
     return "\n".join([*lines, "}"])
 
 
-def svg(bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joint]) -> str:
+def svg(
+    bodies: Sequence[str],
+    branches: Sequence[Branch],
+    closing: Sequence[Joint],
+    beams: Sequence[Piece] = (),
+) -> str:
     """Layers of boxes, the ground at the bottom."""
     where = _layout(branches)
     deepest = max(level for _, level in where.values())
@@ -73,6 +90,13 @@ def svg(bodies: Sequence[str], branches: Sequence[Branch], closing: Sequence[Joi
         parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" stroke="#456"{style}/>')
         if style:
             parts.append(_joint_label(joint, (x0 + x1) / 2, (y0 + y1) / 2))
+    for beam, start, end in beams:
+        if start not in where or end not in where:
+            continue
+        (x0, y0), (x1, y1) = center(start), center(end)
+        line = 'stroke="#8ab" stroke-width="6" stroke-linecap="round"'
+        parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" {line}/>')
+        parts.append(_label(beam, "beam", (x0 + x1) / 2, (y0 + y1) / 2))
     # every body but the ground stands on one joint of the tree: it is named in the same box
     inboard = {branch.outer.name: branch.joint for branch in branches}
     for body in bodies:
@@ -86,10 +110,13 @@ def _short(name: str) -> str:
 
 
 def _joint_label(joint: Joint, x: float, y: float) -> str:
-    """Name and kind of a joint."""
-    kind = joint.kind.kind
-    full = f"<title>{escape(f'{joint.name}: {kind}')}</title>"
-    name = f'{escape(_short(joint.name))}<tspan dx="4" fill="#789">{kind}</tspan>'
+    return _label(joint.name, joint.kind.kind, x, y)
+
+
+def _label(name: str, kind: str, x: float, y: float) -> str:
+    """Name and kind of a joint or beam."""
+    full = f"<title>{escape(f'{name}: {kind}')}</title>"
+    name = f'{escape(_short(name))}<tspan dx="4" fill="#789">{kind}</tspan>'
     at = f'x="{x:g}" y="{y:g}" text-anchor="middle"'
     return f'<text {at} font-size="9" fill="#345">{name}{full}</text>'
 

@@ -9,11 +9,14 @@ of Multibody Systems, section 5.3.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
+from ..model.beam import Beam
 from ..model.body import Body
 from ..model.connections import Joint
 from ..model.model import Model
 from . import drawing
+from .beamed import with_beams
 from .labelled import Labelled
 from .tree import Branch, loop, spanning_tree
 
@@ -28,6 +31,7 @@ class GraphView:
         branches: The joints of the spanning tree in regular order.
         closing: The joints that close circuits, and are cut.
         reasons: Why each of them was chosen.
+        beams: (beam, body, body) of every piece between named nodes, which are bodies here.
     """
 
     name: str
@@ -35,6 +39,7 @@ class GraphView:
     branches: tuple[Branch, ...] = field(repr=False)
     closing: tuple[Joint, ...] = ()
     reasons: tuple[str, ...] = ()
+    beams: tuple[tuple[str, str, str], ...] = ()
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -126,15 +131,15 @@ class GraphView:
         return {branch.outer.name: paths[branch.outer.name] for branch in self.branches}
 
     def __str__(self) -> str:
-        return drawing.text(self.branches, self.closing)
+        return drawing.text(self.branches, self.closing, self.beams)
 
     def dot(self) -> str:
         """The graph in the language of Graphviz."""
-        return drawing.dot(self.name, self.bodies, self.branches, self.closing)
+        return drawing.dot(self.name, self.bodies, self.branches, self.closing, self.beams)
 
     def svg(self) -> str:
-        """A picture of the tree with its circuits dashed."""
-        return drawing.svg(self.bodies, self.branches, self.closing)
+        """A picture of the tree with its circuits dashed, and beams as thick lines."""
+        return drawing.svg(self.bodies, self.branches, self.closing, self.beams)
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -142,10 +147,20 @@ class GraphView:
 
 def view(model: Model) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
-    branches, closing = spanning_tree(model)
-    bodies: list[Body] = [model.ground, *model.bodies.values()]
+    scene, _ = with_beams(model)
+    branches, closing = spanning_tree(scene)
+    bodies: list[Body] = [scene.ground, *scene.bodies.values()]
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
-    return GraphView(model.name, names, tuple(branches), cut, tuple(c.reason for c in closing))
+    reasons = tuple(c.reason for c in closing)
+    beams = tuple(piece for beam in model.beams.values() for piece in _pieces(beam))
+    return GraphView(model.name, names, tuple(branches), cut, reasons, beams)
+
+
+def _pieces(beam: Beam) -> list[tuple[str, str, str]]:
+    """(beam, body, body) from each of its named nodes to the next."""
+    inner = [beam.model.nodes[name] for _, name in sorted((s, n) for n, s in beam.stops.items())]
+    bodies = [place.body.name for place in (beam.start, *inner, beam.end)]
+    return [(beam.name, a, b) for a, b in pairwise(bodies)]
 
 
 def _leader(leaders: dict[str, str | None], joint: str) -> str | None:
