@@ -22,7 +22,7 @@ from .legs import Axes
 from .pictures import pictures
 from .rotors import with_rotors
 from .segments import segments, settle
-from .system import Atom, Closure, Force, Named, System
+from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
 
 # leaves of expressions that move with the system
@@ -82,18 +82,8 @@ def _build(
     # the tree: bodies, frames, joints and their slots
     assembly = _grown(Assembly(scene, convert, rotors.place, nodes))
     settle(assembly)
-    parents = [rigid.parent for rigid in assembly.bodies]
-    cuts = independent(assembly.cuts, assembly.joints, parents, assembly.frames, convert)
-    closures: tuple[Closure, ...] = ()
-    closable: tuple[Closure, ...] = ()
-    if cuts or branches:
-        free = [scene.joints[j.name].motion is None for j in assembly.joints]
-        axes = Axes(assembly.joints, parents, Numbers(convert))
-        solved, rest = closed_forms(cuts, axes, free, branches or {})
-        if branches is None:
-            closable = solved
-        else:
-            closures, cuts = solved, rest
+    cuts, solved = _circuits(assembly, branches)
+    closures, closable = ((), solved) if branches is None else (solved, ())
     assembly.number(closures)
     for frame in scene.frames.values():
         if frame.named:
@@ -163,6 +153,21 @@ def _grown(assembly: Assembly) -> Assembly:
         assembly.add(branch)
     assembly.couple()
     return assembly
+
+
+def _circuits(
+    assembly: Assembly, branches: Mapping[str, str] | None
+) -> tuple[tuple[Cut, ...], tuple[Closure, ...]]:
+    """The cuts that are left, and those that are or could be solved in closed form."""
+    parents = [rigid.parent for rigid in assembly.bodies]
+    convert, joints = assembly.convert, assembly.joints
+    cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
+    if not cuts and not branches:
+        return cuts, ()
+    free = [assembly.model.joints[joint.name].motion is None for joint in joints]
+    axes = Axes(joints, parents, Numbers(convert))
+    solved, rest = closed_forms(cuts, axes, free, branches or {})
+    return (cuts if branches is None else rest), solved
 
 
 def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
