@@ -239,6 +239,13 @@ def test_a_beam_may_fly() -> None:
     system = build(scene)
     assert names(system) == [("b.start", "free"), ("b.end", "free")]
     assert_joined(system)
+    (note,) = system.notes
+    assert note.startswith("beam 'b' flies: nothing joins it to the ground")
+    # one note for all that fly together, none for what hangs on the ground
+    scene.beam("c", scene.beams["b"].end, (0, 0, 1), GENERAL)
+    held = scene.beam("d", (1, 1, 0), (1, 2, 0), GENERAL)
+    scene.joint("pin", cd.Revolute("z"), held.end, scene.ground)
+    assert build(scene).notes == (note,)
 
 
 def test_included_beams_move_with_their_ground() -> None:

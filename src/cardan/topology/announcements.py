@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable
 from ..model.checks import mass
 from ..model.model import Model
 from .convert import Converter
-from .system import Nodes, System
+from .system import GROUND, Nodes, System
 
 
 def announce(
@@ -42,7 +42,40 @@ def announce(
         "Give it a mass or an inertia, or fix or prescribe the joint"
         for name, joint in massless_tips(system)
     ]
+    notes += [
+        f"beam '{name}' flies: nothing joins it to the ground, itself or through others. Join one "
+        "of its ends if something is to hold it"
+        for name in flying(system)
+    ]
     return dataclasses.replace(system, notes=tuple(notes))
+
+
+def flying(system: System) -> list[str]:
+    """The first beam of every group of bodies that neither joints nor beams join to the ground."""
+    ends = [
+        (system.frames[a].body, system.frames[b].body)
+        for a, b in (
+            *((j.parent_frame, j.child_frame) for j in system.joints if not j.implicit),
+            *((c.parent_frame, c.child_frame) for c in system.closing),
+            *((s.frame_a, s.frame_b) for s in system.segments),
+        )
+    ]
+    # every body points to another of its group, one of them to itself; the ground is the last
+    first = list(range(len(system.bodies) + 1))
+
+    def group(body: int) -> int:
+        body %= len(first)
+        while first[body] != body:
+            first[body] = body = first[first[body]]
+        return body
+
+    for a, b in ends:
+        first[group(a)] = group(b)
+    names: dict[int, str] = {}
+    for segment in system.segments:
+        names.setdefault(group(system.frames[segment.frame_a].body), segment.name)
+    names.pop(group(GROUND), None)
+    return list(names.values())
 
 
 def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> None:
