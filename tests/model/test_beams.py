@@ -13,6 +13,7 @@ import pytest
 import cardan as cd
 from cardan.errors import ModelError
 from cardan.topology import build
+from mechanisms.flexible import FLEXIBLE
 from model.scene_schema import schema
 from model.test_scene import assert_same
 from model.test_scene_round_trip import again
@@ -61,6 +62,12 @@ def test_round_trip(tmp_path: Path) -> None:
     assert repr(loaded.beams["mast"]) == "Beam('mast', tube, 7 elements)"
     validator = jsonschema.Draft202012Validator(schema())
     assert not [error.message for error in validator.iter_errors(document(tmp_path / "first.yaml"))]
+
+
+@pytest.mark.parametrize("name", FLEXIBLE)
+def test_published_problems_come_back(name: str, tmp_path: Path) -> None:
+    scene = FLEXIBLE[name]()
+    assert_same(scene, again(scene, tmp_path))
 
 
 def test_included_beams_come_back(tmp_path: Path) -> None:

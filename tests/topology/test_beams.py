@@ -13,6 +13,7 @@ from cardan.errors import ModelError, TopologyError
 from cardan.model import Model
 from cardan.topology import System, build
 from cardan.topology.beams import quaternion
+from mechanisms.flexible import FLEXIBLE
 from topology.numbers_of import body_poses, default_q, homogeneous, values
 
 GENERAL = cd.section.general(EA=1e6, GA=1e6, GJ=1e3, EI=1e3, rhoA=1)
@@ -67,6 +68,11 @@ def test_a_cantilever_has_one_node() -> None:
     np.testing.assert_allclose(segment.line.positions[:, 0], segment.line.stations)
     np.testing.assert_allclose(segment.line.rotations, np.broadcast_to(np.eye(3), (5, 3, 3)))
     assert_joined(system)
+
+
+@pytest.mark.parametrize("name", FLEXIBLE)
+def test_ends_of_published_problems_lie_where_they_are_joined(name: str) -> None:
+    assert_joined(build(FLEXIBLE[name]()))
 
 
 def test_named_nodes_cut_a_beam_into_segments() -> None:
