@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from cardan.analyses.integrators import INTEGRATORS
+from cardan.elements.flexible import BEAMS, INERTIAS
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
 from cardan.elements.tables import KINDS as CURVES
 from cardan.elements.written import AXES
-from cardan.model.beam_arguments import ELEMENTS, INERTIAS, RELEASES
+from cardan.model.beam_arguments import RELEASES
 from cardan.model.body import INERTIA_ENTRIES
 from cardan.model.dh import CONVENTIONS
 from cardan.model.dh import KINDS as DH_TYPES
@@ -190,7 +191,7 @@ KINDS |= {
 KINDS["beams"] = by_name(
     record(
         keys.BEAM,
-        element={"enum": list(ELEMENTS)},
+        element={"enum": list(BEAMS)},
         inertia={"enum": list(INERTIAS)},
         release_start={"type": "array", "items": {"enum": list(RELEASES)}},
         release_end={"type": "array", "items": {"enum": list(RELEASES)}},

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..elements.centerlines import Centerline, Straight
+from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.joints.cylindrical import Cylindrical
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.planar import Planar
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
     from .model import Model
 
 ROLES = ("start", "end")
-ELEMENTS = ("hellinger_reissner",)
-INERTIAS = ("linked", "lumped")
+# what a beam is made of unless it says
+ELEMENT, INERTIA = "hellinger_reissner", "linked"
 # what an end may be let go in: displacements along and rotations about e1, e2, e3
 RELEASES = ("x", "y", "z", "rx", "ry", "rz")
 # what is let go at an end -> the joint that lets it
@@ -87,7 +88,7 @@ def add_beam(
         count_of(who, elements),
         None if up is None else axis(who, "up", up),
         line_of(who, line),
-        chosen(who, "element", kinds[0], ELEMENTS),
+        chosen(who, "element", kinds[0], BEAMS),
         chosen(who, "inertia", kinds[1], INERTIAS),
         rise,
         prestrain_of(who, prestrain),
@@ -164,7 +165,7 @@ def count_of(who: str, elements: Any) -> int:
     return int(elements)
 
 
-def chosen(who: str, what: str, given: Any, known: Sequence[str]) -> str:
+def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
     """A word of a list.
 
     Raises:

@@ -13,7 +13,7 @@ from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
 from . import checks
 from .beam import Beam
-from .beam_arguments import add_beam
+from .beam_arguments import ELEMENT, INERTIA, add_beam
 from .body import Body, placed, tensor
 from .connections import Force, Joint, by_names, couple_of, element_of, limits_of
 from .frame import Frame, Located, Place, triple
@@ -275,8 +275,8 @@ class Model(Vocabulary):
         elements: int = 8,
         up: Any = None,
         line: Centerline | None = None,
-        element: str = "hellinger_reissner",
-        inertia: str = "linked",
+        element: str = ELEMENT,
+        inertia: str = INERTIA,
         release_start: str | Sequence[str] = (),
         release_end: str | Sequence[str] = (),
         temperature: Any = 0,
@@ -299,7 +299,8 @@ class Model(Vocabulary):
                 upward (of an upright beam e2 along y) and is carried along without twist.
             line: ``cd.arc(...)`` or ``cd.spline(points)`` from start to end; straight without. The
                 beam is without stress there.
-            element: Kind of finite element.
+            element: Kind of finite element: ``"hellinger_reissner"``, ``"helicoidal"``,
+                ``"classical"`` or ``"classical_plain"``.
             inertia: ``"linked"``, that of the motion between nodes, or ``"lumped"`` at them.
             release_start, release_end: What the clamp does not hold there: ``"x" "y" "z"``
                 displacements along and ``"rx" "ry" "rz"`` rotations about the section axes, such as

@@ -26,8 +26,22 @@ FLEXIBLE: dict[str, type[FlexibleElement]] = {
     )
 }
 
+# what a beam may be made of, as scenes call it: elements with their options, and inertias
+BEAMS: dict[str, FlexibleElement] = {
+    element.name(): element
+    for element in (
+        HellingerReissner(),
+        Helicoidal(),
+        Classical(),
+        Classical(residual_flexibility=False),
+    )
+}
+INERTIAS: dict[str, FlexibleElement] = {"linked": LinkedInertia(), "lumped": LumpedInertia()}
+
 __all__ = [
+    "BEAMS",
     "FLEXIBLE",
+    "INERTIAS",
     "FlexibleElement",
     *(element.__name__ for element in FLEXIBLE.values()),
 ]

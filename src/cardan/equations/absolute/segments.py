@@ -13,7 +13,8 @@ from typing import overload
 import numpy as np
 
 from ...elements.flexible import (
-    FLEXIBLE,
+    BEAMS,
+    INERTIAS,
     Damping,
     DeadLoad,
     FlexibleElement,
@@ -138,9 +139,9 @@ def groups(system: System, found: Sequence[Run], node: BlockKind, row: int) -> I
 
 def _elements(system: System, segment: Segment) -> Iterator[FlexibleElement]:
     """What a segment consists of."""
-    yield FLEXIBLE[segment.element]()
+    yield BEAMS[segment.element]
     if any(_value(system, segment, name) for name in ("rhoA", "rhoI2", "rhoI3")):
-        yield FLEXIBLE[f"{segment.inertia}_inertia"]()
+        yield INERTIAS[segment.inertia]
     if _value(system, segment, "damping"):
         yield Damping()
     for kind, names in (

@@ -13,7 +13,7 @@ from typing import Any
 from ....elements.written import AXES
 from ....errors import ModelError
 from ...beam import Beam
-from ...beam_arguments import ELEMENTS, INERTIAS, ROLES
+from ...beam_arguments import ELEMENT, INERTIA, ROLES
 from ...body import INERTIA_ENTRIES, Body
 from ...checks import is_number
 from ...connections import Couple, Joint
@@ -231,8 +231,8 @@ class _Writer:
             made["up"] = self._field("direction", beam.up, where)
         if beam.line.quantities():
             made["line"] = {beam.line.kind: self._element(beam.line, where)}
-        made |= {"element": beam.element} if beam.element != ELEMENTS[0] else {}
-        made |= {"inertia": beam.inertia} if beam.inertia != INERTIAS[0] else {}
+        made |= {"element": beam.element} if beam.element != ELEMENT else {}
+        made |= {"inertia": beam.inertia} if beam.inertia != INERTIA else {}
         for role, end in zip(ROLES, beam.ends, strict=True):
             made |= {f"release_{role}": list(end.released)} if end.released else {}
         if not _zero(beam.temperature):
