@@ -76,7 +76,7 @@ def two_loads(elements: int = 16) -> cd.Model:
     return scene
 
 
-def column(elements: int = 10, imperfection: float = 1e-3) -> cd.Model:
+def column(elements: int = 10, imperfection: float = 1e-4) -> cd.Model:
     """A pinned column of length 1 and EI = 1 under P in units of the load of Euler.
 
     It is bent beforehand by a part of a sine, so that it buckles to one side.

@@ -101,6 +101,7 @@ forces:
   snow: {type: line_load, beam: boom, force: [0, 0, -100]}
 outputs:
   sag: {expression: "position(boom.end).z", unit: m}
+simulate: {time: 2, u: {boom.end.u.x: 0.5}}
 """
 
 
@@ -124,6 +125,7 @@ def test_scene_file(tmp_path: Path) -> None:
     made.output("sag", boom.end.position()[2], unit="m")
     assert_same(found, made)
     assert len(build(found).segments) == 3
+    assert found.settings["u"] == {"boom.end.u.x": 0.5}
 
 
 MISTAKES = {

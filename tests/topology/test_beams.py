@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -159,6 +160,22 @@ def test_a_beam_between_bodies_that_joints_place() -> None:
     assert system.structural["slider.pose.position.x"] == 3
     assert_joined(system)
     np.testing.assert_allclose(system.segments[0].line.positions[[0, -1]], [[0, 0, 1], [3, 0, 0]])
+
+
+def test_released_ends_have_coordinates(tmp_path: Path) -> None:
+    scene = Model("m")
+    beam = scene.beam("b", scene.ground, (1, 0, 0), GENERAL, release_start=("ry",))
+    scene.force("soft", cd.TorsionSpring("b.start", stiffness=10))
+    scene.output("angle", scene.q("b.start") + 2 * scene.u("b.start"))
+    scene.save(tmp_path / "soft.yaml")
+    for one in (scene, cd.load(tmp_path / "soft.yaml")):
+        system = build(one)
+        (joint,) = (joint for joint in system.joints if not joint.implicit)
+        assert (joint.name, joint.element.kind) == ("b.start", "revolute")
+        assert system.forces[0].joints == {"joint": system.joints.index(joint)}
+        assert values(system, [system.outputs[0].node], q=[3.0] * 8, u=[1.0] * 7) == 5
+    with pytest.raises(ModelError, match=r"no such joint.*b\.start"):
+        scene.q(beam.end.name)
 
 
 def test_joints_at_nodes_have_the_axes_of_the_parent() -> None:

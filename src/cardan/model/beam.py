@@ -7,6 +7,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from ..elements.centerlines import Centerline
+from ..elements.joints.cylindrical import Cylindrical
+from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.planar import Planar
+from ..elements.joints.prismatic import Prismatic
+from ..elements.joints.revolute import Revolute
+from ..elements.joints.spherical import Spherical
+from ..elements.joints.universal import Universal
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..errors import ModelError
@@ -16,6 +23,21 @@ from .frame import Place
 
 if TYPE_CHECKING:
     from .model import Model
+
+
+# what is let go at an end -> the joint that lets it
+RELEASED: dict[frozenset[str], JointElement] = {
+    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
+    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
+    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
+    frozenset({"rx", "ry"}): Universal("x", "y"),
+    frozenset({"ry", "rz"}): Universal("y", "z"),
+    frozenset({"rx", "rz"}): Universal("x", "z"),
+    frozenset({"x", "y", "rz"}): Planar("z"),
+    frozenset({"y", "z", "rx"}): Planar("x"),
+    frozenset({"x", "z", "ry"}): Planar("y"),
+    frozenset({"rx", "ry", "rz"}): Spherical(),
+}
 
 
 @dataclass(frozen=True)
@@ -114,6 +136,15 @@ class Beam:
         self.stops[name] = where
         self.model.nodes[name] = made = node(self.model, name)
         return made
+
+    def releases(self) -> dict[str, JointElement]:
+        """The joints of ends that are not clamped, by name."""
+        ends = zip(("start", "end"), self.ends, strict=True)
+        return {
+            f"{self.name}.{role}": RELEASED[frozenset(end.released)]
+            for role, end in ends
+            if end.released
+        }
 
     def __repr__(self) -> str:
         return f"Beam({self.name!r}, {self.section.kind}, {self.elements} elements)"

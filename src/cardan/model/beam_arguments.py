@@ -7,19 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from ..elements.centerlines import Centerline, Straight
 from ..elements.flexible import BEAMS, INERTIAS
-from ..elements.joints.cylindrical import Cylindrical
-from ..elements.joints.joint import Joint as JointElement
-from ..elements.joints.planar import Planar
-from ..elements.joints.prismatic import Prismatic
-from ..elements.joints.revolute import Revolute
-from ..elements.joints.spherical import Spherical
-from ..elements.joints.universal import Universal
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..elements.written import axis, is_expression, number, vector
 from ..errors import ModelError, near
 from . import checks
-from .beam import Beam, End, node
+from .beam import RELEASED, Beam, End, node
 from .body import Body
 from .frame import Frame
 
@@ -31,19 +24,6 @@ ROLES = ("start", "end")
 ELEMENT, INERTIA = "hellinger_reissner", "linked"
 # what an end may be let go in: displacements along and rotations about e1, e2, e3
 RELEASES = ("x", "y", "z", "rx", "ry", "rz")
-# what is let go at an end -> the joint that lets it
-RELEASED: dict[frozenset[str], JointElement] = {
-    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
-    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
-    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
-    frozenset({"rx", "ry"}): Universal("x", "y"),
-    frozenset({"ry", "rz"}): Universal("y", "z"),
-    frozenset({"rx", "rz"}): Universal("x", "z"),
-    frozenset({"x", "y", "rz"}): Planar("z"),
-    frozenset({"y", "z", "rx"}): Planar("x"),
-    frozenset({"x", "z", "ry"}): Planar("y"),
-    frozenset({"rx", "ry", "rz"}): Spherical(),
-}
 # what a beam may have without stress: its names in the order of the house, rotations first
 STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
 

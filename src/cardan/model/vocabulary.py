@@ -6,8 +6,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
+from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, near
 from . import checks
+from .beam import Beam
 from .connections import Joint
 from .frame import Located, Place
 from .parameters import Constraint, Declared, Output, Placeholder
@@ -21,6 +23,7 @@ class Vocabulary(ABC):
 
     name: str
     joints: dict[str, Joint]
+    beams: dict[str, Beam]
     parameters: dict[str, Declared]
     inputs: dict[str, Declared]
     outputs: dict[str, Output]
@@ -121,7 +124,7 @@ class Vocabulary(ABC):
     def u(self, speed: str) -> Any:
         """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
         joint, _, component = speed.partition(".")
-        if speed in self.joints:
+        if speed in self.joint_kinds():
             joint, component = speed, ""
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 
@@ -135,12 +138,19 @@ class Vocabulary(ABC):
         self.atoms[name] = Placeholder("state", name, None, None, "")
         return _symbol(name)
 
+    def joint_kinds(self) -> dict[str, JointElement]:
+        """Kinds of the joints by name, those of released ends of beams included."""
+        released = (beam.releases() for beam in self.beams.values())
+        named = {name: kind for kinds in released for name, kind in kinds.items()}
+        return named | {name: joint.kind for name, joint in self.joints.items()}
+
     def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
-        fitting = [j for j in self.joints if given == j or given.startswith(j + ".")]
+        kinds = self.joint_kinds()
+        fitting = [j for j in kinds if given == j or given.startswith(j + ".")]
         name = max(fitting, key=len, default="")
         if not name:
-            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, self.joints))
-        kind = self.joints[name].kind
+            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, kinds))
+        kind = kinds[name]
         parts = [c.name for c in (kind.coordinates if quantity == "q" else kind.speeds)]
         component = given[len(name) + 1 :]
         if component not in parts:

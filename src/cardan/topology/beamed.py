@@ -16,7 +16,6 @@ from ..elements.joints.free import Free
 from ..elements.joints.joint import Joint as JointElement
 from ..errors import TopologyError
 from ..model.beam import Beam
-from ..model.beam_arguments import RELEASED
 from ..model.body import Body
 from ..model.connections import Joint
 from ..model.model import Model
@@ -157,10 +156,10 @@ class _Growth:
             own = own_nodes(beam)
             self.known.update(own)
             self.loose += own
-            for role, end in zip(("start", "end"), beam.ends, strict=True):
-                if end.place is not None and end.released:
-                    kind = RELEASED[frozenset(end.released)]
-                    self._released(f"{beam.name}.{role}", kind, end.place.body)
+            for name, kind in beam.releases().items():
+                end = beam.ends[name == f"{beam.name}.end"]
+                assert end.place is not None
+                self._released(name, kind, end.place.body)
             for body in own:
                 for k in self.at.get(body, ()):
                     if self._touched(k):

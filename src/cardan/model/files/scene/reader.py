@@ -265,9 +265,10 @@ class _Reader:
         del given["type"]
         with item.placed(named=True):
             element = FORCES[kind](**given)
+        known = self.model.joint_kinds() if element.joints() else {}
         for role, joint in element.joints().items():
-            if joint not in self.model.joints:
-                listed = near(joint, self.model.joints).replace(" Known:", " Joints:")
+            if joint not in known:
+                listed = near(joint, known).replace(" Known:", " Joints:")
                 raise item.items()[role].error(f"there is no joint '{joint[:80]}'.{listed}")
         with item.placed():
             self.model.force(name, element)
@@ -309,9 +310,10 @@ class _Reader:
 
     def _simulate(self, item: Item) -> None:
         given = self.values.record(keys.SIMULATE, item, "simulate")
+        model = self.model
+        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.beams else ())]
         for block in ("q", "u"):
             for name, entry in item.items()[block].items().items() if block in given else ():
-                joints = self.model.joints
                 if not any(name == j or name.startswith(f"{j}.") for j in joints):
                     listed = near(name, joints).replace(" Known:", " Joints:")
                     raise entry.at_key(f"'{name[:80]}' is no joint.{listed}")
