@@ -27,9 +27,12 @@ class DeadLoad(LoadElement):
     source: ClassVar[str] = (
         "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6"
     )
-    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = True
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*FORCE, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
         return ends.vector(*FORCE), pose.rotation.T @ ends.vector(*MOMENT)

@@ -25,14 +25,17 @@ class FlexibleElement(ABC):
     Attributes:
         kind: Name in scenes, and of its kind of element.
         source: Literature.
-        common: Names of the data that may depend on parameters.
         own: Names of the data that come from the geometry once and for all.
     """
 
     kind: ClassVar[str]
     source: ClassVar[str]
-    common: ClassVar[tuple[str, ...]]
     own: ClassVar[tuple[str, ...]] = ()
+
+    @property
+    @abstractmethod
+    def common(self) -> tuple[str, ...]:
+        """Names of the data that may depend on parameters."""
 
     @abstractmethod
     def functions(self, ends: Ends) -> dict[str, Function]:

@@ -28,9 +28,12 @@ class FollowerLoad(LoadElement):
         "J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under "
         "nonconservative loading, CMAME 26, 1981"
     )
-    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = False
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*FORCE, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
         return pose.rotation @ ends.vector(*FORCE), ends.vector(*MOMENT)

@@ -32,8 +32,11 @@ class LinkedInertia(InertiaElement):
     source: ClassVar[str] = (
         "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 11.4"
     )
-    common: ClassVar[tuple[str, ...]] = (*DENSITY, *SHEAR, *GRAVITY)
     own: ClassVar[tuple[str, ...]] = ("length",)
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*DENSITY, *SHEAR, *GRAVITY)
 
     def loads(self, ends: Ends) -> list[Matrix]:
         gravity = ends.vector(*GRAVITY)

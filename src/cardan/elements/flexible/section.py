@@ -22,6 +22,13 @@ FREE = tuple(f"strain_{k}" for k in range(1, 7))
 SECTION = (*STIFFNESS, *FREE)
 # length [m] and strain of the reference shape [rad/m, -]
 SHAPE = ("length", "K1", "K2", "K3", "E1", "E2", "E3")
+# forces per length: of loads in ground and in section axes [N/m], and what makes the weight
+FORCES = (
+    *(f"dead_force_{k}" for k in (1, 2, 3)),
+    *(f"follower_force_{k}" for k in (1, 2, 3)),
+    "rhoA",
+    *(f"gravity_{k}" for k in (1, 2, 3)),
+)
 
 
 @dataclass(frozen=True)
@@ -50,6 +57,12 @@ def flat(ends: Ends, column: Matrix) -> Matrix:
     """Strain or stress (6, 1) without the entries that leave the plane, where there is one."""
     nodes = [ZERO if ends.planar and k in OUTSIDE else x for k, x in enumerate(column.nodes)]
     return Matrix(column.graph, 6, 1, nodes)
+
+
+def weight(ends: Ends) -> tuple[Matrix, Matrix]:
+    """Force per length in ground axes and in axes of the section (3, 1), from ``FORCES``."""
+    fixed = ends.vector(*FORCES[:3]) + ends.vector(*FORCES[7:]) * ends.number("rhoA")
+    return fixed, ends.vector(*FORCES[3:6])
 
 
 def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:
