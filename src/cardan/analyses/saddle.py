@@ -8,8 +8,9 @@ Source: M. Benzi, G. H. Golub, J. Liesen, Acta Numerica 14 (2005), sections 5 an
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias, final
+from typing import Any, ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,8 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+Factored: TypeAlias = Callable[[Array], Array]
+Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
@@ -130,15 +133,36 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     return np.asarray(found)
 
 
-@final
-class Sparse:
-    """SuperLU on sparse matrices."""
+def factored(K: Matrix, G: Matrix) -> Factored:
+    """Solver of [K Gᵀ; G 0] for one right-hand side, by SuperLU.
 
-    COUNT = 6
+    Raises:
+        Singular: it has no unique solution.
+    """
+    m = G.shape[0]
+    whole = block_array([[K, G.T], [G, None]]) if m else K
+    try:
+        solve: Factored = splu(csc_array(whole)).solve
+    except RuntimeError:
+        raise Singular from None
+    return solve
+
+
+@final
+@dataclass(frozen=True)
+class Sparse:
+    """Sparse matrices.
+
+    Attributes:
+        factored: ``factored(K, G)`` gives a solver of [K Gᵀ; G 0] for one right-hand side.
+    """
+
+    COUNT: ClassVar = 6
+    factored: Factor = factored
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
         """As :meth:`Saddle.solve`."""
-        found = factored(K, G)(np.concatenate([a, b]))
+        found = self.factored(K, G)(np.concatenate([a, b]))
         if not np.isfinite(found).all():
             raise Singular
         return found[: len(a)], -found[len(a) :]
@@ -149,7 +173,8 @@ class Sparse:
             return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
-        values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
+        unit, shift = diags_array(np.ones(n)), -1e-9 * largest
+        values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
         order = np.argsort(values)
         skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
         return Lowest(values[order], vectors[:, order], largest, skew)
@@ -160,21 +185,9 @@ def is_small(G: Any) -> bool:
     return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
-def factored(K: Matrix, G: Matrix) -> Any:
-    """Solver of [K Gᵀ; G 0] for one right-hand side.
-
-    Raises:
-        Singular: it has no unique solution.
-    """
-    m = G.shape[0]
-    whole = block_array([[K, G.T], [G, None]]) if m else K
-    try:
-        return splu(csc_array(whole)).solve
-    except RuntimeError:
-        raise Singular from None
-
-
-def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array]:
+def near(
+    K: Any, M: Any, G: Any, shift: float, count: int, by: Factor = factored
+) -> tuple[Array, Array]:
     """Eigenvalues next to a shift, and eigenvectors, of K x = value M x on what G allows.
 
     Args:
@@ -182,9 +195,10 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
         G: What holds (m, n).
         shift: Not an eigenvalue itself.
         count: How many.
+        by: How matrices are factored.
     """
     n, m = K.shape[0], G.shape[0]
-    inverse = factored(csr_array(K - shift * M), G)
+    inverse = by(csr_array(K - shift * M), G)
 
     def apply(x: Array) -> Array:
         found: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
@@ -198,7 +212,7 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
 
 
 def near_quadratic(
-    K: Any, C: Any, M: Any, G: Any, shift: float, count: int
+    K: Any, C: Any, M: Any, G: Any, shift: float, count: int, by: Factor = factored
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues next to a shift, and eigenvectors, of (v^2 M + v C + K) x = 0 on what G allows.
 
@@ -207,9 +221,10 @@ def near_quadratic(
         G: What holds (m, n).
         shift: Real, and not an eigenvalue itself.
         count: How many.
+        by: How matrices are factored.
     """
     n, m = K.shape[0], G.shape[0]
-    solve = factored(csr_array(K + shift * C + shift**2 * M), G)
+    solve = by(csr_array(K + shift * C + shift**2 * M), G)
     more = csr_array(C + shift * M)
 
     def apply(v: Array) -> Array:
