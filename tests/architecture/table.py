@@ -83,6 +83,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
 FAMILIES: dict[str, frozenset[str]] = {
     "elements.flexible": frozenset(
         {
+            "carried_load",
             "element",
             "ends",
             "places",
@@ -90,6 +91,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "relative",
             "section",
             "strain",
+            "stress_field",
             "inertia",
             "loading",
         }
