@@ -19,6 +19,8 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
+FULL = 1500  # unknowns up to which what is singular is looked at as a full matrix
+WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
@@ -142,11 +144,21 @@ class Sparse:
     COUNT = 6
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`."""
-        found = factored(K, G)(np.concatenate([a, b]))
-        if not np.isfinite(found).all():
+        """As :meth:`Saddle.solve`; redundant constraints share their forces."""
+        right = np.concatenate([a, b])
+        whole = joined(K, G)
+        for weak in (0.0, WEAK):
+            if weak and len(right) <= FULL:
+                break
+            try:
+                found = _refined(whole, factored(K, G, weak), right)
+            except Singular:
+                continue
+            if found is not None:
+                return found[: len(a)], -found[len(a) :]
+        if len(right) > FULL:
             raise Singular
-        return found[: len(a)], -found[len(a) :]
+        return Dense().solve(K.toarray(), G.toarray(), a, b)
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""
@@ -165,18 +177,40 @@ def is_small(G: Any) -> bool:
     return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
-def factored(K: Matrix, G: Matrix) -> Any:
-    """Solver of [K Gᵀ; G 0] for one right-hand side.
+def joined(K: Matrix, G: Matrix) -> Matrix:
+    """[K Gᵀ; G 0], in columns."""
+    return csc_array(block_array([[K, G.T], [G, None]]) if G.shape[0] else K)
+
+
+def factored(K: Matrix, G: Matrix, weak: float = 0.0) -> Any:
+    """Solver of [K Gᵀ; G -weak] for one right-hand side.
 
     Raises:
         Singular: it has no unique solution.
     """
-    m = G.shape[0]
-    whole = block_array([[K, G.T], [G, None]]) if m else K
+    whole, n = joined(K, G), K.shape[0]
+    if weak:
+        amount = weak / max(float(abs(K).max()), 1e-300)
+        diagonal = np.concatenate([np.zeros(n), np.full(G.shape[0], amount)])
+        whole = csc_array(whole - diags_array(diagonal))
     try:
-        return splu(csc_array(whole)).solve
+        return splu(whole).solve
     except RuntimeError:
         raise Singular from None
+
+
+def _refined(whole: Matrix, solve: Any, right: Array) -> Array | None:
+    """The solution of a system by factors of one next to it; None where it is not solved."""
+    found: Array = solve(right)
+    for _ in range(REFINED):
+        left = right - whole @ found
+        found = found + solve(left)
+    if not np.isfinite(found).all():
+        return None
+    left, largest = right - whole @ found, float(abs(whole).max())
+    # what is left may be rounding of the solution, and of the right-hand side
+    most = 1e-9 * np.abs(right).max(initial=0.0) + 1e-13 * largest * np.abs(found).max(initial=0.0)
+    return found if np.abs(left).max(initial=0.0) <= most else None
 
 
 def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array]:
