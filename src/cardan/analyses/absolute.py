@@ -23,7 +23,7 @@ from .saddle import Dense, Saddle, Sparse
 from .settings import start
 
 Array = NDArray[np.float64]
-REACH = 10.0  # radians or sizes: slender structures turn far in one step
+REACH = 3.0  # radians or sizes: slender structures turn far in one step
 STEP = 1e-5  # of central differences; their error is 1e-10 of third derivatives
 OPEN = 1e-6  # gaps without units of states that are linearized
 

@@ -21,6 +21,7 @@ WAYS = ("full", "damped", "ramp", "creep")
 DIRECT = WAYS[:2]
 TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
+SHOWN = 24
 STEADY = 1e-8  # accelerations below this are none
 
 
@@ -108,8 +109,8 @@ class Equilibrium:
         lines = [f"'{self.model.name}': {self.message}"]
         stop = self.model.nq
         values = list(self.named.items())[:stop]
-        lines += [f"  {name} = {value:.10g}" for name, value in values[:40]]
-        lines += [f"  ... {stop - 40} more"] if stop > 40 else []
+        lines += [f"  {name} = {value:.10g}" for name, value in values[:SHOWN]]
+        lines += [f"  ... {stop - SHOWN} more"] if stop > SHOWN else []
         lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding.items()]
         return "\n".join(lines)
 

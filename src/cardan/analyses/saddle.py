@@ -19,7 +19,7 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
-FULL = 1500  # unknowns up to which what is singular is looked at as a full matrix
+FULL = 300  # unknowns up to which full matrices are quick, and show what is singular
 WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
@@ -139,26 +139,24 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
 
 @final
 class Sparse:
-    """SuperLU on sparse matrices."""
+    """SuperLU on sparse matrices; small ones as full ones."""
 
     COUNT = 6
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
         """As :meth:`Saddle.solve`; redundant constraints share their forces."""
         right = np.concatenate([a, b])
+        if len(right) <= FULL:
+            return Dense().solve(K.toarray(), G.toarray(), a, b)
         whole = joined(K, G)
         for weak in (0.0, WEAK):
-            if weak and len(right) <= FULL:
-                break
             try:
                 found = _refined(whole, factored(K, G, weak), right)
             except Singular:
                 continue
             if found is not None:
                 return found[: len(a)], -found[len(a) :]
-        if len(right) > FULL:
-            raise Singular
-        return Dense().solve(K.toarray(), G.toarray(), a, b)
+        raise Singular
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""
