@@ -8,8 +8,12 @@ from numpy.typing import NDArray
 from scipy.linalg import eigh, null_space
 from scipy.sparse import block_array, csr_array, diags_array
 
+from cardan.analyses import blockwise
 from cardan.analyses.blockwise import Blockwise
 from cardan.analyses.saddle import Dense, Singular, Sparse, near, near_quadratic
+from cardan.runtime.absolute.plan import Plan
+from cardan.runtime.absolute.solver import Solver, solver
+from equations.absolute.test_circuits import circuit
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line
 
 Array = NDArray[np.float64]
@@ -133,3 +137,32 @@ def test_lowest_directions_are_those_of_dense_systems() -> None:
     wanted = Dense().lowest(K, G)
     assert found.values[:4] == pytest.approx(wanted.values[:4], rel=1e-7)
     assert found.negative == wanted.negative == 0
+
+
+REDUNDANT = {"four_bar": 3, "bricard": 1, "stewart": 0, "geared": 3}
+
+
+@pytest.mark.parametrize("name", REDUNDANT)
+def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Accelerations of closed mechanisms of bodies as nodes; as many pivots are lost as must be."""
+    used: list[Solver] = []
+
+    def seen(made: Plan) -> Solver:
+        used.append(solver(made))
+        return used[-1]
+
+    monkeypatch.setattr(blockwise, "solver", seen)
+    reference = circuit(name).reference
+    M, bias, G, gamma = reference.assembled()
+    elements, count = np.zeros(len(G), int), 0
+    for group in reference.scene.groups:
+        for rows in reference.rows(group):
+            elements[rows] = count
+            count += 1
+    starts = np.asarray(reference.scene.places.u)
+    by = Blockwise(starts, np.diff(starts) != 6, elements)
+    found = by(csr_array(M), csr_array(G))(np.concatenate([-bias, gamma]))
+    udot, lam, condition = reference.solved()
+    assert np.abs(found[: len(M)] - udot).max() <= 1e2 * condition * np.abs(udot).max()
+    assert np.abs(found[len(M) :]).max() <= 2 * np.abs(lam).max()
+    assert len(used[0].weak) == REDUNDANT[name]

@@ -230,12 +230,12 @@ def contract_of(model: Any) -> Contract:
     """
     from ..runtime.compiled import CompiledModel
 
-    if isinstance(model, CompiledModel):
-        from .relative import Relative
-
-        return Relative(model)
-    offered = getattr(model, "contract", None)
-    if offered is None:
+    if not isinstance(model, CompiledModel):
         raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
-    found: Contract = offered()
-    return found
+    if "mesh" in model.manifest:
+        from .absolute import Absolute
+
+        return Absolute(model)
+    from .relative import Relative
+
+    return Relative(model)

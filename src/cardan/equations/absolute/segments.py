@@ -195,8 +195,7 @@ class _Builder:
             ends: Where it begins and ends.
             poses: Of both nodes of every element in the reference configuration (n, 14).
         """
-        values = self._values(segment)
-        for element in self._elements(segment):
+        for element, values in self._elements(segment):
             own = element.rows(segment.line.stations, poses)
             for part, kinds, data in _parts(segment.line.elements, ends):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
@@ -220,15 +219,18 @@ class _Builder:
             self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
         return self._kinds[name]
 
-    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
-        """The elements that a segment is made of."""
-        yield BEAMS[segment.element]
-        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
-        if data["rhoA"] != (ZERO,):
-            yield INERTIAS[segment.inertia]
+    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
+        """The elements that a segment is made of, with the expressions of their common data."""
+        values, strained = self._values(segment), BEAMS[segment.element]
+        yield strained, values
+        # what it carries for all acts once
+        values = values | dict.fromkeys(strained.carries, ZERO)
+        if values["rhoA"] != ZERO:
+            yield INERTIAS[segment.inertia], values
         for kind, names in ASIDE.items():
-            if any(node != ZERO for name in names for node in data[name]):
-                yield FLEXIBLE[kind]()
+            entries = (x for name, x in values.items() if name.rstrip("_123") in names)
+            if any(node != ZERO for node in entries):
+                yield FLEXIBLE[kind](), values
 
     def _values(self, segment: Segment) -> dict[str, int]:
         """Common data by name; entries of vectors are numbered."""
