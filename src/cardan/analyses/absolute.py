@@ -70,6 +70,8 @@ class Absolute(Modeled):
 
     def _asked(self, at: Moment) -> tuple[Mesh, State]:
         state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z, at.s)
+        if len(at.inner):
+            state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
 
     # where to begin
@@ -124,12 +126,12 @@ class Absolute(Modeled):
     def balance(self, at: Moment) -> Array:
         """As :meth:`Contract.balance`."""
         mesh, state = self._asked(at)
-        return np.concatenate(mesh.balance(state))
+        return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
 
     def tangents(self, at: Moment) -> Tangents:
         """As :meth:`Contract.tangents`."""
         mesh, state = self._asked(at)
-        found = mesh.tangent(state)
+        found = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
         return Tangents(*(csr_array(found[name]) for name in "KCMRG"))
 
     def internal_rates(self, at: Moment) -> Array:
@@ -240,6 +242,19 @@ class Absolute(Modeled):
         values = np.concatenate([z, -y, -z, x, y, -x])
         nu = self.model.nu
         return csr_array((values, (i, j)), (nu, nu)).toarray()
+
+    def opened(self, at: Moment) -> Moment:
+        """As :meth:`Contract.opened`: the stress of beams is an unknown of its own."""
+        mesh, state = self._asked(at)
+        return replace(at, inner=mesh.settled(state))
+
+    def advanced(self, at: Moment, du: Array) -> Moment:
+        """As :meth:`Contract.advanced`."""
+        inner = at.inner
+        if len(inner):
+            mesh, state = self._asked(at)
+            inner = mesh.stepped(replace(state, du=du))
+        return replace(at, q=self.integrate(at.q, du) if np.any(du) else at.q, inner=inner)
 
     def integrate(self, q: Array, du: Array) -> Array:
         """As :meth:`Contract.integrate`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,8 @@ from .tables import Kind, Table, Tables
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
 WORTH = 8
+# unknowns of its own that an element of mixed form has: its stress
+INNER = 6
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -50,6 +52,7 @@ class State:
         lam: Multipliers (m,).
         t, r: Time [s] and inputs (nr,).
         z, s: Internal states and modes of elements.
+        du, inner: Of a search: increments (nu,), and unknowns that elements keep themselves.
     """
 
     q: Array
@@ -60,6 +63,8 @@ class State:
     r: Array | None = None
     z: Array | None = None
     s: Array | None = None
+    du: Array | None = None
+    inner: Array | None = None
 
 
 class Mesh:
@@ -89,6 +94,7 @@ class Mesh:
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
         self._width = lane_builds.width()
+        self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
         for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
             self._group(record, group, number)
@@ -140,6 +146,9 @@ class Mesh:
         record.count, record.places = len(group), group.place.shape[1]
         for name in ("nq", "nu", "nz", "ns", "mp", "m"):
             setattr(record, name, getattr(kind, name))
+        if "mixed" in kind.functions:
+            record.inner, record.inner_start = INNER, self.inner
+            self.inner += INNER * len(group)
         record.place = self._pointer(group.place.astype(np.intp))
         record.rows = self._pointer(tables.rows[number])
         record.z, record.s = self._pointer(group.z), self._pointer(group.s)
@@ -261,7 +270,7 @@ class Mesh:
 
     def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
         given = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
-        given |= {"z": at.z, "s": at.s, "r": at.r}
+        given |= {"z": at.z, "s": at.s, "r": at.r, "du": at.du, "inner": at.inner}
         held = {name: np.ascontiguousarray(x, float) for name, x in given.items() if x is not None}
         pointers = {name: x.ctypes.data for name, x in held.items()}
         return StateRecord(t=at.t, **pointers), list(held.values())
@@ -326,6 +335,44 @@ class Mesh:
         parts = np.split(out, np.cumsum(counts)[:-1]) if counts else []
         return [part.reshape(-1, size) for part, size in zip(parts, sizes, strict=True)]
 
+    def settled(self, at: State) -> Array:
+        """Unknowns that elements keep themselves in a search, as they are at a position."""
+        asked = replace(at, inner=np.zeros(self.inner), du=np.zeros(self.tables.nu))
+        return self.stepped(asked)
+
+    def stepped(self, at: State) -> Array:
+        """The same after the increment ``at.du``."""
+        found = self.results("mixed_step", at)
+        return np.concatenate([rows.ravel() for rows in found]) if found else np.zeros(0)
+
+    def mixed_balance(self, at: State) -> tuple[Array, Array, Array]:
+        """As :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
+        force, gaps, rates = self.balance(at)
+        for group, (plain, own) in self._mixed("balance", at):
+            nu = group.kind.nu
+            np.add.at(force, self.tables.columns(group), own[:, :nu] - plain[:, :nu])
+        return force, gaps, rates
+
+    def mixed_tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+        """As :meth:`tangent`, likewise."""
+        found, changed = self.tangent(at), []
+        for group, (plain, own) in self._mixed("balance_tangent", at):
+            nu, start = group.kind.nu, group.kind.parts["K"]
+            columns = self.tables.columns(group)
+            change = own[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu]
+            changed.append(_entries(columns, columns, change))
+        K = found["K"] + _assembled(changed, (self.tables.nu, self.tables.nu))
+        return found | {"K": scipy.sparse.csr_matrix(K)}
+
+    def _mixed(self, form: str, at: State) -> list[tuple[Table, tuple[Array, Array]]]:
+        """Groups of mixed elements with their results of a form, and of the mixed one."""
+        groups = self.tables.groups
+        plain = [g for g in groups if form in g.kind.functions]
+        own = [g for g in groups if "mixed" in g.kind.functions]
+        by_group = {id(g): rows for g, rows in zip(plain, self.results(form, at), strict=True)}
+        found = zip(own, self.results("mixed", at), strict=True)
+        return [(group, (by_group[id(group)], rows)) for group, rows in found]
+
     def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
         """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
         tables = self.tables
@@ -366,7 +413,7 @@ class Mesh:
 
 def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
     """Numbers that an element reads, and gives at most."""
-    reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+    reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
     sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
     return reads + max(sizes, default=0)
 
