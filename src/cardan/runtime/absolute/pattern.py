@@ -17,7 +17,7 @@ Longs = NDArray[np.int64]
 LARGEST = 2**31 - 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pattern:
     """A square matrix whose rows and columns come in the same nb blocks, stored by rows (CSR).
 
