@@ -80,6 +80,14 @@ class Pattern:
             starts, np.int32
         )
 
+    @cached_property
+    def turned(self) -> tuple[Longs, Longs, Longs]:
+        """The row of each value, the values column by column (values,), column starts (n + 1,)."""
+        columns, starts = self.csr
+        rows = np.repeat(np.arange(self.n), np.diff(starts))
+        order = np.argsort(columns, kind="stable")
+        return rows, order, np.searchsorted(columns[order], np.arange(self.n + 1))
+
     def block_of(self, unknown: int) -> int:
         """The block that an unknown belongs to."""
         return int(np.searchsorted(self.first, unknown, side="right")) - 1
