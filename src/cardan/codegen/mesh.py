@@ -231,7 +231,7 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
                 "limits": {},
                 "quaternion": int(places.q[k]) + quaternion if quaternion is not None else None,
                 "rotation": "quaternion" if quaternion is not None else None,
-                "domain": None,
+                "domain": joint.element.domain if joint is not None else "",
                 "coupled": None,
                 "solved": None,
                 "prescribed": False,
