@@ -211,7 +211,6 @@ class Mesh(Elements):
         self._keep.append(told)
         record.plan = ctypes.addressof(told)
         record.unknown, record.diagonal = self._pointer(unknown), self._pointer(self._diagonal())
-        record.widest = max((g.kind.nu for g in tables.groups), default=0)
 
     def _diagonal(self) -> NDArray[np.intp]:
         """Where the diagonal entry of every speed stands in the values of a matrix."""

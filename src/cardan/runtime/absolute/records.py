@@ -61,7 +61,7 @@ class MeshRecord(ctypes.Structure):
         (POINTER, "q u node"),
         (COUNT, "group_count mover_count"),
         (POINTER, "groups movers plan unknown diagonal"),
-        (COUNT, "widest lanes work local"),
+        (COUNT, "lanes work local"),
     )
 
 
