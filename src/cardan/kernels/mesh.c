@@ -62,7 +62,11 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t el
     local = put(at->lam ? at->lam + rows[0] : NULL, g->mp, local, stride);
     local = put(at->lam ? at->lam + rows[1] : NULL, g->m - g->mp, local, stride);
     local = pick(at->z, g->z ? g->z + element * g->nz : NULL, g->nz, local, stride);
-    return pick(at->s, g->s ? g->s + element * g->ns : NULL, g->ns, local, stride);
+    local = pick(at->s, g->s ? g->s + element * g->ns : NULL, g->ns, local, stride);
+    if (!at->inner)
+        return local;
+    local = put_places(mesh->u, place, g->places, at->du, local, stride);
+    return put(at->inner + g->inner_start + element * g->inner, g->inner, local, stride);
 }
 
 /* The blocks of `local` as functions read them. */
@@ -79,6 +83,10 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.lam = in.udot + g->nu * stride;
     in.z = in.lam + g->m * stride;
     in.s = in.z + g->nz * stride;
+    in.du = in.s + g->ns * stride;
+    /* kinds with unknowns of their own have no internal states */
+    if (g->inner > 0)
+        in.z = in.du + g->nu * stride;
     return in;
 }
 
