@@ -87,7 +87,7 @@ size_t cardan_abreast_size(void);
 /* Where it is asked for, the culprit is the entry whose `error` (an expression in i) is largest, or
  * the last one that is no number. */
 #define ABREAST_CULPRIT(a, error)                                                                  \
-    real worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0), *const found = (real *)(a)->culprit; \
+    real worst = CARDAN_REAL(-1.0), culprit = worst, *const found = (real *)(a)->culprit;          \
     for (ptrdiff_t i = 0; i < n; i++) {                                                            \
         const real each = cardan_abs(error);                                                       \
         const cardan_mask worse                                                                    \

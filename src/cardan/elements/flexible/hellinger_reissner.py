@@ -5,16 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...ir.derivative import directional
 from ...ir.function import Function
-from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from .carried_load import CarriedLoad
 from .element import balance, energy, matrix
 from .ends import Ends
-from .relative import Relative, forces, mirrored
-from .section import FORCES, SECTION, SHAPE, weight
-from .strain import StrainElement, carried_strain, increment, respond, stresses, unknown
+from .relative import Relative
+from .section import CARRIED, FORCES, SECTION, SHAPE, weight
+from .strain import StrainElement, carried_strain, increment, stresses, unknown
 from .stress_field import Varying
 
 
@@ -51,6 +50,10 @@ class HellingerReissner(StrainElement):
         return (*SECTION, *FORCES) if self.loaded else SECTION
 
     @property
+    def carries(self) -> tuple[str, ...]:
+        return CARRIED if self.loaded else ()
+
+    @property
     def variant(self) -> str:
         return "loaded" if self.loaded else ""
 
@@ -69,62 +72,29 @@ class HellingerReissner(StrainElement):
         return self._loaded(ends) if self.loaded else super().functions(ends)
 
     def _loaded(self, ends: Ends) -> dict[str, Function]:
-        """The same with a field that depends on where the load comes from."""
+        """The same with loads that the stress is in equilibrium with."""
         at = Relative.of(ends.pose(0), ends.pose(1))
-        field = self.field(ends, at, carried_strain(at, *self.measures(at)))
-        z, read = unknown(ends), ends.blocks("q", "p")
-        exact = field.solved(field.strain)
-        law = field.law(exact)
-        held, tangent, _ = self._eliminated(ends, at, field, exact)
-        found, stiffness, change = self._eliminated(ends, at, field, z)
-        gap = field.strain - field.relaxed(z)
-        du = Matrix.vstack(*(place.entries("du") for place in ends.places))
-        new = z + field.solved(gap + change @ du)
-        mixed = (balance(ends, found + change.T @ field.solved(gap)), matrix(ends, "K", stiffness))
-        return {
-            "balance": self.function(ends, "balance", read, balance(ends, held)),
-            "balance_tangent": self.function(
-                ends, "balance_tangent", read, matrix(ends, "K", tangent)
-            ),
-            "energy": self.function(
-                ends, "energy", read, energy(None, law.energy - _work(ends, at, field))
-            ),
-            "stress": self.function(ends, "stress", read, stresses(law)),
-            "mixed": self.function(ends, "mixed", ends.blocks("q", "z", "p"), *mixed),
-            "mixed_step": self.function(
-                ends, "mixed_step", ends.blocks("q", "z", "p", "du"), increment(new)
-            ),
+        measures = self.measures(at)
+        field = self.field(ends, at, carried_strain(at, *measures))
+        load = CarriedLoad.of(ends, at, measures, field)
+        stress, z = field.solved(field.strain), unknown(ends)
+        law, gap = field.law(stress), field.strain - field.relaxed(z)
+        held, loads = load.held(stress), load.held(z, field.solved(gap))
+        stiffness = ends.derivative(load.tangent(stress), held)
+        mixed = ends.derivative(load.tangent(z), load.held(z))
+        new = z + field.solved(gap + load.change(ends.increments(), z))
+        known, unsettled = ends.blocks("q", "p"), ends.blocks("q", "z", "p", "du")
+        plain = {
+            "balance": balance(ends, ends.told(held)),
+            "balance_tangent": matrix(ends, "K", stiffness),
+            "energy": energy(None, law.energy - load.work),
+            "stress": stresses(law),
         }
-
-    def _eliminated(
-        self, ends: Ends, at: Relative, field: Varying, stress: Matrix
-    ) -> tuple[Matrix, Matrix, Matrix]:
-        """Loads on the nodes at a stress, their derivative without it, and that of the strain."""
-        g, law = ends.graph, field.law(stress)
-        response = respond(at, *self.measures(at), law)
-        loads = forces(at, response.moment, response.force)
-        # the share of both ends in the force that the field is in equilibrium with
-        fixed, _ = weight(ends)
-        for k, pose in ((0, at.start), (2, at.end)):
-            loads[k] = loads[k] + field.by_load(stress).cross(pose.rotation.T @ fixed) * 0.5
-        along, work = ends.directions("q"), _work(ends, at, field)
-        done = [column[0] for column in directional(g, work.nodes, along)]
-        told = ends.told(loads) - Matrix(g, len(done), 1, done)
-        kept = dict.fromkeys(stress.nodes, ZERO)
-        roots = (*told.nodes, *(field.strain - field.relaxed(stress)).nodes)
-        columns = directional(g, roots, [seeds | kept for seeds in along])
-        n = told.rows
-        both = Matrix(g, n, n + 6, [x for column in columns for x in column]).T
-        change = both.block(slice(n, None))
-        solved = [field.solved(change.column(j)) for j in range(n)]
-        condensed = mirrored(change.T @ Matrix.hstack(*solved))
-        return told, both.block(slice(n)) + condensed, change
-
-
-def _work(ends: Ends, at: Relative, field: Varying) -> Matrix:
-    """What dead loads and weight have done (1, 1): force times the mean place on the helix."""
-    fixed, _ = weight(ends)
-    length = field.section.length
-    middle = (at.start.position + at.end.position) * 0.5
-    sagging = (at.end.rotation @ field.e - at.start.rotation @ field.e) * (1 / 12)
-    return fixed.T @ (middle - sagging) * length
+        parted = {
+            "mixed": (balance(ends, ends.told(loads)), matrix(ends, "K", mixed)),
+            "mixed_step": (increment(new),),
+        }
+        found = {name: self.function(ends, name, known, output) for name, output in plain.items()}
+        for name, outputs in parted.items():
+            found[name] = self.function(ends, name, unsettled, *outputs)
+        return found

@@ -89,10 +89,6 @@ class Field(ABC):
     def law(self, stress: Matrix) -> Law:
         """What the element does with that stress."""
 
-    def by_load(self, stress: Matrix) -> Matrix:
-        """Derivative of the energy by a force per length, in axes of the section (3, 1)."""
-        return Matrix.zeros(stress.graph, 3)
-
 
 class StrainElement(FlexibleElement):
     """An element with a helicoidal or mean strain.

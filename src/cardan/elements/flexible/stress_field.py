@@ -100,8 +100,29 @@ class Varying(Field):
         )
 
     def by_load(self, stress: Matrix) -> Matrix:
+        """Derivative of the energy by the force per length, in axes of the section (3, 1)."""
         tau = self.twelfth @ self._varied(stress)
         return tau.block(slice(3, 6)) * (-1.0 * self.section.length)
+
+    @property
+    def by_force(self) -> Matrix:
+        """Derivative of the strain, less F s, by the force per length (6, 3)."""
+        g = self.strain.graph
+        theta, yielding = self.change.block(slice(3), slice(3)), self._yielding
+        return Matrix.vstack(Matrix.zeros(g, 3, 3), theta @ yielding)
+
+    @property
+    def _yielding(self) -> Matrix:
+        """A twelfth of the compliance by force, times L (3, 3)."""
+        return self.twelfth.block(slice(3, 6), slice(3, 6)) * self.section.length
+
+    def load_slopes(self, stress: Matrix) -> tuple[Matrix, Matrix]:
+        """Second derivatives of the energy by strain and force (6, 3), by force (3, 3)."""
+        n, change = stress.block(slice(3, 6)), self.by_force
+        solved = Matrix.hstack(*(self.solved(change.column(j)) for j in range(3)))
+        direct = Matrix.vstack(-(n.skew @ self._yielding), Matrix.zeros(stress.graph, 3, 3))
+        both = change.T @ solved - self._yielding * self.section.length
+        return direct + self.slope(stress).T @ solved, mirrored(both)
 
     def _stored(self, varied: Matrix) -> Matrix:
         """What stores energy together with t: A s - l."""
