@@ -89,6 +89,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
 FAMILIES: dict[str, frozenset[str]] = {
     "elements.flexible": frozenset(
         {
+            "carried_load",
             "element",
             "ends",
             "places",
@@ -96,6 +97,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "relative",
             "section",
             "strain",
+            "stress_field",
             "inertia",
             "loading",
         }

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, initial_state
+from ..runtime.initial import entries, start_of
 from .assembly import Assembly
 from .branches import Branch, branches, refuse
 from .consistent import accelerations, speeds
@@ -88,7 +88,7 @@ def _begin(model: CompiledModel, start: Any) -> Array:
     named = start if isinstance(start, Mapping) else {}
     if start is not None and not isinstance(start, Mapping):
         named = dict(zip(model.coordinates, np.asarray(start, dtype=float).tolist(), strict=True))
-    return initial_state(model.manifest, named, {})[0][: model.nq]
+    return start_of(model, named, {})[0][: model.nq]
 
 
 def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
@@ -152,7 +152,7 @@ def finish(
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
     m.slack = m.slack or slack(m, q)
-    rest = initial_state(model.manifest, {}, {})[0][model.nq : model.nx - model.nz]
+    rest = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, rest), None
     if "forward_dynamics" in model.manifest["available"]:
         rates = accelerations(m, q, velocities, udot)

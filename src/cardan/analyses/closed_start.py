@@ -16,6 +16,7 @@ from .assemble import STARTS, choose, outside
 from .consistent import speeds
 from .mechanism import Mechanism
 from .meeting import Found
+from .meshed_start import meshed_start
 from .redundancy import rank_of
 from .rounded import rounded, slack
 from .searches import search, search_from
@@ -46,6 +47,8 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     if not always or "constraints" not in manifest["available"]:
         # the run itself projects what it is given; what modes hold is not held before it begins
         return begin
+    if "mesh" in manifest:
+        return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
     m = Mechanism(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
     place = _positions(m, place, _named("q", model, q))

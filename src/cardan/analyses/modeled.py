@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, initial_state, missing
+from ..runtime.initial import entries, missing, start_of
 from .contract import Parameters
 
 Array = NDArray[np.float64]
@@ -62,7 +62,7 @@ class Modeled:
                 values = np.ravel(np.asarray(named[joint], dtype=np.float64))
                 named = {n: v for n, v in named.items() if n != joint}
                 named |= {n: values[k] for n, k in own.items() if n not in hold}
-        return model, initial_state(model.manifest, {**named, **hold}, {})[0]
+        return model, start_of(model, {**named, **hold}, {})[0]
 
     @cached_property
     def modes(self) -> Array:

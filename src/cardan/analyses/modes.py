@@ -26,7 +26,16 @@ from .equilibrium import Equilibrium
 from .first_order import first_order
 from .linearize import moment
 from .mode_shapes import Modes
-from .saddle import Singular, is_small, near, near_quadratic, split
+from .saddle import (
+    Factor,
+    Singular,
+    Sparse,
+    factored,
+    is_small,
+    near,
+    near_quadratic,
+    split,
+)
 from .static_problem import scaled
 
 Array = NDArray[np.float64]
@@ -103,16 +112,17 @@ def _found(
         K, C, M, G = (x.toarray() for x in (K, C, M, G))
     if held and not issparse(G):
         G = np.concatenate([G, np.eye(len(system.columns))[held]])
+    by = system.saddle.factored if isinstance(system.saddle, Sparse) else factored
     values: Complex
     shapes: Any
     quiet = still and (not damped or not _size(C)) and not system.internals
     try:
         if quiet and _size(K - K.T) <= ALIKE * _size(K):
-            values, shapes = _real(K, M, G, count)
+            values, shapes = _real(K, M, G, count, by)
         elif issparse(K):
             E = csr_array(system.kinematics(at) * system.columns / system.columns[:, None])
             turned = (K - C @ E, C - M @ E)
-            values, shapes = near_quadratic(*turned, M, G, SHIFT, 2 * (count or FEW))
+            values, shapes = near_quadratic(*turned, M, G, SHIFT, 2 * (count or FEW), by)
         else:
             values, shapes = _first(system, at, held, tau)
     except (np.linalg.LinAlgError, Singular, ArpackError) as problem:
@@ -127,12 +137,14 @@ def _found(
     return values[chosen], _phased(shapes) * system.columns[:, None]
 
 
-def _real(K: Any, M: Any, G: Any, count: int | None) -> tuple[Complex, Array]:
+def _real(
+    K: Any, M: Any, G: Any, count: int | None, by: Factor = factored
+) -> tuple[Complex, Array]:
     """Undamped modes."""
     if issparse(K):
         shift = -1e-6 * float(np.abs(K.diagonal()).max()) / float(np.abs(M.diagonal()).max())
         half = csr_array(0.5 * (K + K.T))
-        squares, shapes = near(half, csr_array(M), G, shift, count or FEW)
+        squares, shapes = near(half, csr_array(M), G, shift, count or FEW, by)
     else:
         Z = split(G)[2]
         inner = 0.5 * (K + K.T)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import SolveWarning
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import initial_state
+from ..runtime.initial import start_of
 from .mechanism import Mechanism
 
 Array = NDArray[np.float64]
@@ -131,7 +131,7 @@ def position(model: CompiledModel, q: Any) -> Array:
     if q is not None and not isinstance(q, Mapping):
         found: Array = model._vector("q", q)
         return found
-    return initial_state(model.manifest, q or {}, {})[0][: model.nq]
+    return start_of(model, q or {}, {})[0][: model.nq]
 
 
 def rank_of(singular_values: NDArray[Any]) -> int:

@@ -8,8 +8,9 @@ Source: M. Benzi, G. H. Golub, J. Liesen, Acta Numerica 14 (2005), sections 5 an
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias, final
+from typing import Any, ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +19,9 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
+Factored: TypeAlias = Callable[[Array], Array]
+Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
-FULL = 300  # unknowns up to which full matrices are quick, and show what is singular
-WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
@@ -137,26 +138,44 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     return np.asarray(found)
 
 
-@final
-class Sparse:
-    """SuperLU on sparse matrices; small ones as full ones."""
+def factored(K: Matrix, G: Matrix) -> Factored:
+    """Solver of [K Gᵀ; G 0] for one right-hand side, by SuperLU.
 
-    COUNT = 6
+    Raises:
+        Singular: it has no unique solution.
+    """
+    m = G.shape[0]
+    whole = block_array([[K, G.T], [G, None]]) if m else K
+    try:
+        solve: Factored = splu(csc_array(whole)).solve
+    except RuntimeError:
+        raise Singular from None
+    return solve
+
+
+@final
+@dataclass(frozen=True)
+class Sparse:
+    """Sparse matrices.
+
+    Attributes:
+        factored: ``factored(K, G)`` gives a solver of [K Gᵀ; G 0] for one right-hand side.
+        full: Unknowns up to which systems are solved as full ones: open circuits and redundant
+            rows disturb these least.
+    """
+
+    COUNT: ClassVar = 6
+    factored: Factor = factored
+    full: int = 0
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`; redundant constraints share their forces."""
-        right = np.concatenate([a, b])
-        if len(right) <= FULL:
+        """As :meth:`Saddle.solve`."""
+        if len(a) + len(b) <= self.full:
             return Dense().solve(K.toarray(), G.toarray(), a, b)
-        whole = joined(K, G)
-        for weak in (0.0, WEAK):
-            try:
-                found = _refined(whole, factored(K, G, weak), right)
-            except Singular:
-                continue
-            if found is not None:
-                return found[: len(a)], -found[len(a) :]
-        raise Singular
+        found = self.factored(K, G)(np.concatenate([a, b]))
+        if not np.isfinite(found).all():
+            raise Singular
+        return found[: len(a)], -found[len(a) :]
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""
@@ -164,7 +183,8 @@ class Sparse:
             return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
-        values, vectors = near(half, diags_array(np.ones(n)), G, -1e-9 * largest, self.COUNT)
+        unit, shift = diags_array(np.ones(n)), -1e-9 * largest
+        values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
         order = np.argsort(values)
         skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
         return Lowest(values[order], vectors[:, order], largest, skew)
@@ -175,43 +195,9 @@ def is_small(G: Any) -> bool:
     return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
-def joined(K: Matrix, G: Matrix) -> Matrix:
-    """[K Gᵀ; G 0], in columns."""
-    return csc_array(block_array([[K, G.T], [G, None]]) if G.shape[0] else K)
-
-
-def factored(K: Matrix, G: Matrix, weak: float = 0.0) -> Any:
-    """Solver of [K Gᵀ; G -weak] for one right-hand side.
-
-    Raises:
-        Singular: it has no unique solution.
-    """
-    whole, n = joined(K, G), K.shape[0]
-    if weak:
-        amount = weak / max(float(abs(K).max()), 1e-300)
-        diagonal = np.concatenate([np.zeros(n), np.full(G.shape[0], amount)])
-        whole = csc_array(whole - diags_array(diagonal))
-    try:
-        return splu(whole).solve
-    except RuntimeError:
-        raise Singular from None
-
-
-def _refined(whole: Matrix, solve: Any, right: Array) -> Array | None:
-    """The solution of a system by factors of one next to it; None where it is not solved."""
-    found: Array = solve(right)
-    for _ in range(REFINED):
-        left = right - whole @ found
-        found = found + solve(left)
-    if not np.isfinite(found).all():
-        return None
-    left, largest = right - whole @ found, float(abs(whole).max())
-    # what is left may be rounding of the solution, and of the right-hand side
-    most = 1e-9 * np.abs(right).max(initial=0.0) + 1e-13 * largest * np.abs(found).max(initial=0.0)
-    return found if np.abs(left).max(initial=0.0) <= most else None
-
-
-def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array]:
+def near(
+    K: Any, M: Any, G: Any, shift: float, count: int, by: Factor = factored
+) -> tuple[Array, Array]:
     """Eigenvalues next to a shift, and eigenvectors, of K x = value M x on what G allows.
 
     Args:
@@ -219,9 +205,10 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
         G: What holds (m, n).
         shift: Not an eigenvalue itself.
         count: How many.
+        by: How matrices are factored.
     """
     n, m = K.shape[0], G.shape[0]
-    inverse = factored(csr_array(K - shift * M), G)
+    inverse = by(csr_array(K - shift * M), G)
 
     def apply(x: Array) -> Array:
         found: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
@@ -235,7 +222,7 @@ def near(K: Any, M: Any, G: Any, shift: float, count: int) -> tuple[Array, Array
 
 
 def near_quadratic(
-    K: Any, C: Any, M: Any, G: Any, shift: float, count: int
+    K: Any, C: Any, M: Any, G: Any, shift: float, count: int, by: Factor = factored
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues next to a shift, and eigenvectors, of (v^2 M + v C + K) x = 0 on what G allows.
 
@@ -244,9 +231,10 @@ def near_quadratic(
         G: What holds (m, n).
         shift: Real, and not an eigenvalue itself.
         count: How many.
+        by: How matrices are factored.
     """
     n, m = K.shape[0], G.shape[0]
-    solve = factored(csr_array(K + shift * C + shift**2 * M), G)
+    solve = by(csr_array(K + shift * C + shift**2 * M), G)
     more = csr_array(C + shift * M)
 
     def apply(v: Array) -> Array:

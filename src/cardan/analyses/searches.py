@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..runtime.initial import initial_state
+from ..runtime.initial import start_of
 from ..runtime.states import random_state
 from .mechanism import Mechanism
 from .meeting import Conditions, Found, meet
@@ -22,7 +22,7 @@ def search(
 ) -> list[Found]:
     """Where searches from a start and from random coordinates end."""
     found = list[Found]()
-    given = initial_state(m.model.manifest, {}, {})[0][: m.model.nq]
+    given = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
     for k in range(starts):
         end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))

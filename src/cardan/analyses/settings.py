@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import initial_state
+from ..runtime.initial import start_of
 from .alpha import GeneralizedAlpha, method_of
 from .integrators import INTEGRATORS, Integrator
 
@@ -167,7 +167,7 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start
         letter: _by_entry(letter, value, entries)
         for letter, value, entries in (("q", q, coordinates), ("u", u, speeds), ("z", z, internals))
     }
-    return Start(*initial_state(model.manifest, names["q"], names["u"], names["z"]))
+    return Start(*start_of(model, names["q"], names["u"], names["z"]))
 
 
 def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:

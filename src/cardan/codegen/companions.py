@@ -17,6 +17,11 @@ RUN = (
     *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
 )
 SHIFT = ("shift.h", "shift.c", "linear.h")
+SPARSE = (
+    *("mesh.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c", "mesh_solve.c"),
+    *("sparse.h", "sparse_dense.h", "sparse_factor.c", "sparse_quality.c"),
+    *("sparse_signs.c", "sparse_solve.c"),
+)
 INTEGRATORS = {
     "rk4": ("rk4.c",),
     "rk45": ("rk45.c", "rk45_tables.h"),
@@ -25,7 +30,7 @@ INTEGRATORS = {
     "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
         *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
-        *("alpha_memory.c", "alpha_newton.c", "linear.h"),
+        *("alpha_memory.c", "alpha_newton.c", "alpha_sparse.c", "linear.h", *SPARSE),
     ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
 }

@@ -70,6 +70,8 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             "places": [_place(kind) for kind in places.kinds],
             "kinds": [_kind(kind, absolute.groups) for kind in absolute.kinds],
             "groups": [_group(k, group) for k, group in enumerate(absolute.groups)],
+            "loose": _loose(absolute),
+            "lines": len(absolute.lines),
             "frames": "frames__data",
             "states": absolute.states.name,
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
@@ -104,6 +106,7 @@ def functions(absolute: Absolute) -> tuple[Function, ...]:
 def numbers(absolute: Absolute) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
+    tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
@@ -233,6 +236,13 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
             }
         )
     return rows
+
+
+def _loose(absolute: Absolute) -> list[int]:
+    """Places of nodes that only beams hold."""
+    implicit = {joint.name for joint in absolute.system.joints if joint.implicit}
+    named = len(absolute.places) - len(absolute.reference) // 7
+    return [k for k in range(named) if absolute.places.names[k] in implicit]
 
 
 def _quaternions(absolute: Absolute) -> list[int]:

@@ -85,13 +85,14 @@ size_t cardan_abreast_size(void);
     ((a)->atol + (a)->rtol * cardan_max(cardan_abs(((const real *)(a)->y)[i]),                     \
                                         cardan_abs(((const real *)(a)->trial)[i])))
 /* Where it is asked for, the culprit is the entry whose `error` (an expression in i) is largest, or
- * is no number. */
+ * the last one that is no number. */
 #define ABREAST_CULPRIT(a, error)                                                                  \
-    real worst = CARDAN_REAL(-1.0), culprit = CARDAN_REAL(-1.0), *const found = (real *)(a)->culprit; \
+    real worst = CARDAN_REAL(-1.0), culprit = worst, *const found = (real *)(a)->culprit;          \
     for (ptrdiff_t i = 0; i < n; i++) {                                                            \
         const real each = cardan_abs(error);                                                       \
         const cardan_mask worse                                                                    \
-            = ~(cardan_mask)(each <= worst) & (cardan_mask)(worst == worst);                       \
+            = ~(cardan_mask)(each <= worst)                                                        \
+              & ((cardan_mask)(worst == worst) | (cardan_mask)(each != each));                     \
         worst = CARDAN_CHOICE(worse, each, worst);                                                 \
         culprit = CARDAN_CHOICE(worse, CARDAN_REAL((double)i), culprit);                           \
     }                                                                                              \

@@ -67,8 +67,9 @@ CARDAN_INLINE void cardan_growth(int order, const real *error, real *growth)
 }
 
 /* Size after a step of h that was good enough; one that was cut at a stop does not shrink it. */
-CARDAN_INLINE void cardan_accepted_size(const real *h, const real *size, const cardan_truth *rejected,
-                                        const real *growth, double max_step, real *next)
+CARDAN_INLINE void cardan_accepted_size(const real *h, const real *size,
+                                        const cardan_truth *rejected, const real *growth,
+                                        double max_step, real *next)
 {
     const real shrunk = CARDAN_LARGER(CARDAN_SHRINK, *growth);
     const real most = CARDAN_WHERE(*rejected, 1.0, CARDAN_GROW);

@@ -44,15 +44,16 @@ static void look(cardan_run *run, const cardan_explicit *method, real h)
     run->limited += h * h * slopes > 0.8 * 0.8 * method->bound * method->bound * states;
 }
 
-/* The entry whose error is largest, or is no number. */
+/* The entry whose error is largest; the last one that is no number, if some are: speeds infect
+ * coordinates, which stand before them. */
 static ptrdiff_t worst_of(const cardan_run *run, const cardan_explicit *method, const real *against)
 {
     real worst = -1;
     ptrdiff_t culprit = -1;
 
-    for (ptrdiff_t i = 0; i < run->nx && worst == worst; i++) {
+    for (ptrdiff_t i = 0; i < run->nx; i++) {
         const real each = fabs(method->part(run, against, i));
-        if (!(each <= worst)) {
+        if (!(each <= worst) && (worst == worst || each != each)) {
             worst = each;
             culprit = i;
         }

@@ -3,9 +3,12 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "mesh_calls.h"
+#include <math.h>
 
-/* what resists a motion without inertia while circuits are closed */
+/* what resists a motion without inertia while circuits are closed [kg] */
 static const real LIGHT = 1e-6;
+/* what resists the motion of what is held, of what resists most */
+static const real HEAVY = 1e12;
 
 static const cardan_mesh *mesh_of(const cardan_in *in)
 {
@@ -94,18 +97,26 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
     return status;
 }
 
-/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little. */
-static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *open,
-                        ptrdiff_t rows, cardan_mesh_system *system)
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little, and what is to be
+ * held, by `held` other than 0, as good as fixed. */
+static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *held,
+                        const real *open, ptrdiff_t rows, cardan_mesh_system *system)
 {
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
     int status = cardan_mesh_matrix(mesh, at, &parts, system);
+    real largest = 0;
 
     if (status != 0)
         return status;
-    for (ptrdiff_t i = 0; i < mesh->nu; i++)
-        if (system->a[mesh->diagonal[i]] == 0)
-            system->a[mesh->diagonal[i]] = LIGHT;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
+        real *own = system->a + mesh->diagonal[i];
+        if (*own == 0)
+            *own = LIGHT;
+        largest = fmax(largest, fabs(*own));
+    }
+    for (ptrdiff_t i = 0; i < mesh->nu && held; i++)
+        if (held[i] != 0)
+            system->a[mesh->diagonal[i]] += HEAVY * largest;
     status = cardan_mesh_refactor(mesh, system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->right[i] = 0;
@@ -126,7 +137,7 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
     for (ptrdiff_t k = 0; k < mesh->mp; k++)
         out[mesh->nq + k] = open[k];
     if (status == 0)
-        status = closing_step(mesh, &at, open, mesh->mp, &system);
+        status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
     return status != 0 ? status
                        : cardan_mesh_move(mesh, in->q, system.found, out, NULL, system.work);
 }
@@ -144,7 +155,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         out[mesh->nu + k] = rates[k];
     if (status == 0)
-        status = closing_step(mesh, &at, rates, mesh->m, &system);
+        status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[i] = in->u[i] + system.found[i];
     return status;

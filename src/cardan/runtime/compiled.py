@@ -231,9 +231,9 @@ class CompiledModel(Analyzed):
         self, q: Values | None = None, u: Values | None = None, z: Values | None = None
     ) -> Array:
         """A state x (nx,) from named values; the rest from q0 and u0 of the joints, then 0."""
-        from .initial import initial_state
+        from .initial import start_of
 
-        state: Array = initial_state(self.manifest, q or {}, u or {}, z or {})[0]
+        state: Array = start_of(self, q or {}, u or {}, z or {})[0]
         return state
 
     def random_state(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +11,25 @@ from numpy.typing import ArrayLike
 from ..errors import ArgumentError, ModelError, SolveError, near
 from .calling import Array
 
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
 Rows = list[dict[str, Any]]
+
+
+def start_of(
+    model: CompiledModel,
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None = None,
+) -> tuple[Array, tuple[str, ...]]:
+    """As :func:`initial_state`; nodes of absolute coordinates go where the joints carry them."""
+    x, rest = initial_state(model.manifest, q, u, z)
+    if "mesh" not in model.manifest:
+        return x, rest
+    from .absolute.carried import carried
+
+    return carried(model, x, rest), rest
 
 
 def initial_state(

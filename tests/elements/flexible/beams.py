@@ -1,18 +1,21 @@
-"""Beams of flexible elements, and their equilibrium by Newton's method with dense matrices."""
+"""Beams of flexible elements, and their equilibrium by full steps of Newton's method."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csc_matrix
+from scipy.sparse.linalg import spsolve
 from scipy.spatial.transform import Rotation
 
 from cardan.elements.flexible import FlexibleElement
 from cardan.ir.function import Function
-from cardan.ir.interpreter import evaluate
+from elements.flexible.compiled import compiled
 from elements.flexible.states import quaternion, rotation
 
 Array = NDArray[np.float64]
@@ -34,7 +37,7 @@ class Part:
 
     def value(self, name: str, **blocks: Array) -> dict[str, Any]:
         """Results for all elements."""
-        return evaluate(self.functions[name], {"p": self.data, **blocks}, "numpy")
+        return compiled(self.functions[name])(self.data, **blocks)
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,7 @@ class Beam:
         """With one more kind of elements, in the present shape without stress."""
         own = element.rows(self.stations, self.pairs)
         common = np.tile([numbers.get(name, 0.0) for name in element.common], (len(own), 1))
-        part = Part(element, np.hstack([common, own]), dict(element.derived()))
+        part = Part(element, np.hstack([common, own]), _functions(element))
         return replace(self, parts=(*self.parts, part))
 
     def moved(self, du: Array) -> Beam:
@@ -86,6 +89,11 @@ class Beam:
             if name in found:
                 _assemble(total, found[name])
         return total
+
+
+@lru_cache(maxsize=32)
+def _functions(element: FlexibleElement) -> dict[str, Function]:
+    return dict(element.derived())
 
 
 def _add(total: Array, of_elements: Array) -> None:
@@ -161,7 +169,7 @@ def equilibrium(
             _assemble(matrix, K)
         du = np.zeros(6 * n)
         right = (load - total).ravel()
-        du[free] = np.linalg.solve(matrix[np.ix_(free, free)], right[free])
+        du[free] = spsolve(csc_matrix(matrix[np.ix_(free, free)]), right[free])
         nodes = du.reshape(n, 6)
         for k, (part, z) in enumerate(zip(beam.parts, stress, strict=True)):
             if mixed and "mixed_step" in part.functions:
@@ -174,9 +182,10 @@ def equilibrium(
 
 def _stress(part: Part, beam: Beam) -> Array:
     """Of the middle of every element."""
+    none = np.zeros((len(beam.pairs), 12))
     if "mixed" not in part.functions:
-        return np.zeros((len(beam.pairs), 6))
-    found: Array = part.value("stress", q=beam.pairs)["stress"][:, :2].mean(axis=1)
+        return none[:, :6]
+    found: Array = part.value("mixed_step", q=beam.pairs, z=none[:, :6], du=none)["z"]
     return found
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from elements.flexible.states import ELEMENTS, ENDS, State, state
-from elements.flexible.test_laws import ROUNDING, matrix
+from elements.flexible.test_laws import ROUNDING, UNLOADED, matrix
 
 MIXED = [name for name, element in ELEMENTS.items() if "mixed" in element.derived()]
 every = pytest.mark.parametrize("name", MIXED)
@@ -17,7 +17,7 @@ both = pytest.mark.parametrize("kinds", ENDS, ids="-".join)
 
 def middle(s: State) -> Any:
     """Stress of the middle of the element."""
-    return s.value("stress", "stress").reshape(4, 6)[:2].mean(axis=0)
+    return s.value("mixed_step", "z", z=np.zeros(6), du=np.zeros(len(s.u)))
 
 
 @every
@@ -29,6 +29,14 @@ def test_at_the_stress_of_the_strain_nothing_changes(name: str, kinds: tuple[str
     assert s.value("mixed", "balance", z=z) == pytest.approx(b, abs=ROUNDING)
     assert matrix(s, "K", "mixed", z=z) == pytest.approx(K, abs=ROUNDING)
     assert s.value("mixed_step", "z", z=z, du=du) == pytest.approx(z, abs=ROUNDING)
+
+
+@every
+def test_without_load_it_is_the_mean_of_both_ends(name: str) -> None:
+    follower = {f"follower_force_{k}": 0.0 for k in (1, 2, 3)}
+    s = state(ELEMENTS[name], **UNLOADED, **follower)
+    mean = s.value("stress", "stress").reshape(4, 6)[:2].mean(axis=0)
+    assert middle(s) == pytest.approx(mean, abs=ROUNDING)
 
 
 @every

@@ -21,6 +21,7 @@ from elements.flexible.beams import Array, Beam, arc, equilibrium, order, straig
 BEAMS: dict[str, tuple[FlexibleElement, float]] = {
     "hellinger_reissner": (HellingerReissner(), 4.0),
     "helicoidal": (Helicoidal(), 2.0),
+    "loaded": (HellingerReissner(loaded=True), 4.0),
     "classical": (Classical(), 2.0),
     "classical plain": (Classical(residual_flexibility=False), 2.0),
 }
@@ -87,7 +88,7 @@ def test_roll_up_closes_exactly(name: str) -> None:
     found = equilibrium(beam, at_the_tip(beam, 0, 0, 2 * np.pi, 0, 0, 0))
     assert found.tip == pytest.approx([0, 0, 0], abs=1e-10)
     # all nodes on a circle: as long as the beam, or around a polygon with sides of its length
-    helicoidal = name in ("hellinger_reissner", "helicoidal")
+    helicoidal = "classical" not in name
     radius = 1 / (2 * np.pi) if helicoidal else 1 / 16 / np.sin(np.pi / 8)
     center = np.mean(found.beam.q[:-1, 4:], axis=0)
     distances = np.linalg.norm(found.beam.q[:, 4:] - center, axis=1)
@@ -183,19 +184,40 @@ def test_constant_stress_on_an_irregular_mesh(name: str) -> None:
     assert stress == pytest.approx(np.tile([torque, 0, 0, force, 0, 0], (5, 2, 1)), abs=1e-9)
 
 
-@every
-def test_distributed_load(name: str) -> None:
-    element, wanted = BEAMS[name]
-    # solution of the cantilever's differential equations by shooting to 1e-12
-    exact = [0.443808375, 0.844053798]
-    stiffness = {"EA": 1e3, "GA2": 4e2, "GA3": 4e2, "EI2": 1.0, "EI3": 1.0, "GJ": 1.0}
-    errors = []
-    for n in (4, 8, 16):
-        beam = straight(n).of(element, **stiffness)
+def loaded_tips(element: FlexibleElement, stiffness: dict[str, float], force: float) -> Array:
+    """Where a cantilever ends under a force per length, with 4 to 32 elements."""
+    tips = []
+    for n in (4, 8, 16, 32):
+        q = straight(n)
         for share in (0.25, 0.5, 0.75, 1.0):
-            loaded = beam.of(DeadLoad(), dead_force_2=20.0 * share)
-            found = equilibrium(loaded, np.zeros((n + 1, 6)))
-            beam = Beam(beam.stations, found.beam.q, beam.parts)
-        errors.append(float(np.linalg.norm(found.tip[:2] - exact)))
+            load = {"dead_force_2": force * share}
+            bent = straight(n).of(element, **stiffness, **load)
+            # what carries loads itself has no other element for them
+            bent = bent if "dead_force_2" in element.common else bent.of(DeadLoad(), **load)
+            found = equilibrium(Beam(bent.stations, q.q, bent.parts), np.zeros((n + 1, 6)))
+            q = found.beam
+        tips.append(found.tip[:2])
+    return np.array(tips)
+
+
+@pytest.mark.parametrize("name", ["hellinger_reissner", "loaded", "classical"])
+def test_distributed_load_on_a_thick_beam(name: str) -> None:
+    """Solution of the cantilever's differential equations by shooting to 1e-12."""
+    element, wanted = BEAMS[name]
+    exact = [4.43808375e-01, 8.44053798e-01]
+    stiffness = {"EA": 1e3, "GA2": 4e2, "GA3": 4e2, "EI2": 1.0, "EI3": 1.0, "GJ": 1.0}
+    errors = np.linalg.norm(loaded_tips(element, stiffness, 20.0) - exact, axis=1)
     print(name, "errors:", errors, "orders:", order(errors))
-    assert order(errors)[0] == pytest.approx(wanted, abs=0.5)
+    if name == "hellinger_reissner":
+        # the stretch by the load is of second order, small, and seen on fine meshes
+        assert order(errors)[0] > 3.5
+        assert errors[2] < 2.5e-5
+    else:
+        assert order(errors)[-1] == pytest.approx(wanted, abs=0.2)
+
+
+def test_distributed_load_on_a_slender_beam() -> None:
+    tips = loaded_tips(HellingerReissner(), section(1e3), 20.0)
+    steps = np.linalg.norm(np.diff(tips, axis=0), axis=1)
+    print("steps:", steps, "orders:", order(steps))
+    assert order(steps) == pytest.approx([4.0, 4.0], abs=0.1)

@@ -134,6 +134,22 @@ def test_weight_and_mass() -> None:
     assert up @ bias == pytest.approx((weight - missing) * 9.81, rel=0.05)
 
 
+def test_beams_that_carry_their_loads() -> None:
+    """Weight and dead loads act once, whichever element has them."""
+    found = []
+    for element in ("hellinger_reissner", "hellinger_reissner_loaded"):
+        model = clamped(element=element)
+        model.gravity = (0, 0, -9.81)
+        model.force("snow", cd.LineLoad("rod", force=(0, 3.0, -50.0)))
+        scene = cd.derive(model, coordinates="absolute")
+        _, bias, _, _ = at_rest(scene).assembled()
+        found.append(bias.reshape(-1, 6))
+        loads = [g.kind.name for g in scene.groups if g.kind.name.startswith("dead_load")]
+        assert bool(loads) == (element == "hellinger_reissner")
+    assert np.abs(found[0]).max() > 10
+    assert found[1] == pytest.approx(found[0], abs=1e-9)
+
+
 def test_a_beam_on_a_hinged_arm() -> None:
     """Ends on bodies, released ends, joints to nodes: everything finds its place."""
     model = cd.Model("arm", gravity=(0, 0, -9.81))
@@ -178,6 +194,8 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
         "dead_load": 2,
     }
     assert scene.powers == ("rod", "other")
+    names = [group.common.name for group in scene.groups if group.common is not None]
+    assert len(set(names)) == len(names)
     reference = at_rest(scene)
     u = np.random.default_rng(3).normal(size=scene.places.nu)
     power = Reference(scene, reference.q, u).listed("power", 0 * u, np.zeros(0))

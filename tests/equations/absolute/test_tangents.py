@@ -22,7 +22,10 @@ Array = np.ndarray
 STEP = 1e-6
 SEED = 13
 CHOSEN: dict[str, Callable[[], cd.Model]] = {
-    **{name: ZOO[name].build for name in ("backwards", "backwards_guided", "drives", "springs")},
+    **{
+        name: ZOO[name].build
+        for name in ("backwards", "backwards_guided", "drives", "springs", "free_mrp", "free_dcm")
+    },
     **{name: (lambda name=name: scene_of(name)) for name in ("stewart", "cam")},
     **{
         f"{name}, cut" if cut else name: (lambda name=name, cut=cut: machine(INSTANCES[name], cut))

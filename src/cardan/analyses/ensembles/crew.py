@@ -148,7 +148,8 @@ class Crew:
         width = 1 + run.n + run.nr + run.ns + run.nlam
         rows = np.full((count, len(self.times), width), np.nan)
         # memory that nobody writes to is never touched
-        ends = (abi.Run * count).from_buffer(np.zeros(count * ctypes.sizeof(abi.Run), np.uint8))
+        zeros = np.zeros(count * ctypes.sizeof(abi.Run), np.uint8)
+        ends = (abi.Run * count).from_buffer(zeros.data)
         numbers = np.zeros((count, len(NUMBERS)))
         d = self.driver
         keep = self._own(p)

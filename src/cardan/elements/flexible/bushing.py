@@ -32,16 +32,19 @@ class Bushing(StrainElement):
     source: ClassVar[str] = (
         "P. Masarati, M. Morandini, Intrinsic deformable joints, Multibody System Dynamics 24, 2010"
     )
-    common: ClassVar[tuple[str, ...]] = ENTRIES
     own: ClassVar[tuple[str, ...]] = WHOLE
     # springs that are missing have no flexibility
     mixed: ClassVar[bool] = False
 
+    @property
+    def common(self) -> tuple[str, ...]:
+        return ENTRIES
+
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return mean_axes(at.turn)
 
-    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
-        whole = Matrix.vstack(theta, e)
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
+        whole = Matrix.vstack(at.turn, e)
         names = [[f"k{min(i, j) + 1}{max(i, j) + 1}" for j in range(6)] for i in range(6)]
         stiffness = Matrix.of(ends.graph, [[ends.number(name) for name in row] for row in names])
         return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)

@@ -28,9 +28,12 @@ class Cable(FlexibleElement):
 
     kind: ClassVar[str] = "cable"
     source: ClassVar[str] = "H. M. Irvine, Cable Structures, 1981, chapter 1"
-    common: ClassVar[tuple[str, ...]] = ("EA", "strain_4")
     own: ClassVar[tuple[str, ...]] = ("length",)
     compression: bool = False
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return ("EA", "strain_4")
 
     @property
     def variant(self) -> str:

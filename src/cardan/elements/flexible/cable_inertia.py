@@ -7,7 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import GRAVITY, InertiaElement
+from .inertia import InertiaElement
+from .section import GRAVITY
 
 
 @dataclass(frozen=True)
@@ -19,8 +20,11 @@ class CableInertia(InertiaElement):
 
     kind: ClassVar[str] = "cable_inertia"
     source: ClassVar[str] = "T. J. R. Hughes, The Finite Element Method, 1987, section 7.3"
-    common: ClassVar[tuple[str, ...]] = ("rhoA", *GRAVITY)
     own: ClassVar[tuple[str, ...]] = ("length",)
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return ("rhoA", *GRAVITY)
 
     def loads(self, ends: Ends) -> list[Matrix]:
         gravity, none = ends.vector(*GRAVITY), Matrix.zeros(ends.graph, 3)

@@ -33,9 +33,12 @@ class Classical(StrainElement):
         "M. A. Crisfield, G. Jelenić, Objectivity of strain measures in the geometrically exact "
         "three-dimensional beam theory and its finite-element implementation, 1999"
     )
-    common: ClassVar[tuple[str, ...]] = SECTION
     own: ClassVar[tuple[str, ...]] = SHAPE
     residual_flexibility: bool = True
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return SECTION
 
     @property
     def variant(self) -> str:
@@ -44,9 +47,9 @@ class Classical(StrainElement):
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return mean_axes(at.turn)
 
-    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
         section = Section.of(ends)
         stiffness, length = list(section.stiffness), section.length
         if self.residual_flexibility:
             stiffness = without_locking(stiffness, length)
-        return Elastic.of(Matrix.vstack(theta, e), section.free, stiffness, length)
+        return Elastic.of(Matrix.vstack(at.turn, e), section.free, stiffness, length)

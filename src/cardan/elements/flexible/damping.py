@@ -29,8 +29,11 @@ class Damping(FlexibleElement):
         "J. Linn, H. Lang, A. Tuganov, Geometrically exact Cosserat rods with Kelvin-Voigt type "
         "viscous damping, Mechanical Sciences 4, 2013"
     )
-    common: ClassVar[tuple[str, ...]] = (*STIFFNESS, "damping")
     own: ClassVar[tuple[str, ...]] = ("length",)
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*STIFFNESS, "damping")
 
     def functions(self, ends: Ends) -> dict[str, Function]:
         at = Relative.of(ends.pose(0), ends.pose(1))

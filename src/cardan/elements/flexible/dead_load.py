@@ -9,8 +9,8 @@ from ...ir.matrix import Matrix
 from .ends import Ends
 from .loading import LoadElement
 from .places import Pose
+from .section import DEAD
 
-FORCE = ("dead_force_1", "dead_force_2", "dead_force_3")
 MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")
 
 
@@ -27,9 +27,12 @@ class DeadLoad(LoadElement):
     source: ClassVar[str] = (
         "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6"
     )
-    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = True
 
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*DEAD, *MOMENT)
+
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
-        return ends.vector(*FORCE), pose.rotation.T @ ends.vector(*MOMENT)
+        return ends.vector(*DEAD), pose.rotation.T @ ends.vector(*MOMENT)

@@ -25,14 +25,17 @@ class FlexibleElement(ABC):
     Attributes:
         kind: Name in scenes, and of its kind of element.
         source: Literature.
-        common: Names of the data that may depend on parameters.
         own: Names of the data that come from the geometry once and for all.
     """
 
     kind: ClassVar[str]
     source: ClassVar[str]
-    common: ClassVar[tuple[str, ...]]
     own: ClassVar[tuple[str, ...]] = ()
+
+    @property
+    @abstractmethod
+    def common(self) -> tuple[str, ...]:
+        """Names of the data that may depend on parameters."""
 
     @abstractmethod
     def functions(self, ends: Ends) -> dict[str, Function]:
@@ -42,6 +45,11 @@ class FlexibleElement(ABC):
     def about(self) -> str:
         """One line for the reader of the C."""
         return " ".join((self.__doc__ or "").split(".")[0].split())
+
+    @property
+    def carries(self) -> tuple[str, ...]:
+        """Names of the data of loads that it carries for all elements beside it."""
+        return ()
 
     @property
     def variant(self) -> str:

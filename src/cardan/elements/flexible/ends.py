@@ -23,6 +23,8 @@ NODE, OFFSET, GROUND = "node", "offset", "ground"
 NAMES = ("start", "end")
 RATES = {"q": "", "u": "/s", "udot": "/s^2", "du": ""}
 LOADS = {"rad": "N*m", "m": "N"}
+STRESSES = ("m1", "m2", "m3", "n1", "n2", "n3")
+STRESS_UNITS = ("N*m",) * 3 + ("N",) * 3
 # entries of strain and stress that are zero in the plane
 OUTSIDE = (0, 1, 5)
 Loads = Sequence[Matrix]
@@ -132,6 +134,8 @@ class Ends:
     def _entries(self, letter: str) -> Block:
         if letter == "p":
             return Block("p", self.data, ("",) * len(self.data))
+        if letter == "z":
+            return Block("z", STRESSES, STRESS_UNITS)
         names: list[str] = []
         units: list[str] = []
         for name, place in zip(NAMES, self.places, strict=True):

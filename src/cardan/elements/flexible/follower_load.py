@@ -9,8 +9,8 @@ from ...ir.matrix import Matrix
 from .ends import Ends
 from .loading import LoadElement
 from .places import Pose
+from .section import FOLLOWER
 
-FORCE = ("follower_force_1", "follower_force_2", "follower_force_3")
 MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")
 
 
@@ -28,9 +28,12 @@ class FollowerLoad(LoadElement):
         "J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under "
         "nonconservative loading, CMAME 26, 1981"
     )
-    common: ClassVar[tuple[str, ...]] = (*FORCE, *MOMENT)
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = False
 
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*FOLLOWER, *MOMENT)
+
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
-        return pose.rotation @ ends.vector(*FORCE), ends.vector(*MOMENT)
+        return pose.rotation @ ends.vector(*FOLLOWER), ends.vector(*MOMENT)

@@ -27,13 +27,16 @@ class Helicoidal(StrainElement):
         "V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated "
         "on the special Euclidean group SE(3), CMAME 268, 2014"
     )
-    common: ClassVar[tuple[str, ...]] = SECTION
     own: ClassVar[tuple[str, ...]] = SHAPE
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return SECTION
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return Slopes(-0.5), at.inverse
 
-    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
         section = Section.of(ends)
-        whole = Matrix.vstack(theta, e)
+        whole = Matrix.vstack(at.turn, e)
         return Elastic.of(whole, section.free, section.stiffness, section.length)

@@ -29,16 +29,19 @@ class FlexibleHinge(StrainElement):
 
     kind: ClassVar[str] = "flexible_hinge"
     source: ClassVar[str] = "L. L. Howell, Compliant Mechanisms, 2001, chapter 5"
-    common: ClassVar[tuple[str, ...]] = STIFFNESSES
     own: ClassVar[tuple[str, ...]] = WHOLE
     # a hinge that turns freely has no flexibility
     mixed: ClassVar[bool] = False
 
+    @property
+    def common(self) -> tuple[str, ...]:
+        return STIFFNESSES
+
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return mean_axes(at.turn)
 
-    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
-        whole = Matrix.vstack(theta, e)
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
+        whole = Matrix.vstack(at.turn, e)
         turn, tilt, axial, radial = ends.vector(*STIFFNESSES)
         stiffness = diagonal(ends.graph, [turn, tilt, tilt, axial, radial, radial])
         return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)

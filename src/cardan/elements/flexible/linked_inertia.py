@@ -8,8 +8,9 @@ from typing import ClassVar
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import DENSITY, GRAVITY, InertiaElement, spin
+from .inertia import DENSITY, InertiaElement, spin
 from .places import Motion, Pose
+from .section import GRAVITY
 
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 
@@ -32,8 +33,11 @@ class LinkedInertia(InertiaElement):
     source: ClassVar[str] = (
         "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 11.4"
     )
-    common: ClassVar[tuple[str, ...]] = (*DENSITY, *SHEAR, *GRAVITY)
     own: ClassVar[tuple[str, ...]] = ("length",)
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*DENSITY, *SHEAR, *GRAVITY)
 
     def loads(self, ends: Ends) -> list[Matrix]:
         gravity = ends.vector(*GRAVITY)

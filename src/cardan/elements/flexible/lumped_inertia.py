@@ -7,7 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import DENSITY, GRAVITY, InertiaElement, spin
+from .inertia import DENSITY, InertiaElement, spin
+from .section import GRAVITY
 
 
 @dataclass(frozen=True)
@@ -21,8 +22,11 @@ class LumpedInertia(InertiaElement):
 
     kind: ClassVar[str] = "lumped_inertia"
     source: ClassVar[str] = "T. J. R. Hughes, The Finite Element Method, 1987, section 7.3"
-    common: ClassVar[tuple[str, ...]] = (*DENSITY, *GRAVITY)
     own: ClassVar[tuple[str, ...]] = ("length",)
+
+    @property
+    def common(self) -> tuple[str, ...]:
+        return (*DENSITY, *GRAVITY)
 
     def loads(self, ends: Ends) -> list[Matrix]:
         half, gravity = ends.number("length") * 0.5, ends.vector(*GRAVITY)

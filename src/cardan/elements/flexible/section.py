@@ -22,6 +22,12 @@ FREE = tuple(f"strain_{k}" for k in range(1, 7))
 SECTION = (*STIFFNESS, *FREE)
 # length [m] and strain of the reference shape [rad/m, -]
 SHAPE = ("length", "K1", "K2", "K3", "E1", "E2", "E3")
+# forces per length: of loads in ground and in section axes [N/m], and what makes the weight
+DEAD, FOLLOWER, GRAVITY = (
+    tuple(f"{name}_{k}" for k in (1, 2, 3)) for name in ("dead_force", "follower_force", "gravity")
+)
+FORCES = (*DEAD, *FOLLOWER, "rhoA", *GRAVITY)
+CARRIED = (*DEAD, *GRAVITY)
 
 
 @dataclass(frozen=True)
@@ -50,6 +56,12 @@ def flat(ends: Ends, column: Matrix) -> Matrix:
     """Strain or stress (6, 1) without the entries that leave the plane, where there is one."""
     nodes = [ZERO if ends.planar and k in OUTSIDE else x for k, x in enumerate(column.nodes)]
     return Matrix(column.graph, 6, 1, nodes)
+
+
+def weight(ends: Ends) -> tuple[Matrix, Matrix]:
+    """Force per length in ground axes and in axes of the section (3, 1), from ``FORCES``."""
+    fixed = ends.vector(*DEAD) + ends.vector(*GRAVITY) * ends.number("rhoA")
+    return fixed, ends.vector(*FOLLOWER)
 
 
 def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:

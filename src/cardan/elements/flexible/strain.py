@@ -14,13 +14,13 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Number, Scalar
-from ...ir.function import Block, Function, Output
+from ...ir.function import Function, Output
 from ...ir.graph import Graph
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
 from .element import FlexibleElement, balance, energy, matrix
-from .ends import NODE, Ends
+from .ends import NODE, STRESS_UNITS, STRESSES, Ends
 from .relative import (
     Relative,
     Response,
@@ -38,8 +38,6 @@ from .section import diagonal, flat
 STRAINS = ("K1", "K2", "K3", "E1", "E2", "E3")
 # the same of the whole element
 WHOLE = ("theta1", "theta2", "theta3", "e1", "e2", "e3")
-STRESSES = ("m1", "m2", "m3", "n1", "n2", "n3")
-STRESS_UNITS = ("N*m",) * 3 + ("N",) * 3
 STRAIN_UNITS = ("rad/m",) * 3 + ("",) * 3
 
 
@@ -98,9 +96,9 @@ class StrainElement(FlexibleElement):
     The functions ``mixed`` and ``mixed_step`` keep the stress z (6) as an unknown of Newton's
     method: from far away it then takes a few steps where it diverges without. ``mixed`` gives the
     balance [b] and [K] with the stress eliminated; when the increments du of the nodes are known,
-    ``mixed_step`` gives the new z, before the nodes are moved. z starts from the stress there is,
-    the mean of that at both ends. At the solution both are ``balance`` and its tangent, and z is
-    the stress.
+    ``mixed_step`` gives the new z, before the nodes are moved; with du = 0 and any z it gives the
+    stress there is, from which z starts. At the solution both are ``balance`` and its tangent, and
+    z is the stress.
 
     Attributes:
         mixed: Whether it has them.
@@ -115,13 +113,13 @@ class StrainElement(FlexibleElement):
         """``first`` and ``second`` of e, functions of |theta|²."""
 
     @abstractmethod
-    def field(self, ends: Ends, theta: Matrix, e: Matrix) -> Field:
-        """Stress and strain at theta and e."""
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
+        """Stress and strain at a relative pose with the strain e."""
 
     def functions(self, ends: Ends) -> dict[str, Function]:
         at = Relative.of(ends.pose(0), ends.pose(1))
         first, second = self.measures(at)
-        field = self.field(ends, at.turn, carried_strain(at, first, second))
+        field = self.field(ends, at, carried_strain(at, first, second))
         law = field.law(field.solved(field.strain))
         response = respond(at, first, second, law)
         loads = forces(at, response.moment, response.force)
@@ -130,7 +128,7 @@ class StrainElement(FlexibleElement):
             "balance": (balance(ends, ends.told(loads)),),
             "balance_tangent": (matrix(ends, "K", stiffness),),
             "energy": (energy(None, law.energy),),
-            "stress": (_stress(law),),
+            "stress": (stresses(law),),
         }
         plain = {
             name: self.function(ends, name, ends.blocks("q", "p"), *outputs)
@@ -141,8 +139,7 @@ class StrainElement(FlexibleElement):
     def _mixed(self, ends: Ends, at: Relative, field: Field) -> dict[str, Function]:
         """Balance and tangent at a stress that is not yet that of the strain, and its increment."""
         first, second = self.measures(at)
-        unknown = Matrix(ends.graph, 6, 1, [ends.graph.var("z", k) for k in range(6)])
-        stress = flat(ends, unknown)
+        stress = unknown(ends)
         gap, slope, law = (
             field.strain - field.relaxed(stress),
             field.slope(stress),
@@ -165,10 +162,9 @@ class StrainElement(FlexibleElement):
         new = stress + field.solved(gap + slope @ change)
         found = {
             "mixed": (balance(ends, loads), matrix(ends, "K", stiffness)),
-            "mixed_step": (Output("z", (6,), new.nodes, STRESSES, STRESS_UNITS),),
+            "mixed_step": (increment(new),),
         }
-        z = Block("z", STRESSES, STRESS_UNITS)
-        blocks = (*ends.blocks("q"), z, *ends.blocks("p", "du"))
+        blocks = ends.blocks("q", "z", "p", "du")
         return {name: self.function(ends, name, blocks, *o) for name, o in found.items()}
 
     def reference(self) -> Function:
@@ -185,13 +181,24 @@ class StrainElement(FlexibleElement):
         return dict(zip(WHOLE, found.T, strict=True)) | dict(zip(STRAINS, density.T, strict=True))
 
 
-def _stress(law: Law) -> Output:
+def stresses(law: Law) -> Output:
     """Stress and strain at both ends (4, 6)."""
     entries = ("start", "end")
     names = [f"{end}.{x}" for kind in (STRESSES, STRAINS) for end in entries for x in kind]
     units = STRESS_UNITS * 2 + STRAIN_UNITS * 2
     nodes = Matrix.vstack(*law.ends, *law.strains).nodes
     return Output("stress", (4, 6), nodes, tuple(names), units)
+
+
+def unknown(ends: Ends) -> Matrix:
+    """The stress z (6, 1) as an unknown."""
+    nodes = [ends.graph.var("z", k) for k in range(len(STRESSES))]
+    return flat(ends, Matrix(ends.graph, len(nodes), 1, nodes))
+
+
+def increment(stress: Matrix) -> Output:
+    """The new stress."""
+    return Output("z", (len(STRESSES),), stress.nodes, STRESSES, STRESS_UNITS)
 
 
 def carried_strain(at: Relative, first: Slopes, second: Slopes) -> Matrix:

@@ -114,6 +114,9 @@ def _poses(segment: Segment) -> Numbers:
     from scipy.spatial.transform import Rotation
 
     xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    # of q and -q that beside the one before
+    turned = np.sum(xyzw[1:] * xyzw[:-1], axis=1) < 0
+    xyzw[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
     return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
 
 
@@ -154,7 +157,7 @@ class _Builder:
         for part in parts:
             apart = part.common if len(part.names) > FEW else ()
             sorted_by.setdefault((part.kind.name, apart), []).append(part)
-        for some in sorted_by.values():
+        for number, some in enumerate(sorted_by.values()):
             kind, counts = some[0].kind, [len(part.names) for part in some]
             power = np.repeat([part.power for part in some], counts)[:, None]
             yield Group(
@@ -162,14 +165,14 @@ class _Builder:
                 members=[name for part in some for name in part.names],
                 places=np.concatenate([part.places for part in some]),
                 rows=np.zeros((sum(counts), 2), dtype=np.intp),
-                common=self._common(kind, some),
+                common=self._common(f"{kind.name}__data_{number}", some),
                 own=np.concatenate([part.own for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
             )
 
-    def _common(self, kind: Kind, parts: Sequence[_Part]) -> Function:
+    def _common(self, name: str, parts: Sequence[_Part]) -> Function:
         """Common data of a group as a function of the parameters of the scene."""
-        name, first = f"{kind.name}__data", parts[0].common
+        first = parts[0].common
         if all(part.common == first for part in parts):
             return self._function(name, first)
         nodes = [node for part in parts for node in part.common * len(part.names)]
@@ -192,8 +195,7 @@ class _Builder:
             ends: Where it begins and ends.
             poses: Of both nodes of every element in the reference configuration (n, 14).
         """
-        values = self._values(segment)
-        for element in self._elements(segment):
+        for element, values in self._elements(segment):
             own = element.rows(segment.line.stations, poses)
             for part, kinds, data in _parts(segment.line.elements, ends):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
@@ -217,15 +219,18 @@ class _Builder:
             self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
         return self._kinds[name]
 
-    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
-        """The elements that a segment is made of."""
-        yield BEAMS[segment.element]
-        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
-        if data["rhoA"] != (ZERO,):
-            yield INERTIAS[segment.inertia]
+    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
+        """The elements that a segment is made of, with the expressions of their common data."""
+        values, strained = self._values(segment), BEAMS[segment.element]
+        yield strained, values
+        # what it carries for all acts once
+        values = values | dict.fromkeys(strained.carries, ZERO)
+        if values["rhoA"] != ZERO:
+            yield INERTIAS[segment.inertia], values
         for kind, names in ASIDE.items():
-            if any(node != ZERO for name in names for node in data[name]):
-                yield FLEXIBLE[kind]()
+            entries = (x for name, x in values.items() if name.rstrip("_123") in names)
+            if any(node != ZERO for node in entries):
+                yield FLEXIBLE[kind](), values
 
     def _values(self, segment: Segment) -> dict[str, int]:
         """Common data by name; entries of vectors are numbered."""
@@ -240,9 +245,14 @@ class _Builder:
 def _parts(
     count: int, ends: Sequence[_End]
 ) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
-    """Runs of elements between ends of the same kinds, with the data of these ends."""
+    """Runs of elements between ends of the same kinds, with the data of these ends.
+
+    One element from ground to ground cannot move: it is left out.
+    """
     first, last = ends
     if count == 1:
+        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+            return
         yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
     start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)

@@ -171,6 +171,14 @@ class Results:
     def close_velocity(self, given: Given) -> Array:
         return self.mesh.call("close_velocity", self._at(given), self.tables.nu + self.tables.m)
 
+    def closed(self, name: str, q: Array, u: Array, held: Array, given: dict[str, Any]) -> Array:
+        """As :meth:`close_position` and :meth:`close_velocity`, where ``held`` (nu) is not 0
+        nothing changes."""
+        tables, more = self.tables, {n: np.asarray(given[n], float) for n in ("r", "z")}
+        at = State(q=q, u=u, t=float(given["t"]), **more)
+        size = tables.nq + tables.mp if name == "close_position" else tables.nu + tables.m
+        return self.mesh.call(name, at, size, tau=held)
+
     # motion
 
     def qdot(self, given: Given) -> Array:

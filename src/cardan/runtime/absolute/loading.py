@@ -52,7 +52,8 @@ def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns:
             )
         )
     places = tuple(PlaceKind(**row) for row in told["places"])
-    return Tables(places, numbers["kind"].astype(np.intp), tuple(groups), nr, nz, ns)
+    lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
+    return Tables(places, numbers["kind"].astype(np.intp), tuple(groups), nr, nz, ns, lines)
 
 
 def _whole(array: Any) -> Any:

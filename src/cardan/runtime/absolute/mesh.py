@@ -284,12 +284,15 @@ class Mesh:
         force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
         return force, gaps, rates
 
-    def call(self, name: str, at: State, size: int) -> Array:
+    def call(self, name: str, at: State, size: int, tau: Array | None = None) -> Array:
         """A function of the whole mesh with the interface of generated ones."""
         record, held = self._state(at)
+        weights = None if tau is None else np.ascontiguousarray(tau, float)
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
         time = np.array([at.t])
         blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
+        if weights is not None:
+            blocks["tau"] = weights.ctypes.data
         given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
         status = FUNCTION(self.closure(name))(ctypes.addressof(given), *map(_at, (out, memory)))

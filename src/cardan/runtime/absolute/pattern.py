@@ -93,6 +93,13 @@ def ranges(start: NDArray[Any], count: NDArray[Any]) -> Longs:
     return np.asarray(np.arange(total) + np.repeat(moved, count), np.int64)
 
 
+def distinct(numbers: Longs) -> Longs:
+    """Every number once, ascending. By sorting: hashes of numbers like these collide."""
+    ascending = np.sort(numbers)
+    first = np.append(True, ascending[1:] != ascending[:-1])[: len(ascending)]
+    return np.asarray(ascending[first], np.int64)
+
+
 def pattern(
     sizes: ArrayLike,
     cliques: Sequence[ArrayLike],
@@ -122,7 +129,7 @@ def pattern(
     keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
     absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
     wanted = [key[~without] for key, without in zip(keys, absent, strict=True)]
-    pairs = np.unique(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
+    pairs = distinct(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
     row, column, value, stride = _laid(pairs, size)
     found = [np.full(key.shape, -1, np.int32) for key in keys]
     for place, key, without in zip(found, wanted, absent, strict=True):

@@ -93,6 +93,7 @@ class Tables:
         kind: (places,) index of the kind of every place.
         groups: The elements.
         nr, nz, ns: Inputs, internal states and modes of the scene.
+        beams: Places of the nodes of every segment of a beam; -1 for the ground.
     """
 
     kinds: tuple[PlaceKind, ...]
@@ -101,6 +102,7 @@ class Tables:
     nr: int
     nz: int = 0
     ns: int = 0
+    beams: tuple[Integers, ...] = ()
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind

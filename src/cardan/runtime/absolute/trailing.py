@@ -1,0 +1,116 @@
+"""Nodes of beams that follow what their beams are joined to, for the start of runs.
+
+A joint that stands otherwise than in the reference configuration carries the node it moves. What
+hangs on it by beams goes along rigidly; between two nodes that were carried apart the motion goes
+over from one to the other along the beam.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..calling import Array
+from .tables import Integers, Tables
+
+GROUND = -1
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """How a node left its reference pose: a rotation about the ground's origin, then a shift.
+
+    Attributes:
+        turn: Rotation.
+        shift: (3,) [m].
+        omega, velocity: Angular velocity, and velocity of what is at the origin, ground axes.
+    """
+
+    turn: Rotation
+    shift: Array
+    omega: Array
+    velocity: Array
+
+
+_REST = _Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+
+
+def trailed(
+    tables: Tables,
+    lines: Sequence[Integers],
+    reference: Array,
+    x: Array,
+    held: Collection[int],
+) -> Array:
+    """A state (nx,) whose beams follow the nodes that stand where they are told to.
+
+    Args:
+        tables: Places of the model.
+        lines: Of every segment the places of its nodes from end to end; GROUND for the ground.
+        reference: Coordinates (nq,) in the reference configuration.
+        x: The state, with those nodes where they are to be.
+        held: Places that are there already.
+    """
+    moved, known = x.copy(), dict[int, _Motion]()
+    known[GROUND] = _REST
+    ends = {int(place) for line in lines for place in (line[0], line[-1])}
+    for place in ends & set(held):
+        known[place] = _motion(tables, reference, x, place)
+    waiting = list(lines)
+    while waiting:
+        # first what lies between two known ends, then what hangs on one
+        ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in known for k in (0, -1)))
+        line = ready[0]
+        waiting = [other for other in waiting if other is not line]
+        one, other = (known.get(int(line[k])) for k in (0, -1))
+        if one is None and other is None:
+            break
+        _carry(tables, reference, moved, line, one or other or _REST, other or one or _REST)
+        for k, motion in ((0, other), (-1, one)):
+            known.setdefault(int(line[k]), motion or _REST)
+    return moved
+
+
+def _motion(tables: Tables, reference: Array, x: Array, place: int) -> _Motion:
+    q, u = int(tables.q[place]), tables.nq + int(tables.u[place])
+    now, before = _rotation(x[q : q + 4]), _rotation(reference[q : q + 4])
+    turn = now * before.inv()
+    position = x[q + 4 : q + 7]
+    omega, velocity = now.apply(x[u : u + 3]), x[u + 3 : u + 6]
+    return _Motion(
+        turn,
+        position - turn.apply(reference[q + 4 : q + 7]),
+        omega,
+        velocity - np.cross(omega, position),
+    )
+
+
+def _carry(
+    tables: Tables, reference: Array, x: Array, line: Integers, one: _Motion, other: _Motion
+) -> None:
+    """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
+    share = np.linspace(0.0, 1.0, len(line))
+    arc = (other.turn * one.turn.inv()).as_rotvec()
+    for k, place in enumerate(line):
+        if place == GROUND:
+            continue
+        s = share[k]
+        turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
+        q, u = int(tables.q[place]), tables.nq + int(tables.u[place])
+        home = reference[q + 4 : q + 7]
+        positions = [m.turn.apply(home) + m.shift for m in (one, other)]
+        position = (1 - s) * positions[0] + s * positions[1]
+        now = turn * _rotation(reference[q : q + 4])
+        a, b, c, w = now.as_quat()
+        x[q : q + 7] = (w, a, b, c, *position)
+        omega = (1 - s) * one.omega + s * other.omega
+        velocity = (1 - s) * one.velocity + s * other.velocity
+        x[u : u + 3] = now.inv().apply(omega)
+        x[u + 3 : u + 6] = velocity + np.cross(omega, position)
+
+
+def _rotation(q: Array) -> Rotation:
+    return Rotation.from_quat([q[1], q[2], q[3], q[0]])
