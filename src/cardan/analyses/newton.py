@@ -27,7 +27,8 @@ TIGHT = 1e-10  # steps without units that end the search; the next would be thei
 NOISE = 1e-7  # steps that no longer fall below this are rounding
 # where forces are rounding, of the largest stiffness, larger steps are
 ROUNDED, ROUGH = 4e-15, 1e-4
-NEWTON, CREEPING, FEW = 30, 400, 40
+NEWTON, CREEPING, FEW = 30, 400, 100
+HASTE = 0.03  # steps of a creeping system that are not worth it below that
 HALVINGS = 12
 FIRST, LEAST = 0.125, 2.0**-12  # parts of a load that comes on
 SLOW, AWAY = 15, 0.1  # steps after which others are this part of the reach at most
@@ -174,8 +175,10 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
                 found.motion if len(found.motion) else step,
                 found.pushed,
             )
-        # thicker steps as it comes to rest
-        if 0 < last < np.inf and share == 1.0:
+        # thicker steps as it comes to rest, and while stiffness that has no part in it holds it up
+        if size < HASTE * system.reach:
+            resistance *= 0.3
+        elif 0 < last < np.inf and share == 1.0:
             resistance = min(1.0, resistance * min(max(size / last, 0.3), 2.0))
         elif last == 0:
             resistance *= 0.3
