@@ -76,6 +76,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             "lines": len(absolute.lines),
             "frames": "frames__data",
             "states": absolute.states.name,
+            "rest": _rest(absolute),
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
         },
         "functions": {},
@@ -238,6 +239,16 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
             }
         )
     return rows
+
+
+def _rest(absolute: Absolute) -> list[float]:
+    """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
+    found: list[float] = []
+    for joint in absolute.system.joints:
+        own = [c.default for c in joint.element.coordinates]
+        if joint.q >= 0:
+            found += joint.q0 if joint.implicit and joint.q0 is not None else own
+    return [float(x) for x in found]
 
 
 def _loose(absolute: Absolute) -> list[int]:
