@@ -110,6 +110,8 @@ def numbers(absolute: Absolute) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
     tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
+    segments = absolute.system.segments
+    tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
