@@ -24,7 +24,7 @@ Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
-LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
+LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 
 
 class Singular(ArithmeticError):
