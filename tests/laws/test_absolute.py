@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
+import functools
+import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,10 @@ import pytest
 
 import cardan as cd
 from cardan.errors import DerivationError
-from cardan.runtime.absolute.mesh import Mesh, State
+from cardan.runtime import toolchain
+from cardan.runtime.absolute.elements import Elements, State
+from cardan.runtime.absolute.mesh import Mesh
+from cardan.runtime.absolute.plain import PlainElements
 from laws.cases import derived, states
 from mechanisms import ZOO
 
@@ -25,7 +30,7 @@ def slowly() -> list[Any]:
     return [n if n in SHOWN else pytest.param(n, marks=pytest.mark.slow) for n in ZOO]
 
 
-@cache
+@functools.cache
 def both(name: str) -> tuple[cd.CompiledModel, cd.CompiledModel]:
     """A mechanism in absolute and in relative coordinates."""
     try:
@@ -42,7 +47,7 @@ def carried(model: cd.CompiledModel, other: cd.CompiledModel, q: Any, u: Any) ->
     return found["q"], found["u"]
 
 
-def mesh_of(model: cd.CompiledModel) -> Mesh:
+def mesh_of(model: cd.CompiledModel) -> Elements:
     """Its elements."""
     return model._source.results(model).mesh  # type: ignore[attr-defined, no-any-return]
 
@@ -122,17 +127,71 @@ def test_explicit_methods_go_too() -> None:
         assert abs(motion[name][-1] - exact[name][-1]) < 1e-7
 
 
-def test_lanes_give_the_sums_of_single_elements() -> None:
+def arm(elements: int) -> cd.Model:
+    """A rubber arm with a ball at its tip."""
     scene = cd.Model("arm", gravity=(0, 0, -9.81))
     rubber = cd.material(E=5e6, nu=0.45, rho=1100)
-    scene.beam(
-        "arm", scene.ground, (1, 0, 0), section=cd.section.circle(radius=0.01),
-        material=rubber, elements=19,
-    )  # fmt: skip
-    model = cd.compile(scene)
+    section = cd.section.circle(radius=0.01)
+    beam = scene.beam(
+        "arm", scene.ground, (1, 0, 0), section=section, material=rubber, elements=elements
+    )
+    ball = scene.body("ball", mass=0.01, inertia=cd.inertia.sphere(0.01, 0.02))
+    scene.joint("hinge", cd.Revolute("y"), beam.end, ball.at(-0.05, 0, 0))
+    return scene
+
+
+def disturbed(model: cd.CompiledModel) -> State:
+    """A state beside the reference configuration."""
     mesh, rng = mesh_of(model), np.random.default_rng(5)
     q = mesh.move(model.initial()[: model.nq], 0.01 * rng.normal(size=model.nu))
-    at = State(q=q, u=rng.normal(size=model.nu), udot=rng.normal(size=model.nu))
+    u, udot, lam = (rng.normal(size=n) for n in (model.nu, model.nu, model.nlam))
+    return State(q=q, u=u, udot=udot, lam=lam)
+
+
+def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    model = cd.compile(arm(3), directory=tmp_path / "arm")
+    at = disturbed(model)
+    known = results(model, at)
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    monkeypatch.setenv("CARDAN_CACHE", str(tmp_path / "cache"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cd.BuildWarning)
+        bare = cd.CompiledModel(tmp_path / "arm")
+        assert isinstance(mesh_of(bare), PlainElements)
+        found = results(bare, at)
+        rest = bare.equilibrium(hold={"hinge": 0.0})
+    for name, value in known.items():
+        size = 1 + np.abs(value).max()
+        np.testing.assert_allclose(found[name], value, rtol=0, atol=1e-9 * size, err_msg=name)
+    assert rest.converged
+    with pytest.raises(cd.ModelError, match="needs a C compiler"):
+        bare.simulate(0.1)
+
+
+def results(model: cd.CompiledModel, at: State) -> dict[str, Any]:
+    """What elements give in every way."""
+    mesh, du = mesh_of(model), 0.1 * np.arange(1, model.nu + 1) / model.nu
+    tangent = mesh.tangent(at)
+    return {
+        "balance": np.concatenate(mesh.balance(at)),
+        "gamma": mesh.gamma(at),
+        "energy": mesh.total("energy", 2, at),
+        "moved": mesh.move(at.q, du),
+        "rates": mesh.rates(at.q, du),
+        "udot": np.concatenate(mesh.accelerations(at)),
+        "position": mesh.call("close_position", at, model.nq + model.nlam),
+        "velocity": mesh.call("close_velocity", at, model.nu + model.nlam),
+        "stress": mesh.settled(at),
+        **{name: matrix.toarray() for name, matrix in tangent.items()},
+    }
+
+
+def test_lanes_give_the_sums_of_single_elements() -> None:
+    model = cd.compile(arm(19))
+    mesh, at = mesh_of(model), disturbed(model)
+    assert isinstance(mesh, Mesh)
     side_by_side = np.concatenate(mesh.balance(at)), mesh.values(at, (1.0, 0.5, 0.25))
     mesh.record.lanes = 1
     for group in mesh._groups:

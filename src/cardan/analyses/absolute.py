@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, vstack
 
 from ..errors import ModelError, near
+from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation
-from ..runtime.absolute.mesh import Mesh, State
 from ..runtime.absolute.tables import Tables
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
@@ -28,7 +28,6 @@ from .settings import blocks, start
 
 Array = NDArray[np.float64]
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
-FULL = 300  # unknowns up to which full matrices are quick
 STEP = 1e-5  # of central differences; their error is 1e-10 of third derivatives
 
 
@@ -53,27 +52,29 @@ class Absolute(Modeled):
                 f"model '{model.name}' has internal states ('{model.internals[0]}'): in absolute "
                 "coordinates equilibria and linear models take none. Use coordinates='relative'"
             )
-        self._meshes: dict[Any, Mesh] = {}
+        self._meshes: dict[Any, Elements] = {}
         self.model = model
         self.tables = self._mesh(None).tables
         super().__init__(model, self.tables.mp, _extent(model))
         rows = model.manifest.get("multipliers", ())
         self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
         self.reach = REACH
-        self.saddle: Saddle = Sparse(_blocks(self.tables), FULL)
+        self.saddle: Saddle = Sparse(_blocks(self.tables))
 
-    def _mesh(self, parameters: Parameters) -> Mesh:
+    def _mesh(self, parameters: Parameters) -> Elements:
         """The elements with values of parameters; the first and the last ones are kept."""
         key = tuple(sorted((parameters or {}).items()))
         if key not in self._meshes:
             model = self.model.with_parameters(dict(parameters)) if parameters else self.model
             kept = {k: mesh for k, mesh in self._meshes.items() if k == ()}
-            mesh: Mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
+            mesh: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
             self._meshes = {**kept, key: mesh}
         return self._meshes[key]
 
-    def _asked(self, at: Moment) -> tuple[Mesh, State]:
+    def _asked(self, at: Moment) -> tuple[Elements, State]:
         state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z, at.s)
+        if len(at.inner):
+            state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
         return self._mesh(at.parameters), state
 
     # where to begin
@@ -119,12 +120,12 @@ class Absolute(Modeled):
     def balance(self, at: Moment) -> Array:
         """As :meth:`Contract.balance`."""
         mesh, state = self._asked(at)
-        return np.concatenate(mesh.balance(state))
+        return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
 
     def tangents(self, at: Moment) -> Tangents:
         """As :meth:`Contract.tangents`."""
         mesh, state = self._asked(at)
-        found = mesh.tangent(state)
+        found = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
         return Tangents(*(csr_array(found[name]) for name in "KCMRG"))
 
     def internal_rates(self, at: Moment) -> Array:
@@ -235,6 +236,19 @@ class Absolute(Modeled):
         values = np.concatenate([z, -y, -z, x, y, -x])
         nu = self.model.nu
         return csr_array((values, (i, j)), (nu, nu)).toarray()
+
+    def opened(self, at: Moment) -> Moment:
+        """As :meth:`Contract.opened`: the stress of beams is an unknown of its own."""
+        mesh, state = self._asked(at)
+        return replace(at, inner=mesh.settled(state))
+
+    def advanced(self, at: Moment, du: Array) -> Moment:
+        """As :meth:`Contract.advanced`."""
+        inner = at.inner
+        if len(inner):
+            mesh, state = self._asked(at)
+            inner = mesh.stepped(replace(state, du=du))
+        return replace(at, q=self.integrate(at.q, du) if np.any(du) else at.q, inner=inner)
 
     def integrate(self, q: Array, du: Array) -> Array:
         """As :meth:`Contract.integrate`."""

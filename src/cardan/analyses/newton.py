@@ -60,6 +60,13 @@ def newton(problem: Problem, point: Point, load: Load, damped: bool = False) -> 
         problem, point, load: Of what, from where, under what.
         damped: Shorten steps until the residual falls.
     """
+    if damped:
+        return _steps(problem, point, load, damped)
+    found = _steps(problem, problem.opened(point), load, damped)
+    return replace(found, point=problem.closed(found.point))
+
+
+def _steps(problem: Problem, point: Point, load: Load, damped: bool) -> Search:
     last, least, step = np.inf, np.inf, np.zeros(0)
     for k in range(1, NEWTON + 1):
         try:

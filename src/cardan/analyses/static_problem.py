@@ -133,10 +133,17 @@ class Problem:
         """The point after a step of the unknowns, with the speeds that belong to it."""
         s, at = self.system, point.at
         nu, m = len(s.columns), len(s.rows)
-        q = s.integrate(at.q, x[:nu] * s.columns) if np.any(x[:nu]) else at.q
         lam = at.lam + y[:m] / s.rows
-        moved = replace(at, q=q, z=at.z + x[nu:], lam=lam)
+        moved = replace(s.advanced(at, x[:nu] * s.columns), z=at.z + x[nu:], lam=lam)
         return Point(self._steady(moved, load), point.held + y[m:])
+
+    def opened(self, point: Point) -> Point:
+        """The point with what elements keep themselves while one searches."""
+        return replace(point, at=self.system.opened(point.at))
+
+    def closed(self, point: Point) -> Point:
+        """The point without that."""
+        return replace(point, at=replace(point.at, inner=np.zeros(0)))
 
     def held(self, point: Point, load: Load) -> tuple[list[int], Array]:
         """Speeds (places) that are held, and the forces (nu,) that hold them."""

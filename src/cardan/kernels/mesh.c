@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "mesh.h"
+#include "mesh_lanes.h"
 #include <stdint.h>
 
 /* numbers, as many as fit side by side into the vectors of the lanes */
@@ -22,47 +23,60 @@ static real *aligned(real *room)
     return room + (8 - ((uintptr_t)room / sizeof(real)) % 8) % 8;
 }
 
-/* Numbers from `from` on into every stride-th entry of `to`. */
-static real *put(const real *from, ptrdiff_t n, real *to, ptrdiff_t stride)
+static real *zeros(ptrdiff_t n, real *to)
 {
     for (ptrdiff_t i = 0; i < n; i++)
-        to[i * stride] = from ? from[i] : 0;
-    return to + n * stride;
+        to[i] = 0;
+    return to + n;
 }
 
-/* The same of numbers that are picked from a block. */
-static real *pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, real *to,
-                  ptrdiff_t stride)
+/* Numbers of elements that are picked from a block of the scene. */
+static real *pick(const real *from, const ptrdiff_t *which, ptrdiff_t n, const ptrdiff_t *element,
+                  ptrdiff_t lanes, real *to)
 {
     for (ptrdiff_t i = 0; i < n; i++)
-        to[i * stride] = from ? from[which[i]] : 0;
-    return to + n * stride;
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = from ? from[which[element[lane] * n + i]] : 0;
+    return to;
 }
 
-/* Numbers of every place of an element. */
-static real *put_places(const ptrdiff_t *starts, const ptrdiff_t *place, ptrdiff_t places,
-                        const real *from, real *to, ptrdiff_t stride)
+/* Numbers of every place of the elements, zeros where there are none. */
+static real *fetch_places(const cardan_group *g, const ptrdiff_t *element,
+                          ptrdiff_t lanes, const ptrdiff_t *starts, const real *from, real *to)
 {
-    for (ptrdiff_t k = 0; k < places; k++) {
-        const ptrdiff_t start = starts[place[k]], n = starts[place[k] + 1] - start;
-        to = put(from ? from + start : NULL, n, to, stride);
+    const real *rows[CARDAN_ABREAST];
+
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t *own = starts + g->place[element[0] * g->places + k], n = own[1] - own[0];
+
+        for (ptrdiff_t lane = 0; lane < lanes && from; lane++)
+            rows[lane] = from + starts[g->place[element[lane] * g->places + k]];
+        to = from ? cardan_fetch(rows, n, to, lanes) : zeros(n * lanes, to);
     }
     return to;
 }
 
-/* What one element reads, into lane 0 of `local`. Returns where the next block begins. */
-static real *gather(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                    const cardan_state *at, real *local, ptrdiff_t stride)
+/* What the elements read, side by side into `local`. Returns where the next block begins. */
+static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                    ptrdiff_t lanes, const cardan_state *at, real *local)
 {
-    const ptrdiff_t *place = g->place + element * g->places, *rows = g->rows + 2 * element;
-
-    local = put_places(mesh->q, place, g->places, at->q, local, stride);
-    local = put_places(mesh->u, place, g->places, at->u, local, stride);
-    local = put_places(mesh->u, place, g->places, at->udot, local, stride);
-    local = put(at->lam ? at->lam + rows[0] : NULL, g->mp, local, stride);
-    local = put(at->lam ? at->lam + rows[1] : NULL, g->m - g->mp, local, stride);
-    local = pick(at->z, g->z ? g->z + element * g->nz : NULL, g->nz, local, stride);
-    return pick(at->s, g->s ? g->s + element * g->ns : NULL, g->ns, local, stride);
+    local = fetch_places(g, element, lanes, mesh->q, at->q, local);
+    local = fetch_places(g, element, lanes, mesh->u, at->u, local);
+    local = fetch_places(g, element, lanes, mesh->u, at->udot, local);
+    for (ptrdiff_t k = 0; k < g->m; k++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++, local++) {
+            const ptrdiff_t *rows = g->rows + 2 * element[lane];
+            *local = at->lam ? at->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] : 0;
+        }
+    local = pick(at->z, g->z, g->nz, element, lanes, local);
+    local = pick(at->s, g->s, g->ns, element, lanes, local);
+    if (!at->inner)
+        return local;
+    local = fetch_places(g, element, lanes, mesh->u, at->du, local);
+    for (ptrdiff_t i = 0; i < g->inner; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *local++ = at->inner[g->inner_start + element[lane] * g->inner + i];
+    return local;
 }
 
 /* The blocks of `local` as functions read them. */
@@ -79,34 +93,40 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.lam = in.udot + g->nu * stride;
     in.z = in.lam + g->m * stride;
     in.s = in.z + g->nz * stride;
+    in.du = in.s + g->ns * stride;
+    /* kinds with unknowns of their own have no internal states */
+    if (g->inner > 0)
+        in.z = in.du + g->nu * stride;
     return in;
 }
 
-/* The elements of a group, `stride` at a time. */
+/* The elements of a group, `lanes` at a time. */
 static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at, int form,
-                ptrdiff_t stride, cardan_taker *take, void *to, real *room)
+                ptrdiff_t lanes, cardan_taker *take, void *to, real *room)
 {
     const cardan_form *f = &g->forms[form];
-    real *t = room, *r = t + stride, *local = r + mesh->nr * stride, *out;
+    real *t = room, *r = t + lanes, *local = r + mesh->nr * lanes;
+    cardan_in in = blocks(g, t, r, local, lanes);
     int status = 0;
 
-    for (ptrdiff_t lane = 0; lane < stride; lane++) {
+    for (ptrdiff_t lane = 0; lane < lanes; lane++) {
         t[lane] = at->t;
-        put(at->r, mesh->nr, r + lane, stride);
+        for (ptrdiff_t i = 0; i < mesh->nr; i++)
+            r[i * lanes + lane] = at->r ? at->r[i] : 0;
     }
-    for (ptrdiff_t first = 0; first < g->count && status == 0; first += stride) {
-        const ptrdiff_t left = g->count - first, filled = left < stride ? left : stride;
-        cardan_in in = blocks(g, t, r, local, stride);
+    for (ptrdiff_t first = 0; first < g->count && status == 0; first += lanes) {
+        const ptrdiff_t left = g->count - first;
+        cardan_abreast some = {lanes, left < lanes ? left : lanes, {0}};
+        real *out;
 
-        out = local;
         /* lanes that are left over repeat the last element */
-        for (ptrdiff_t lane = 0; lane < stride; lane++)
-            out = gather(mesh, g, first + (lane < filled ? lane : filled - 1), at, local + lane,
-                         stride) - lane;
-        in.w = stride > 1 ? f->w_lanes + first * f->nw : f->w + first * f->nw;
-        status = (stride > 1 ? f->lanes : f->one)(&in, out, out + f->size * stride);
-        for (ptrdiff_t lane = 0; lane < filled && status == 0; lane++)
-            take(mesh, g, first + lane, out + lane, stride, to);
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            some.element[lane] = first + (lane < some.filled ? lane : some.filled - 1);
+        out = gather(mesh, g, some.element, lanes, at, local);
+        in.w = lanes > 1 ? f->w_lanes + first * f->nw : f->w + first * f->nw;
+        status = (lanes > 1 ? f->lanes : f->one)(&in, out, out + f->size * lanes);
+        if (status == 0)
+            take(mesh, g, &some, out, to);
     }
     return status;
 }
@@ -129,38 +149,34 @@ int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
     return status;
 }
 
-/* Add numbers of an element to those of its places. */
-static const real *add_places(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                              const real *out, ptrdiff_t stride, real *to)
+/* Set the rows of elements: those of positions, then the others. */
+static void set_rows(const cardan_group *g, const cardan_abreast *some, const real *out, real *to)
 {
-    const ptrdiff_t *place = g->place + element * g->places;
-
-    for (ptrdiff_t k = 0; k < g->places; k++)
-        for (ptrdiff_t i = mesh->u[place[k]]; i < mesh->u[place[k] + 1]; i++, out += stride)
-            to[i] += *out;
-    return out;
+    for (ptrdiff_t k = 0; k < g->m; k++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+            const ptrdiff_t *rows = g->rows + 2 * some->element[lane];
+            to[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] = out[lane];
+        }
 }
 
-/* Set the rows of an element: those of positions, then the others. */
-static void set_rows(const cardan_group *g, ptrdiff_t element, const real *out, ptrdiff_t stride,
-                     real *to)
+static void take_balance(const cardan_mesh *mesh, const cardan_group *g,
+                         const cardan_abreast *some, real *out, void *to)
 {
-    const ptrdiff_t *rows = g->rows + 2 * element;
+    real *sum = to, *gaps = sum + mesh->nu, *rates = gaps + mesh->mp, *rows[CARDAN_ABREAST];
 
-    for (ptrdiff_t k = 0; k < g->m; k++)
-        to[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] = out[k * stride];
-}
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t *own = mesh->u + g->place[some->element[0] * g->places + k];
+        const ptrdiff_t n = own[1] - own[0];
 
-static void take_balance(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                         const real *out, ptrdiff_t stride, void *to)
-{
-    real *sum = to, *gaps = sum + mesh->nu, *rates = gaps + mesh->mp;
-    const ptrdiff_t *rows = g->rows + 2 * element;
-
-    out = add_places(mesh, g, element, out, stride, sum);
-    for (ptrdiff_t k = 0; k < g->mp; k++, out += stride)
-        gaps[rows[0] + k] = *out;
-    set_rows(g, element, out, stride, rates);
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            rows[lane] = sum + mesh->u[g->place[some->element[lane] * g->places + k]];
+        cardan_spill(out, n, some->lanes, rows, some->filled);
+        out += n * some->lanes;
+    }
+    for (ptrdiff_t k = 0; k < g->mp; k++, out += some->lanes)
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            gaps[g->rows[2 * some->element[lane]] + k] = out[lane];
+    set_rows(g, some, out, rates);
 }
 
 int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room)
@@ -170,11 +186,11 @@ int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *o
     return cardan_mesh_each(mesh, at, CARDAN_BALANCE, take_balance, out, room);
 }
 
-static void take_rows(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                      const real *out, ptrdiff_t stride, void *to)
+static void take_rows(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                      real *out, void *to)
 {
     (void)mesh;
-    set_rows(g, element, out, stride, to);
+    set_rows(g, some, out, to);
 }
 
 int cardan_mesh_gamma(const cardan_mesh *mesh, const cardan_state *at, real *gamma, real *room)
@@ -189,14 +205,15 @@ typedef struct sum {
     ptrdiff_t size;
 } sum;
 
-static void take_sum(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                     const real *out, ptrdiff_t stride, void *to)
+static void take_sum(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                     real *out, void *to)
 {
     const sum *total = to;
 
-    (void)mesh, (void)g, (void)element;
-    for (ptrdiff_t i = 0; i < total->size; i++)
-        total->out[i] += out[i * stride];
+    (void)mesh, (void)g;
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        for (ptrdiff_t i = 0; i < total->size; i++)
+            total->out[i] += out[i * some->lanes + lane];
 }
 
 int cardan_mesh_sum(const cardan_mesh *mesh, const cardan_state *at, int form, ptrdiff_t size,
@@ -214,8 +231,8 @@ typedef struct stored {
     int form;
 } stored;
 
-static void take_result(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                        const real *out, ptrdiff_t stride, void *to)
+static void take_result(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                        real *out, void *to)
 {
     const stored *all = to;
     const ptrdiff_t size = g->forms[all->form].size;
@@ -225,8 +242,9 @@ static void take_result(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_
     for (const cardan_group *other = mesh->groups; other != g; other++)
         if (other->forms[all->form].one)
             own += other->count * other->forms[all->form].size;
-    for (ptrdiff_t i = 0; i < size; i++)
-        own[element * size + i] = out[i * stride];
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        for (ptrdiff_t i = 0; i < size; i++)
+            own[some->element[lane] * size + i] = out[i * some->lanes + lane];
 }
 
 int cardan_mesh_results(const cardan_mesh *mesh, const cardan_state *at, int form, real *out,

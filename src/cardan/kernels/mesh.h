@@ -28,6 +28,8 @@ enum {
     CARDAN_REACTION, /* (6) of the parent on the child */
     CARDAN_OUTPUTS,  /* of the user */
     CARDAN_STRESS,   /* resultants and strains along an element */
+    CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
+    CARDAN_MIXED_STEP, /* these after the increment du */
     CARDAN_FORMS
 };
 
@@ -47,6 +49,8 @@ typedef struct cardan_group {
     ptrdiff_t count;           /* elements */
     ptrdiff_t places;          /* that each couples */
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
+    ptrdiff_t inner, inner_start; /* unknowns of an element's own while one searches; where they
+                                     begin among those of all */
     const ptrdiff_t *place;    /* (count, places) */
     const ptrdiff_t *rows;     /* (count, 2): first row of positions, first of the others */
     const ptrdiff_t *z, *s;    /* (count, nz), (count, ns): which of the scene's they are */
@@ -77,7 +81,6 @@ typedef struct cardan_mesh {
                                   element that has some, group by group */
     const ptrdiff_t *unknown;  /* (m): the unknown of the plan that a multiplier is */
     const ptrdiff_t *diagonal; /* (nu): where the diagonal of the matrix stands */
-    ptrdiff_t widest;          /* speeds of an element, at most */
     ptrdiff_t lanes;           /* elements side by side, 1: none */
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
@@ -87,11 +90,19 @@ typedef struct cardan_mesh {
 typedef struct cardan_state {
     real t;
     const real *q, *u, *udot, *lam, *z, *s, *r;
+    const real *du, *inner; /* of a search: increments (nu), unknowns of elements; NULL else */
 } cardan_state;
 
-/* Takes the result of an element: entry i stands at out[i * stride]. */
-typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group, ptrdiff_t element,
-                          const real *out, ptrdiff_t stride, void *to);
+/* Elements side by side. */
+typedef struct cardan_abreast {
+    ptrdiff_t lanes, filled;  /* how many go together, and how many of these are elements */
+    ptrdiff_t element[8];     /* (lanes) which; behind the filled ones the last again */
+} cardan_abreast;
+
+/* Takes the results of elements: entry i of the k-th stands at out[i * lanes + k]; may change
+ * them. */
+typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group,
+                          const cardan_abreast *some, real *out, void *to);
 
 /* numbers of memory that a loop over elements needs */
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh);

@@ -6,111 +6,150 @@
  *     [G T + lever R T      0]      rows of positions G T; lever: of the rows that bind speeds
  */
 #include "mesh_matrix.h"
+#include "mesh_lanes.h"
+#include <string.h>
 
 /* a matrix that is being filled */
 typedef struct assembling {
     const cardan_assembly *parts;
-    real *a, *row;
+    real *a;
 } assembling;
 
-/* Row `i` of a part of a tangent (height, nu) with what turns its columns, into `row` (nu). */
-static void turned_row(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                       const real *from, ptrdiff_t stride, const real *turned, real share,
-                       real *row)
+/* Speeds of the k-th place of elements that go together. */
+static ptrdiff_t place_of(const cardan_mesh *mesh, const cardan_group *g,
+                          const cardan_abreast *some, ptrdiff_t k)
 {
-    const ptrdiff_t *place = g->place + element * g->places;
+    const ptrdiff_t *own = mesh->u + g->place[some->element[0] * g->places + k];
 
-    for (ptrdiff_t k = 0; k < g->places; k++) {
-        const ptrdiff_t n = mesh->u[place[k] + 1] - mesh->u[place[k]];
-        const real *T = turned && n == 6 ? turned + 9 * place[k] : NULL;
-        ptrdiff_t j = 0;
-
-        for (; T && j < 3; j++)
-            row[j] += share * (from[0] * T[j] + from[stride] * T[3 + j] + from[2 * stride] * T[6 + j]);
-        for (; j < n; j++)
-            row[j] += share * from[j * stride];
-        from += n * stride;
-        row += n;
-    }
+    return own[1] - own[0];
 }
 
-/* Add a row of an element to the blocks of row block `k` of its places. */
-static void add_row(real *values, const cardan_mesh *mesh, const cardan_group *g,
-                    ptrdiff_t element, ptrdiff_t k, ptrdiff_t i, const real *row)
+/* Turn the columns of `height` rows (nu) from increments of rotations to motions. */
+static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                 const real *turned, ptrdiff_t height, real *rows)
 {
-    const ptrdiff_t blocks = g->places + (g->m > 0);
-    const ptrdiff_t *spots = g->spots + element * blocks * (blocks + 1) + k * (blocks + 1);
-    const ptrdiff_t *place = g->place + element * g->places, stride = spots[blocks];
+    const real *from[CARDAN_ABREAST];
+    real T[9 * CARDAN_ABREAST];
 
-    for (ptrdiff_t l = 0; l < g->places; l++) {
-        const ptrdiff_t n = mesh->u[place[l] + 1] - mesh->u[place[l]];
-        real *a = values + spots[l] + i * stride;
-        for (ptrdiff_t j = 0; j < n; j++)
-            a[j] += row[j];
-        row += n;
-    }
-}
+    for (ptrdiff_t k = 0; k < g->places && turned; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
 
-/* The rows of the constraints of an element, and their transposed columns. */
-static void add_constraints(const assembling *to, const cardan_mesh *mesh,
-                            const cardan_group *g, ptrdiff_t element, const real *out,
-                            ptrdiff_t stride)
-{
-    const ptrdiff_t blocks = g->places + 1, *starts = g->parts;
-    const cardan_assembly *parts = to->parts;
-    const ptrdiff_t *spots = g->spots + element * blocks * (blocks + 1);
-    const ptrdiff_t *place = g->place + element * g->places;
-
-    for (ptrdiff_t r = 0; r < g->m; r++) {
-        const int position = r < g->mp;
-        const real *G = out + (starts[CARDAN_G] + r * g->nu) * stride, *column = G;
-
-        for (ptrdiff_t j = 0; j < g->nu; j++)
-            to->row[j] = 0;
-        turned_row(mesh, g, element, G, stride, position ? parts->turned : NULL, 1, to->row);
-        if (starts[CARDAN_R] >= 0 && parts->lever != 0 && (!position || parts->stabilized))
-            turned_row(mesh, g, element, out + (starts[CARDAN_R] + r * g->nu) * stride, stride,
-                       parts->turned, parts->lever, to->row);
-        add_row(to->a, mesh, g, element, g->places, r, to->row);
-        for (ptrdiff_t k = 0; k < g->places; k++) {
-            const ptrdiff_t n = mesh->u[place[k] + 1] - mesh->u[place[k]];
-            real *a = to->a + spots[k * (blocks + 1) + g->places] + r;
-            for (ptrdiff_t i = 0; i < n; i++, column += stride)
-                a[i * spots[k * (blocks + 1) + blocks]] += *column;
+        if (n == 6) {
+            for (ptrdiff_t lane = 0; lane < some->lanes; lane++)
+                from[lane] = turned + 9 * g->place[some->element[lane] * g->places + k];
+            (void)cardan_fetch(from, 9, T, some->lanes);
+            for (ptrdiff_t i = 0; i < height; i++)
+                cardan_turn_three(T, some->lanes, rows + i * g->nu * some->lanes);
         }
+        rows += n * some->lanes;
     }
 }
 
-static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                        const real *out, ptrdiff_t stride, void *into)
+/* Add `height` rows (nu) to those of row block k. */
+static void add_rows(real *values, const cardan_mesh *mesh, const cardan_group *g,
+                     const cardan_abreast *some, ptrdiff_t k, ptrdiff_t height, const real *rows)
+{
+    const ptrdiff_t blocks = g->places + (g->m > 0), size = blocks * (blocks + 1);
+    const ptrdiff_t *spots[CARDAN_ABREAST];
+    real *to[CARDAN_ABREAST];
+
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        spots[lane] = g->spots + some->element[lane] * size + k * (blocks + 1);
+    for (ptrdiff_t l = 0; l < g->places; l++) {
+        const ptrdiff_t n = place_of(mesh, g, some, l);
+
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            to[lane] = values + spots[lane][l];
+        for (ptrdiff_t i = 0; i < height; i++) {
+            cardan_spill(rows + i * g->nu * some->lanes, n, some->lanes, to, some->filled);
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                to[lane] += spots[lane][blocks];
+        }
+        rows += n * some->lanes;
+    }
+}
+
+/* Add the rows of constraints (m, nu) as columns. */
+static void add_columns(real *values, const cardan_mesh *mesh, const cardan_group *g,
+                        const cardan_abreast *some, const real *rows)
+{
+    const ptrdiff_t blocks = g->places + 1, size = blocks * (blocks + 1);
+
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+        const real *own = rows + lane;
+        const ptrdiff_t *spots = g->spots + some->element[lane] * size;
+
+        for (ptrdiff_t k = 0; k < g->places; k++, spots += blocks + 1)
+            for (ptrdiff_t i = 0, n = place_of(mesh, g, some, k); i < n; i++, own += some->lanes) {
+                real *a = values + spots[g->places] + i * spots[blocks];
+                for (ptrdiff_t r = 0; r < g->m; r++)
+                    a[r] += own[r * g->nu * some->lanes];
+            }
+    }
+}
+
+/* The rows of the constraints of elements, and their transposed columns. */
+static void add_constraints(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
+                            const cardan_abreast *some, real *out)
+{
+    const cardan_assembly *parts = to->parts;
+    const ptrdiff_t *starts = g->parts, lanes = some->lanes, first = parts->stabilized ? 0 : g->mp;
+    real *G = out + starts[CARDAN_G] * lanes, *R = out + starts[CARDAN_R] * lanes;
+
+    add_columns(to->a, mesh, g, some, G);
+    turn(mesh, g, some, parts->turned, g->mp, G);
+    if (starts[CARDAN_R] >= 0 && parts->lever != 0) {
+        const ptrdiff_t done = first * g->nu * lanes;
+        turn(mesh, g, some, parts->turned, g->m - first, R + done);
+        cardan_mix((g->m - first) * g->nu * lanes, parts->lever, R + done, 1, G + done);
+    }
+    add_rows(to->a, mesh, g, some, g->places, g->m, G);
+}
+
+/* Shares of K T, C and M, in place of the first of them; NULL: there is none. */
+static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
+                    const cardan_abreast *some, real *out)
+{
+    const ptrdiff_t *starts = g->parts, size = g->nu * g->nu * some->lanes;
+    real *sum = NULL;
+
+    for (int part = CARDAN_K; part <= CARDAN_M; part++) {
+        const real share = to->parts->shares[part];
+        real *own = out + starts[part] * some->lanes;
+
+        if (starts[part] < 0 || share == 0)
+            continue;
+        if (part == CARDAN_K)
+            turn(mesh, g, some, to->parts->turned, g->nu, own);
+        if (sum)
+            cardan_mix(size, share, own, 1, sum);
+        else
+            cardan_mix(size, share, own, 0, sum = own);
+    }
+    return sum;
+}
+
+static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                        real *out, void *into)
 {
     const assembling *to = into;
-    const cardan_assembly *parts = to->parts;
-    const ptrdiff_t *place = g->place + element * g->places, *starts = g->parts;
-    ptrdiff_t i = 0;
+    const real *sum = shared(to, mesh, g, some, out);
 
-    for (ptrdiff_t k = 0; k < g->places; k++)
-        for (ptrdiff_t n = mesh->u[place[k] + 1] - mesh->u[place[k]], own = 0; own < n; own++, i++) {
-            for (ptrdiff_t j = 0; j < g->nu; j++)
-                to->row[j] = 0;
-            for (int part = CARDAN_K; part <= CARDAN_M; part++)
-                if (starts[part] >= 0 && parts->shares[part] != 0)
-                    turned_row(mesh, g, element, out + (starts[part] + i * g->nu) * stride, stride,
-                               part == CARDAN_K ? parts->turned : NULL, parts->shares[part],
-                               to->row);
-            add_row(to->a, mesh, g, element, k, own, to->row);
-        }
+    for (ptrdiff_t k = 0; k < g->places && sum; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
+        add_rows(to->a, mesh, g, some, k, n, sum);
+        sum += n * g->nu * some->lanes;
+    }
     if (g->m > 0)
-        add_constraints(to, mesh, g, element, out, stride);
+        add_constraints(to, mesh, g, some, out);
 }
 
 int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, const cardan_mesh_system *system)
 {
-    real *row = system->work + 2 * mesh->plan->n;
-    assembling to = {parts, system->a, row};
+    assembling to = {parts, system->a};
 
-    for (ptrdiff_t i = 0; i < mesh->plan->values; i++)
-        system->a[i] = 0;
-    return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_matrix, &to, row + mesh->widest);
+    memset(system->a, 0, (size_t)mesh->plan->values * sizeof(real));
+    return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_matrix, &to,
+                            system->work + 2 * mesh->plan->n);
 }

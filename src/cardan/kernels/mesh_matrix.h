@@ -18,7 +18,7 @@ typedef struct cardan_mesh_system {
     cardan_sparse_factors factors;
     real *rows, *units;   /* (n) what equations are multiplied with, what unknowns are counted in */
     real *right, *found;  /* (n) */
-    real *work;           /* of refinement (2 n); a row of an element; loops over elements */
+    real *work;           /* of refinement (2 n); of loops over elements */
 } cardan_mesh_system;
 
 /* Point into a block, NULL: only measure. Returns how many numbers that takes. */

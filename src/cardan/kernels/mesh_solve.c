@@ -39,7 +39,7 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     factors->replaced = (int32_t *)(void *)piece(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
-    system->work = piece(block, &used, 2 * n + mesh->widest + cardan_mesh_room(mesh));
+    system->work = piece(block, &used, 2 * n + cardan_mesh_room(mesh));
     return used;
 }
 

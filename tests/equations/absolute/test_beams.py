@@ -201,3 +201,16 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
     power = Reference(scene, reference.q, u).listed("power", 0 * u, np.zeros(0))
     # damping takes more than wind can give; snow has a potential
     assert power[0] < 0 == power[1]
+
+
+def test_an_end_is_let_go_of_the_node_of_another_beam() -> None:
+    """The axes of the joint are those of its own beam; nothing is strained at the start."""
+    model = cd.Model("branch", gravity=(0, 0, 0))
+    beam = model.beam("stem", (0, 0, 0), (2, 0, 0), TUBE, STEEL, 2)
+    model.beam("twig", beam.at(0.5), (1, 1, 1), TUBE, STEEL, 2, release_start=("rx", "ry", "rz"))
+    model.beam("thorn", beam.at(0.5), (0, 1, 0), TUBE, STEEL, 2, release_start=("ry",))
+    reference = at_rest(cd.derive(model, coordinates="absolute"))
+    g, _ = reference.constraints()
+    assert np.abs(g).max() < 1e-14
+    _, bias, _, _ = reference.assembled()
+    assert np.abs(bias).max() < 1e-13 * 2.1e11 * np.pi * 0.02**2

@@ -11,7 +11,9 @@ import numpy as np
 from ...errors import ModelError
 from ..calling import Array
 from ..objects import Code
+from .elements import Elements
 from .mesh import Mesh
+from .plain import PlainElements
 from .tables import Kind, PlaceKind, Table, Tables
 
 if TYPE_CHECKING:
@@ -73,7 +75,7 @@ def data_of(model: CompiledModel, group: Table) -> Array:
     return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
 
 
-def load(model: CompiledModel) -> Mesh:
+def load(model: CompiledModel) -> Elements:
     """The elements of a model at its parameters, ready to be asked."""
     found = tables(model.manifest, model.directory)
     objects = model._objects
@@ -85,4 +87,7 @@ def load(model: CompiledModel) -> Mesh:
         return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
 
     data = [data_of(model, group) for group in found.groups]
+    some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
+    if any(code.function is not None for code in codes(some).values()):
+        return PlainElements(found, codes, data)
     return Mesh(found, model.manifest["functions"], codes, data, model._kernels())

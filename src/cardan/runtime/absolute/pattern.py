@@ -17,7 +17,7 @@ Longs = NDArray[np.int64]
 LARGEST = 2**31 - 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pattern:
     """A square matrix whose rows and columns come in the same nb blocks, stored by rows (CSR).
 
@@ -79,6 +79,14 @@ class Pattern:
         return once[ranges(np.repeat(begin, self.sizes), width)].astype(np.int32), np.asarray(
             starts, np.int32
         )
+
+    @cached_property
+    def turned(self) -> tuple[Longs, Longs, Longs]:
+        """The row of each value, the values column by column (values,), column starts (n + 1,)."""
+        columns, starts = self.csr
+        rows = np.repeat(np.arange(self.n), np.diff(starts))
+        order = np.argsort(columns, kind="stable")
+        return rows, order, np.searchsorted(columns[order], np.arange(self.n + 1))
 
     def block_of(self, unknown: int) -> int:
         """The block that an unknown belongs to."""

@@ -17,7 +17,7 @@ WIDEST = 48
 PAD = 4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Plan:
     """How a sparse matrix is factored; see ``cardan_sparse`` in ``kernels/sparse.h``.
 
@@ -131,7 +131,7 @@ def planned(matrix: Pattern) -> Plan:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Panels:
     """Where everything stands. A vertex is a set of blocks that are eliminated together.
 

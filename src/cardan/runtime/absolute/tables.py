@@ -150,6 +150,10 @@ class Tables:
             position, other = position + kind.mp * len(group), other + rest * len(group)
         return tuple(found)
 
+    def places_of(self, group: Table) -> Integers:
+        """(n, nq) global coordinate of every local one."""
+        return _spread(self.q, group.place)
+
     def columns(self, group: Table) -> Integers:
         """(n, nu) global speed of every local one."""
         return _spread(self.u, group.place)
