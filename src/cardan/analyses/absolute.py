@@ -28,7 +28,6 @@ from .settings import blocks, start
 
 Array = NDArray[np.float64]
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
-FULL = 300  # unknowns up to which full matrices are quick
 STEP = 1e-5  # of central differences; their error is 1e-10 of third derivatives
 
 
@@ -60,7 +59,7 @@ class Absolute(Modeled):
         rows = model.manifest.get("multipliers", ())
         self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
         self.reach = REACH
-        self.saddle: Saddle = Sparse(_blocks(self.tables), FULL)
+        self.saddle: Saddle = Sparse(_blocks(self.tables))
 
     def _mesh(self, parameters: Parameters) -> Elements:
         """The elements with values of parameters; the first and the last ones are kept."""

@@ -30,13 +30,16 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
     const cardan_mesh *mesh = run->mesh;
     const ptrdiff_t nu = run->nu, m = run->rates;
     real *own = run->own;
-    ptrdiff_t used = 0;
+    ptrdiff_t used = 0, widest = 0;
 
     v->mesh = mesh;
     v->nq = run->nq, v->nu = nu, v->mp = run->positions, v->m = m;
     v->elements = 0;
-    for (ptrdiff_t k = 0; k < mesh->group_count; k++)
+    for (ptrdiff_t k = 0; k < mesh->group_count; k++) {
         v->elements += mesh->groups[k].count;
+        if (widest < mesh->groups[k].nu)
+            widest = mesh->groups[k].nu;
+    }
     v->now = piece(own, &used, CONSERVING_NOW);
     v->mass = piece(own, &used, CONSERVING_MASS * mesh->places);
     v->pose = piece(own, &used, mesh->places);
@@ -54,7 +57,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
     v->missing = piece(own, &used, nu);
     v->gaps = piece(own, &used, nu + v->mp + m);
     v->dx = piece(own, &used, nu);
-    v->element = piece(own, &used, 2 * mesh->widest);
+    v->element = piece(own, &used, 2 * widest);
     v->start = piece(own, &used, nu + m);
     return used + cardan_mesh_lay(mesh, own ? own + used : own, &v->system);
 }
@@ -88,7 +91,8 @@ static void keep_gaps(const cardan_conserving *v)
 /* Accelerations and multipliers where a segment starts. */
 static int restart(cardan_run *run, const cardan_conserving *v)
 {
-    const cardan_state at = {run->t, run->y, run->y + v->nq, NULL, NULL, NULL, run->s, run->r};
+    const cardan_state at = {.t = run->t, .q = run->y, .u = run->y + v->nq,
+                             .s = run->s, .r = run->r};
     int status = cardan_inputs_at(run, run->t, run->y);
 
     if (status == 0)

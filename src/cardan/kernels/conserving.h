@@ -49,7 +49,7 @@ typedef struct cardan_conserving {
     real *missing;  /* (nu) what is missing in the balance of momenta, per time */
     real *gaps;     /* balance (nu), g (mp), rates (m) at the end */
     real *dx;       /* (nu) */
-    real *element;  /* (2 widest) of an element */
+    real *element;  /* (2 nu) of the widest element */
     real *start;    /* udot (nu), lam (m) */
     cardan_mesh_system system;
 } cardan_conserving;

@@ -34,10 +34,11 @@ static ptrdiff_t number_of(const cardan_mesh *mesh, const cardan_group *g, ptrdi
     return element;
 }
 
-static void take_potential(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                           const real *out, ptrdiff_t stride, void *to)
+static void take_potential(const cardan_mesh *mesh, const cardan_group *g,
+                           const cardan_abreast *some, real *out, void *to)
 {
-    ((real *)to)[number_of(mesh, g, element)] = out[stride];
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        ((real *)to)[number_of(mesh, g, some->element[lane])] = out[some->lanes + lane];
 }
 
 static cardan_state state_at(const cardan_run *run, real t, const real *q)
@@ -83,23 +84,28 @@ int cardan_conserving_gaps(const cardan_run *run, const cardan_conserving *v, re
 }
 
 /* The masses that an element gives to its places. */
-static void take_mass(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                      const real *out, ptrdiff_t stride, void *to)
+static void add_mass(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
+                     const real *out, ptrdiff_t stride, real *to)
 {
     const ptrdiff_t *place = g->place + element * g->places;
     ptrdiff_t first = 0;
 
-    if (g->parts[CARDAN_M] < 0)
-        return;
     out += g->parts[CARDAN_M] * stride;
     for (ptrdiff_t k = 0; k < g->places; k++) {
         const ptrdiff_t n = mesh->u[place[k] + 1] - mesh->u[place[k]];
-        real *mass = (real *)to + CONSERVING_MASS * place[k];
+        real *mass = to + CONSERVING_MASS * place[k];
         for (ptrdiff_t i = 0; i < n; i++)
             for (ptrdiff_t j = 0; j < n; j++)
                 mass[n * i + j] += out[((first + i) * g->nu + first + j) * stride];
         first += n;
     }
+}
+
+static void take_mass(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                      real *out, void *to)
+{
+    for (ptrdiff_t lane = 0; lane < some->filled && g->parts[CARDAN_M] >= 0; lane++)
+        add_mass(mesh, g, some->element[lane], out + lane, some->lanes, to);
 }
 
 /* Rows or columns of translations (6, 6) from axes of the ground to those of a body. */
@@ -302,12 +308,12 @@ static real unmet(const cardan_conserving *v, const cardan_group *g, ptrdiff_t e
     return fabs(sum) > NOISE * (energy + largest * forces) ? sum : 0;
 }
 
-static void take_force(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t element,
-                       const real *out, ptrdiff_t stride, void *to)
+static void add_force(const cardan_conserving *v, const cardan_group *g, ptrdiff_t element,
+                      const real *out, ptrdiff_t stride)
 {
-    const cardan_conserving *v = to;
+    const cardan_mesh *mesh = v->mesh;
     const ptrdiff_t *place = g->place + element * g->places;
-    real *x = v->element, *along = x + mesh->widest, part, product = 0;
+    real *x = v->element, *along = x + g->nu, part, product = 0;
 
     for (ptrdiff_t k = 0, j = 0; k < g->places; k++)
         for (ptrdiff_t i = mesh->u[place[k]]; i < mesh->u[place[k] + 1]; i++, j++)
@@ -321,6 +327,14 @@ static void take_force(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t
     for (ptrdiff_t k = 0, j = 0; k < g->places; k++)
         for (ptrdiff_t i = mesh->u[place[k]]; i < mesh->u[place[k] + 1]; i++, j++)
             v->missing[i] += out[j * stride] + (part != 0 ? part * along[j] : 0);
+}
+
+static void take_force(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                       real *out, void *to)
+{
+    (void)mesh;
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        add_force(to, g, some->element[lane], out + lane, some->lanes);
 }
 
 /* Forces of all elements over a step, into what is missing in the balance. */

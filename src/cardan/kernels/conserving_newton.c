@@ -25,7 +25,8 @@ static const real ALIKE = 1e-6;
 /* A new matrix at the present half of the step. */
 static int renew(cardan_run *run, const cardan_conserving *v, real h, real t)
 {
-    const cardan_state at = {t, v->half, v->mean, v->rise, v->lam_new, NULL, run->s, run->r};
+    const cardan_state at = {.t = t, .q = v->half, .u = v->mean, .udot = v->rise, .lam = v->lam_new,
+                             .s = run->s, .r = run->r};
     const cardan_assembly parts = {{0.25 * h * h, 0.5 * h, 1}, 0, 0, NULL};
     cardan_mesh_system system = v->system;
     int assembled, status;
