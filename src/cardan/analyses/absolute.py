@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, final
@@ -14,18 +15,20 @@ from scipy.sparse import csr_array, vstack
 from ..errors import ModelError, near
 from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation
+from ..runtime.absolute.tables import Tables
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
+from .blockwise import Blockwise
 from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
+from .meshed_start import meshed_start
 from .modeled import Modeled
 from .saddle import Dense, Saddle, Sparse
-from .settings import start
+from .settings import blocks, start
 
 Array = NDArray[np.float64]
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
 STEP = 1e-5  # of central differences; their error is 1e-10 of third derivatives
-OPEN = 1e-6  # gaps without units of states that are linearized
 
 
 @final
@@ -56,7 +59,7 @@ class Absolute(Modeled):
         rows = model.manifest.get("multipliers", ())
         self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
         self.reach = REACH
-        self.saddle: Saddle = Sparse()
+        self.saddle: Saddle = Sparse(_blocks(self.tables))
 
     def _mesh(self, parameters: Parameters) -> Elements:
         """The elements with values of parameters; the first and the last ones are kept."""
@@ -77,30 +80,21 @@ class Absolute(Modeled):
     # where to begin
 
     def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
-        """As :meth:`Contract.start`; circuits are closed by the search that begins here."""
+        """As :meth:`Contract.start`; what stays open is closed by the search that begins here."""
         model, x = self.started(q, hold, p)
+        # where this way of closing fails Newton's method has forces to find one
+        with suppress(ModelError):
+            x = meshed_start(model, x, hold, None, t, r)
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
-        """As :meth:`Contract.state`; the state has to close the circuits as it is.
-
-        Raises:
-            ModelError: it does not.
-        """
+        """As :meth:`Contract.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
-        place, speed = model.split(start(model, x0, q, u, z).x)
+        begin = start(model, x0, q, u, z)
+        place, speed = model.split(meshed_start(model, begin.x, *blocks(x0, q, u), t, r))
         lam = np.zeros(len(self.multipliers))
-        at = Moment(t, place, speed, 0 * speed, lam, r, np.zeros(0), self.modes, p)
-        values = self.balance(at)[model.nu :]
-        gap = np.abs(values / np.concatenate([self.rows[self.positions], self.rows]))
-        if gap.max(initial=0.0) > OPEN:
-            names = [*(self.multipliers[k] for k in self.positions), *self.multipliers]
-            raise ModelError(
-                f"the state leaves '{names[int(gap.argmax())]}' open by {gap.max():.3g}: take one "
-                "of a motion or of model.equilibrium(...)"
-            )
-        return at
+        return Moment(t, place, speed, 0 * speed, lam, r, np.zeros(0), self.modes, p)
 
     def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
         """As :meth:`Contract.consistent`: of all such speeds the smallest without units."""
@@ -279,6 +273,17 @@ class Absolute(Modeled):
                 others = [n for n in range(kind.nq) if not at <= n < at + 4]
                 found[spots[:, 3:]] = (b - a)[:, others]
         return found
+
+
+def _blocks(tables: Tables) -> Blockwise:
+    """How the speeds and multipliers of a model stand together."""
+    poses = np.array([kind.name == "node" for kind in tables.kinds], dtype=bool)
+    elements, known = np.zeros(tables.m, dtype=np.intp), 0
+    for number, group in enumerate(tables.groups):
+        lines = tables.lines(number)
+        elements[lines] = known + np.arange(len(group))[:, None]
+        known += len(group)
+    return Blockwise(tables.u, ~poses[tables.kind], elements)
 
 
 def _vectors(turns: Array) -> Array:

@@ -52,7 +52,7 @@ class _Looked:
     """The elements of a model at two states that nothing singles out."""
 
     def __init__(self, mesh: Mesh, who: str) -> None:
-        from ..runtime.absolute.mesh import State
+        from ..runtime.absolute.elements import State
 
         self.mesh, self.tables, self.who = mesh, mesh.tables, who
         self.state = State

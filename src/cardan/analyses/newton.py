@@ -1,8 +1,8 @@
 """Newton's method for rest under loads, and what is done where it does not get there.
 
-Full steps come first: they turn slender structures far in few iterations. Then steps are shortened
-until the residual falls. Then the forces that are out of balance at the start come on little by
-little. Where that fails too the system creeps: each step is one of a motion without inertia in ever
+Full steps come first: they turn slender structures far in few iterations. Then the forces that are
+out of balance at the start come on little by little. Then steps are shortened until the residual
+falls. Where that fails too the system creeps: each step is one of a motion without inertia in ever
 thicker time steps, which ends where it rests stably.
 
 Source: E. Allgower, K. Georg, Introduction to Numerical Continuation Methods, section 1.2 (global
@@ -25,9 +25,13 @@ from .static_problem import Load, Matrix, Point, Problem
 Array = NDArray[np.float64]
 TIGHT = 1e-10  # steps without units that end the search; the next would be their square
 NOISE = 1e-7  # steps that no longer fall below this are rounding
-NEWTON, CREEPING, FEW = 30, 400, 40
+# where forces are rounding, of the largest stiffness, larger steps are
+ROUNDED, ROUGH = 4e-15, 1e-4
+NEWTON, CREEPING, FEW = 30, 400, 100
+HASTE = 0.03  # steps of a creeping system that are not worth it below that
 HALVINGS = 12
 FIRST, LEAST = 0.125, 2.0**-12  # parts of a load that comes on
+SLOW, AWAY = 15, 0.1  # steps after which others are this part of the reach at most
 GROWTH = 1e3  # steps this much larger than the smallest before them lead away
 
 
@@ -78,9 +82,13 @@ def _steps(problem: Problem, point: Point, load: Load, damped: bool) -> Search:
         size = _size(step)
         if not np.isfinite(size) or size > GROWTH * max(least, problem.system.reach):
             break
+        if k > SLOW and size > AWAY * problem.system.reach and not damped:
+            break
         share = min(1.0, problem.system.reach / max(size, 1e-300))
         point, share = _moved(problem, point, load, step, y, share, K if damped else None)
-        if share == 1.0 and (size <= TIGHT or (NOISE >= size >= 0.5 * last)):
+        # rounding is all that is left where neither steps nor forces fall any more
+        rounded = size <= NOISE or np.abs(force).max() <= ROUNDED * float(abs(K).max())
+        if share == 1.0 and (size <= TIGHT or (rounded and ROUGH >= size >= 0.5 * last)):
             return Search(point, k, True, step)
         last, least = size, min(least, size)
     return Search(point, k, False, step)
@@ -167,8 +175,10 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
                 found.motion if len(found.motion) else step,
                 found.pushed,
             )
-        # thicker steps as it comes to rest
-        if 0 < last < np.inf and share == 1.0:
+        # thicker steps as it comes to rest, and while stiffness that has no part in it holds it up
+        if size < HASTE * system.reach:
+            resistance *= 0.3
+        elif 0 < last < np.inf and share == 1.0:
             resistance = min(1.0, resistance * min(max(size / last, 0.3), 2.0))
         elif last == 0:
             resistance *= 0.3

@@ -26,7 +26,7 @@ FULL = 300  # unknowns up to which full matrices are quick, and show what is sin
 WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
-LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
+LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 
 
 class Singular(ArithmeticError):
@@ -185,15 +185,17 @@ class Sparse:
         right = np.concatenate([a, b])
         if len(right) <= FULL:
             return Dense().solve(K.toarray(), G.toarray(), a, b)
-        whole = joined(K, G)
+        whole, why = joined(K, G), Singular()
         for way in (self.factored, _giving_way):
             try:
                 found = _refined(whole, way(K, G), right)
-            except Singular:
+            except Singular as singular:
+                # the first that knows what moves
+                why = why if why.motion is not None else singular
                 continue
             if found is not None:
                 return found[: len(a)], -found[len(a) :]
-        raise Singular
+        raise why
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""

@@ -76,6 +76,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             "lines": len(absolute.lines),
             "frames": "frames__data",
             "states": absolute.states.name,
+            "rest": _rest(absolute),
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
         },
         "functions": {},
@@ -109,6 +110,8 @@ def numbers(absolute: Absolute) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
     tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
+    segments = absolute.system.segments
+    tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
@@ -238,6 +241,16 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
             }
         )
     return rows
+
+
+def _rest(absolute: Absolute) -> list[float]:
+    """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
+    found: list[float] = []
+    for joint in absolute.system.joints:
+        own = [c.default for c in joint.element.coordinates]
+        if joint.q >= 0:
+            found += joint.q0 if joint.implicit and joint.q0 is not None else own
+    return [float(x) for x in found]
 
 
 def _loose(absolute: Absolute) -> list[int]:

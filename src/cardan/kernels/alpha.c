@@ -113,7 +113,7 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
 
     cardan_normalize(run, run->trial);
     if (v->m > 0) {
-        status = cardan_alpha_balance(run, v, t);
+        status = cardan_alpha_gaps(run, v, t);
         if (status == 0)
             note(run, v, t);
     }

@@ -80,6 +80,7 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
 /* alpha_newton.c */
 int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h);
 int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t);
+int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t);
 int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new);
 real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
                        real atol, int *status);

@@ -16,8 +16,9 @@
 enum { MOST_CORRECTIONS = 20, MOST_TANGENTS = 6 };
 /* corrections that shrink by less ask for a new tangent, and so do those that need more than FEW */
 static const real SLOW = 0.3, FEW = 4;
-/* corrections of a step may be so large: of the error it may have; of coordinates, at a given step */
-static const real SHARE = 0.005, SOUGHT = 1e-13;
+/* corrections of a step may be so large: of the error it may have; of coordinates, at a given step;
+ * of those of a mesh, where every correction counts, at most */
+static const real SHARE = 0.005, SOUGHT = 1e-13, LOOSE = 1e-11;
 static const real TRUST = 0.8;
 /* what rounding may leave, in units of that */
 static const real NOISE = 1e3;
@@ -48,19 +49,42 @@ real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, r
     return sqrt(sum / (real)(v->nq > 0 ? v->nq : 1));
 }
 
-/* The same against what Newton steps may leave. */
-static real left_by(cardan_run *run, const cardan_alpha *v, const real *dx, int *status)
+/* The same in parts of what coordinates have been: at a given step, where nobody told tolerances. */
+static real part_of_motion(cardan_run *run, const cardan_alpha *v, const real *dx, int *status)
 {
     real largest = 0;
 
-    if (v->adaptive) {
-        /* it is of one sign: less than the error of a step by an order of h */
-        const real share = SHARE * cbrt(run->rtol + run->atol);
-        return cardan_alpha_norm(run, v, dx, share * run->rtol, share * run->atol, status);
+    for (ptrdiff_t i = 0; i < v->nq && !v->mesh; i++) {
+        const real size = fabs(run->trial[i]);
+        largest = size > largest ? size : largest;
+        largest = v->amplitude[i] > largest ? v->amplitude[i] : largest;
     }
-    for (ptrdiff_t i = 0; i < v->nq; i++)
-        largest = fmax(largest, fmax(v->amplitude[i], fabs(run->trial[i])));
-    return cardan_alpha_norm(run, v, dx, SOUGHT, 1e-3 * SOUGHT * largest, status);
+    return cardan_alpha_norm(run, v, dx, 1, 1e-3 * largest, status);
+}
+
+/* What Newton steps may leave of the increment: less than the error of a step by an order of h, as
+ * it is of one sign. At a given step that error is what the accelerations foretell. */
+static real leaves(cardan_run *run, const cardan_alpha *v, real h, int *status)
+{
+    const real constant = v->beta + (v->am - v->af) / 2 - 1.0 / 6;
+    real error;
+
+    if (v->adaptive)
+        return SHARE * cbrt(run->rtol + run->atol);
+    if (!v->mesh)
+        return SOUGHT;
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        v->dx[i] = h * h * constant * (v->a_new[i] - v->a[i]);
+    error = part_of_motion(run, v, v->dx, status);
+    return fmin(LOOSE, fmax(SOUGHT, SHARE * error * cbrt(error)));
+}
+
+/* The size of a correction in units of that. */
+static real left_by(cardan_run *run, const cardan_alpha *v, const real *dx, real most, int *status)
+{
+    if (v->adaptive)
+        return cardan_alpha_norm(run, v, dx, most * run->rtol, most * run->atol, status);
+    return part_of_motion(run, v, dx, status) / most;
 }
 
 /* The state that a_new leads to, in `trial`; its T in `moved`. */
@@ -85,11 +109,12 @@ static int place(cardan_run *run, const cardan_alpha *v, real h)
     return status;
 }
 
-/* Accelerations go on as they did. */
-static int predict(cardan_run *run, const cardan_alpha *v, real h)
+/* Accelerations go on as they did; calm: such that coordinates go on by their speeds alone, for
+ * steps beyond which fine meshes swing, as behind a jump of what acts on them. */
+static int predict(cardan_run *run, const cardan_alpha *v, real h, int calm)
 {
     for (ptrdiff_t i = 0; i < v->nu; i++) {
-        v->a_new[i] = v->a[i] + h * v->rise[i];
+        v->a_new[i] = calm ? (1 - 0.5 / v->beta) * v->a[i] : v->a[i] + h * v->rise[i];
         v->shift[i] = 0;
     }
     for (ptrdiff_t k = 0; k < v->m; k++)
@@ -119,6 +144,20 @@ int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
     return balance(run, v, t, run->trial, v->udot_new, v->lam_new);
 }
 
+/* The gaps of its constraints alone. */
+int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t)
+{
+    const real *y = run->trial;
+    const cardan_state at = {t, y, y + run->nq, v->udot_new, v->lam_new, y + run->nq + run->nu,
+                             run->s, run->r};
+    const int status = v->mesh ? cardan_inputs_at(run, t, y) : cardan_alpha_balance(run, v, t);
+
+    if (status != 0 || !v->mesh)
+        return status;
+    run->model_status = cardan_mesh_gaps(v->mesh, &at, v->residual, v->system.work);
+    return run->model_status != 0 ? CARDAN_MODEL : 0;
+}
+
 /* A new matrix at the trial state. */
 static int renew(cardan_run *run, const cardan_alpha *v, real h, real t)
 {
@@ -144,7 +183,8 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
 {
     const real other = v->now[ALPHA_MATRIX] / h - 1;
     real *dx = v->dx, last = INFINITY;
-    int tangents = 0, status = predict(run, v, h);
+    int tangents = 0, status = predict(run, v, h, 0);
+    const real most = status == 0 ? leaves(run, v, h, &status) : 0;
 
     if (status == 0 && !(fabs(other) < ALIKE)) {
         status = renew(run, v, h, t_new);
@@ -160,11 +200,11 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         if (status != 0)
             return status;
         status = place(run, v, h);
-        norm = status == 0 ? left_by(run, v, dx, &status) : 0;
+        norm = status == 0 ? left_by(run, v, dx, most, &status) : 0;
         if (status != 0)
             return status;
-        /* what was measured in an earlier step is trusted less every time, at a given step never */
-        rate = v->adaptive ? pow(v->now[ALPHA_RATE], TRUST) : norm <= 1 ? 0.5 : 1;
+        /* what was measured in an earlier step is trusted less every time, if at all */
+        rate = v->adaptive || v->mesh ? pow(v->now[ALPHA_RATE], TRUST) : norm <= 1 ? 0.5 : 1;
         if (last < INFINITY)
             rate = norm / last;
         if (enough(norm, rate, last, tangents > 0)) {
@@ -176,7 +216,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
                 break;
             /* away from the solution: from the beginning, with the tangent there */
             if (!(rate < 1))
-                status = predict(run, v, h);
+                status = predict(run, v, h, 1);
             status = status != 0 ? status : renew(run, v, h, t_new);
             norm = INFINITY;
         }

@@ -101,17 +101,21 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
 static real span_of(const cardan_alpha *v, const real *q)
 {
     const cardan_mesh *mesh = v->mesh;
-    real middle[3] = {0}, span = 0;
+    real middle[3] = {0}, largest = 0, span;
 
     for (ptrdiff_t k = 0; k < mesh->nodes; k++)
         for (int i = 0; i < 3; i++)
-            middle[i] += q[mesh->q[mesh->node[k]] + 4 + i] / (real)mesh->nodes;
+            middle[i] += q[mesh->q[mesh->node[k]] + 4 + i];
+    for (int i = 0; i < 3; i++)
+        middle[i] /= (real)(mesh->nodes > 0 ? mesh->nodes : 1);
     for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
+        const real *place = q + mesh->q[mesh->node[k]] + 4;
         real square = 0;
         for (int i = 0; i < 3; i++)
-            square += pow(q[mesh->q[mesh->node[k]] + 4 + i] - middle[i], 2);
-        span = fmax(span, sqrt(square));
+            square += (place[i] - middle[i]) * (place[i] - middle[i]);
+        largest = square > largest ? square : largest;
     }
+    span = sqrt(largest);
     for (int i = 0; i < 3; i++)
         span = fmax(span, mesh->nodes > 0 ? fabs(middle[i]) : 0);
     return span;
@@ -122,7 +126,7 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
                               real atol)
 {
     const cardan_mesh *mesh = v->mesh;
-    const real length = atol + rtol * span_of(v, run->y), angle = atol + rtol;
+    const real length = 1 / (atol + rtol * span_of(v, run->y)), angle = 1 / (atol + rtol);
     real sum = 0, largest = 0;
 
     for (ptrdiff_t k = 0, place = 0; place < mesh->places; place++) {
@@ -130,7 +134,7 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
         const ptrdiff_t start = mesh->u[place], n = mesh->u[place + 1] - start;
 
         for (ptrdiff_t i = 0; i < n; i++) {
-            const real part = dx[start + i] / (pose && i >= 3 ? length : angle);
+            const real part = dx[start + i] * (pose && i >= 3 ? length : angle);
             sum += part * part;
             if (!(part * part <= largest)) {
                 largest = part * part;

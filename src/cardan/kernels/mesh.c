@@ -131,21 +131,24 @@ static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_sta
     return status;
 }
 
-/* A function of all elements that have it. */
+/* A function of the elements of a group, if they have it. */
+static int of_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at,
+                    int form, cardan_taker *take, void *to, real *room)
+{
+    const cardan_form *f = &g->forms[form];
+
+    return f->one ? each(mesh, g, at, form, f->lanes ? mesh->lanes : 1, take, to, aligned(room))
+                  : 0;
+}
+
+/* The same of all elements. */
 int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
                      cardan_taker *take, void *to, real *room)
 {
     int status = 0;
 
-    room = aligned(room);
-    for (ptrdiff_t k = 0; k < mesh->group_count && status == 0; k++) {
-        const cardan_group *g = &mesh->groups[k];
-        const cardan_form *f = &g->forms[form];
-        const ptrdiff_t stride = f->lanes && g->count > 1 ? mesh->lanes : 1;
-
-        if (f->one)
-            status = each(mesh, g, at, form, stride, take, to, room);
-    }
+    for (ptrdiff_t k = 0; k < mesh->group_count && status == 0; k++)
+        status = of_group(mesh, &mesh->groups[k], at, form, take, to, room);
     return status;
 }
 
@@ -184,6 +187,19 @@ int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *o
     for (ptrdiff_t i = 0; i < mesh->nu + mesh->mp + mesh->m; i++)
         out[i] = 0;
     return cardan_mesh_each(mesh, at, CARDAN_BALANCE, take_balance, out, room);
+}
+
+int cardan_mesh_gaps(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room)
+{
+    int status = 0;
+
+    (void)zeros(mesh->nu + mesh->mp + mesh->m, out);
+    for (ptrdiff_t k = 0; k < mesh->group_count && status == 0; k++) {
+        const cardan_group *g = &mesh->groups[k];
+        if (g->m > 0)
+            status = of_group(mesh, g, at, CARDAN_BALANCE, take_balance, out, room);
+    }
+    return status;
 }
 
 static void take_rows(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,

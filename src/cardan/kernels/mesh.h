@@ -111,6 +111,8 @@ int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
 
 /* What is missing in the balance of all elements: b (nu), g (mp), rates (m). */
 int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room);
+/* The same of the elements that have rows alone; what stands in b means nothing. */
+int cardan_mesh_gaps(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room);
 int cardan_mesh_gamma(const cardan_mesh *mesh, const cardan_state *at, real *gamma, real *room);
 /* sums over the elements: CARDAN_ENERGY, CARDAN_MOMENTUM, CARDAN_POWER */
 int cardan_mesh_sum(const cardan_mesh *mesh, const cardan_state *at, int form, ptrdiff_t size,

@@ -5,26 +5,32 @@
  * vector, tangent operator).
  */
 #include "mesh.h"
+#include "mesh_lanes.h"
 #include <math.h>
 
-/* angles below which series serve; what they leave out is below rounding */
-static const real SMALL = 1e-2;
+/* squares of angles up to which series serve: what they leave out is below rounding */
+static const real SMALL = 0.25;
 
-/* sin(x) / x, (1 - cos x) / x^2, (x - sin x) / x^3 by x^2 */
+/* sin(x) / x, (1 - cos x) / x^2, (x - sin x) / x^3 by s = x^2; of numbers and of vectors of them */
+#define SERIES(s, a, b, c, d, e, f, g)                                                             \
+    (1 / a - (s) * (1 / b - (s) * (1 / c - (s) * (1 / d                                               \
+     - (s) * (1 / e - (s) * (1 / f - (s) * (1 / g)))))))
+#define SERIES_0(s) SERIES(s, 1., 6., 120., 5040., 362880., 39916800., 6227020800.)
+#define SERIES_1(s) SERIES(s, 2., 24., 720., 40320., 3628800., 479001600., 87178291200.)
+#define SERIES_2(s) SERIES(s, 6., 120., 5040., 362880., 39916800., 6227020800., 1307674368000.)
+
 static void ratios(real square, real *c)
 {
-    const real x = sqrt(square);
-
-    if (x > SMALL) {
-        const real half = sin(0.5 * x);
+    if (square > SMALL) {
+        const real x = sqrt(square), half = sin(0.5 * x);
         c[0] = sin(x) / x;
         c[1] = 2 * half * half / square;
         c[2] = (1 - c[0]) / square;
         return;
     }
-    c[0] = 1 - square / 6 * (1 - square / 20 * (1 - square / 42));
-    c[1] = 0.5 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
-    c[2] = (1 - square / 20 * (1 - square / 42 * (1 - square / 72))) / 6;
+    c[0] = SERIES_0(square);
+    c[1] = SERIES_1(square);
+    c[2] = SERIES_2(square);
 }
 
 /* The tangent of a rotation by a vector d: along body axes after it, (3, 3). */
@@ -103,17 +109,87 @@ int cardan_mesh_rates(const cardan_mesh *mesh, const real *q, const real *u, rea
     return status;
 }
 
+#if CARDAN_SQUARES
+/* The same of eight nodes whose angles are small. Returns whether they are. */
+static int move_small(const cardan_mesh *mesh, const ptrdiff_t *node, const real *q,
+                      const real *du, real *moved, real *turned)
+{
+    const real *from[CARDAN_ABREAST], *along[CARDAN_ABREAST];
+    real *to[CARDAN_ABREAST], *tangents[CARDAN_ABREAST];
+    cardan_eight p[7], d[6], T[9], square, half, w, c, r[3];
+    int small = 1;
+
+    for (int k = 0; k < CARDAN_ABREAST; k++) {
+        from[k] = q + mesh->q[node[k]];
+        along[k] = du + mesh->u[node[k]];
+        to[k] = moved + mesh->q[node[k]];
+        tangents[k] = turned ? turned + 9 * node[k] : NULL;
+    }
+    (void)cardan_fetch(along, 6, (real *)d, CARDAN_ABREAST);
+    square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    for (int k = 0; k < CARDAN_ABREAST; k++)
+        small = small && square[k] <= SMALL;
+    if (!small)
+        return 0;
+    (void)cardan_fetch(from, 7, (real *)p, CARDAN_ABREAST);
+    half = 0.25 * square;
+    w = 1 - half * SERIES_1(half);
+    c = 0.5 * SERIES_0(half);
+    for (int i = 0; i < 3; i++) {
+        r[i] = c * d[i];
+        p[4 + i] += d[3 + i];
+    }
+    T[0] = p[0] * w - p[1] * r[0] - p[2] * r[1] - p[3] * r[2];
+    T[1] = p[0] * r[0] + p[1] * w + p[2] * r[2] - p[3] * r[1];
+    T[2] = p[0] * r[1] - p[1] * r[2] + p[2] * w + p[3] * r[0];
+    T[3] = p[0] * r[2] + p[1] * r[1] - p[2] * r[0] + p[3] * w;
+    for (int i = 0; i < 4; i++)
+        p[i] = T[i];
+    cardan_write((const real *)p, 7, CARDAN_ABREAST, to, CARDAN_ABREAST);
+    if (!turned)
+        return 1;
+    c = SERIES_2(square);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[3 * i + j] = c * d[i] * d[j] + (i == j ? 1 - c * square : 0 * c);
+    w = SERIES_1(square);
+    T[1] += w * d[2];
+    T[2] -= w * d[1];
+    T[3] -= w * d[2];
+    T[5] += w * d[0];
+    T[6] += w * d[1];
+    T[7] -= w * d[0];
+    cardan_write((const real *)T, 9, CARDAN_ABREAST, tangents, CARDAN_ABREAST);
+    return 1;
+}
+#endif
+
+/* All poses. */
+static void move_poses(const cardan_mesh *mesh, const real *q, const real *du, real *moved,
+                       real *turned)
+{
+    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
+        const ptrdiff_t place = mesh->node[k];
+
+#if CARDAN_SQUARES
+        if (k + CARDAN_ABREAST <= mesh->nodes
+            && move_small(mesh, mesh->node + k, q, du, moved, turned)) {
+            k += CARDAN_ABREAST - 1;
+            continue;
+        }
+#endif
+        move_pose(q + mesh->q[place], du + mesh->u[place], moved + mesh->q[place]);
+        if (turned)
+            tangent(du + mesh->u[place], turned + 9 * place);
+    }
+}
+
 int cardan_mesh_move(const cardan_mesh *mesh, const real *q, const real *du, real *moved,
                      real *turned, real *room)
 {
     int status = 0;
 
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const ptrdiff_t place = mesh->node[k];
-        move_pose(q + mesh->q[place], du + mesh->u[place], moved + mesh->q[place]);
-        if (turned)
-            tangent(du + mesh->u[place], turned + 9 * place);
-    }
+    move_poses(mesh, q, du, moved, turned);
     for (ptrdiff_t n = 0; n < mesh->mover_count; n++) {
         const cardan_movers *movers = &mesh->movers[n];
         for (ptrdiff_t k = 0; k < movers->count && status == 0; k++) {

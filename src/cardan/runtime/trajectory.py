@@ -24,6 +24,7 @@ from .ledger import Drift, Ledger
 from .placing import line, placed, rigid_pose
 
 if TYPE_CHECKING:
+    from .absolute.beams import BeamStress
     from .compiled import CompiledModel
 
 
@@ -297,6 +298,10 @@ class Trajectory:
     def line(self, beam: str) -> Array:
         """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
         return line(self, beam)
+
+    def beam(self, name: str) -> BeamStress:
+        """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
+        return self._model(f"what beam '{name}' carries").beam(name, self.q)
 
     @cached_property
     def scene(self) -> Mapping[str, Array]:

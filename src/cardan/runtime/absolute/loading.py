@@ -55,7 +55,9 @@ def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns:
         )
     places = tuple(PlaceKind(**row) for row in told["places"])
     lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
-    return Tables(places, numbers["kind"].astype(np.intp), tuple(groups), nr, nz, ns, lines)
+    stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
+    kind = numbers["kind"].astype(np.intp)
+    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations)
 
 
 def _whole(array: Any) -> Any:
