@@ -166,3 +166,29 @@ def test_double_pendulum(kick: float, index: int) -> None:
         errors.append(np.abs(found - known).max())
     print(f"kick {kick} N, index {index}: {errors}, order {slope(counts, errors):.3f}")
     assert slope(counts, errors) == pytest.approx(2, abs=0.15)
+
+
+@INDICES
+def test_energy_of_a_damped_pendulum(index: int) -> None:
+    """One node at its own pivot, a spring and losses: the ledger closes."""
+    scene = cd.Model("damped_meshed", gravity=(0, 0, -9.81))
+    bob = scene.body("bob", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, bob)
+    rope = cd.SpringDamper(
+        scene.ground.at(1, 0, 0), bob.at(0, 0, -1), stiffness=10.0, damping=4.0, length=1.0
+    )
+    scene.force("oil", rope)
+    model = cd.compile(scene, coordinates="absolute")
+    exact = cd.compile(scene).simulate([0, 1.0], q={"pin": 1.0}, rtol=1e-11).work["oil"][-1]
+    by_explicit = model.simulate([0, 1.0], q={"pin": 1.0}, method="DOP853", rtol=1e-10)
+    assert by_explicit.work["oil"][-1] == pytest.approx(exact, rel=1e-8)
+    counts, errors, drifts = np.array([100, 200, 400]), [], []
+    for n in counts:
+        method = cd.GeneralizedAlpha(0.8, index=index)
+        motion = model.simulate([0, 1.0], q={"pin": 1.0}, method=method, step=1.0 / n)
+        assert motion.success
+        errors.append(abs(motion.work["oil"][-1] - exact))
+        drifts.append(np.abs(motion.drift).max())
+    print(f"index {index}: work {errors}, drift {drifts}")
+    assert slope(counts, errors) == pytest.approx(2, abs=0.15)
+    assert slope(counts, drifts) == pytest.approx(2, abs=0.15)

@@ -77,6 +77,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             "frames": "frames__data",
             "states": absolute.states.name,
             "rest": _rest(absolute),
+            "powers": list(absolute.powers),
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
         },
         "functions": {},

@@ -13,6 +13,9 @@
 #include "mesh_matrix.h"
 #include <math.h>
 
+/* of the size of the mechanism, below which the spread of its nodes is rounding */
+static const real LEAST = 1e-9;
+
 /* Point into the memory of a run. Returns how many numbers that takes. */
 ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *own, cardan_alpha *v)
 {
@@ -126,7 +129,10 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
                               real atol)
 {
     const cardan_mesh *mesh = v->mesh;
-    const real length = 1 / (atol + rtol * span_of(v, run->y)), angle = 1 / (atol + rtol);
+    const real span = span_of(v, run->y), size = run->size > 0 ? run->size : 1;
+    /* one body that turns about its origin has no size but what rounding leaves */
+    const real length = 1 / (atol + rtol * (span > LEAST * size ? span : size));
+    const real angle = 1 / (atol + rtol);
     real sum = 0, largest = 0;
 
     for (ptrdiff_t k = 0, place = 0; place < mesh->places; place++) {

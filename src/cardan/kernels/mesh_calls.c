@@ -82,6 +82,35 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
     return status;
 }
 
+static void take_power(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+                       real *out, void *to)
+{
+    const ptrdiff_t size = g->forms[CARDAN_POWER].size;
+
+    (void)mesh;
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        for (ptrdiff_t i = 0; i < size; i++)
+            ((real *)to)[g->powers[some->element[lane] * size + i]] += out[i * some->lanes + lane];
+}
+
+/* Of every source (powers); driven joints give that of their multipliers, which are solved for. */
+int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = mesh_of(in);
+    real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    cardan_state at = state_of(in);
+    int status = 0;
+
+    at.udot = at.lam = NULL;
+    if (mesh->driven) {
+        status = cardan_mesh_accelerations(mesh, &at, NULL, found, work);
+        at.lam = found + mesh->nu;
+    }
+    for (ptrdiff_t i = 0; i < mesh->powers; i++)
+        out[i] = 0;
+    return status != 0 ? status : cardan_mesh_each(mesh, &at, CARDAN_POWER, take_power, out, work);
+}
+
 int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = mesh_of(in);

@@ -12,6 +12,7 @@ int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_move(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_power(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);

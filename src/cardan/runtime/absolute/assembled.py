@@ -23,7 +23,10 @@ if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
 # functions that runs call from C: closures over the mesh
-CLOSURES = ("rhs", "qdot", "balance", "energy", "move", "close_position", "close_velocity")
+CLOSURES = (
+    *("rhs", "qdot", "balance", "energy", "move", "power"),
+    *("close_position", "close_velocity"),
+)
 
 
 @final

@@ -25,6 +25,7 @@ FUNCTIONS = (
     "bias",
     "qdot",
     "energy",
+    "power",
     "momentum",
     "pose",
     "velocity",
@@ -77,6 +78,7 @@ class Results:
             "mass_matrix": (nu, nu),
             "qdot": (nq,),
             "energy": (3,),
+            "power": (len(tables.powers),),
             "momentum": (6,),
             "pose": (4, 4),
             "velocity": (6,),
@@ -98,6 +100,7 @@ class Results:
         named = {"outputs": outputs, "rhs": [*self._names["q"], *self._names["u"]]}
         named |= {"qdot": list(self._names["q"]), "constraints": list(self._names["lam"][:mp])}
         named |= {"multipliers": list(self._names["lam"])}
+        named |= {"power": list(tables.powers)}
         if name in named and len(named[name]) == shape[0]:
             return shape, named[name]
         if shape == (nu,):
@@ -195,6 +198,13 @@ class Results:
     def energy(self, given: Given) -> Array:
         kinetic, potential = self.mesh.total("energy", 2, self._at(given))
         return np.array([kinetic, potential, kinetic + potential])
+
+    def power(self, given: Given) -> Array:
+        """Of every source of power; the multipliers of driven joints are solved for."""
+        size = len(self.tables.powers)
+        driven = self.tables.driven
+        at = self._at(given, lam=self.multipliers(given)) if driven else self._at(given)
+        return self._summed("power", size, at)
 
     def momentum(self, given: Given) -> Array:
         return self.mesh.total("momentum", 6, self._at(given))

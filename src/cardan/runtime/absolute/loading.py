@@ -57,7 +57,8 @@ def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns:
     lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
     stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
     kind = numbers["kind"].astype(np.intp)
-    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations)
+    powers = tuple(told["powers"])
+    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations, powers)
 
 
 def _whole(array: Any) -> Any:

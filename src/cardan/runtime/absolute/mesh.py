@@ -37,6 +37,7 @@ NEEDED = {
     "close_position": ("balance", "balance_tangent"),
     "close_velocity": ("balance", "balance_tangent"),
     "energy": ("energy",),
+    "power": ("power", *SOLVED),
     "qdot": (),
     "move": (),
 }
@@ -94,6 +95,8 @@ class Mesh(Elements):
             lanes=self._width,
             work=max((int(e["work_size"]) for e in entries.values()), default=0),
             local=max((_local(group.kind, entries) for group in tables.groups), default=0),
+            powers=len(tables.powers),
+            driven=tables.driven,
         )
         self._sparse()
         poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
@@ -128,6 +131,7 @@ class Mesh(Elements):
         record.place = self._pointer(group.place.astype(np.intp))
         record.rows = self._pointer(tables.rows[number])
         record.z, record.s = self._pointer(group.z), self._pointer(group.s)
+        record.powers = self._pointer(group.powers)
         parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
         record.parts = self._pointer(parts)
 

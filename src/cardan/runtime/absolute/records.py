@@ -41,7 +41,7 @@ class Group(ctypes.Structure):
     _fields_ = [
         *_fields(
             (COUNT, "count places nq nu nz ns mp m inner inner_start"),
-            (POINTER, "place rows z s parts spots"),
+            (POINTER, "place rows z s parts spots powers"),
         ),
         ("forms", Form * len(FORMS)),
     ]
@@ -61,7 +61,7 @@ class MeshRecord(ctypes.Structure):
         (POINTER, "q u node"),
         (COUNT, "group_count mover_count"),
         (POINTER, "groups movers plan unknown diagonal"),
-        (COUNT, "lanes work local"),
+        (COUNT, "lanes work local powers driven"),
     )
 
 

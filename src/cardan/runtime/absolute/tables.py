@@ -95,6 +95,7 @@ class Tables:
         nr, nz, ns: Inputs, internal states and modes of the scene.
         beams: Places of the nodes of every segment of a beam; -1 for the ground.
         stations: Their arc lengths from the start of the beam [m].
+        powers: Names of the sources of power.
     """
 
     kinds: tuple[PlaceKind, ...]
@@ -105,6 +106,7 @@ class Tables:
     ns: int = 0
     beams: tuple[Integers, ...] = ()
     stations: tuple[Array, ...] = ()
+    powers: tuple[str, ...] = ()
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
@@ -119,6 +121,11 @@ class Tables:
     def u(self) -> Integers:
         """(places + 1,) first speed of every place."""
         return self._starts([kind.nu for kind in self.kinds])
+
+    @property
+    def driven(self) -> bool:
+        """Whether something is driven along a motion: its power is that of its multipliers."""
+        return any(name.endswith(".motion") for name in self.powers)
 
     @property
     def nq(self) -> int:
