@@ -96,9 +96,9 @@ class Mesh(Elements):
             local=max((_local(group.kind, entries) for group in tables.groups), default=0),
         )
         self._sparse()
-        poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
-        nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
+        nodes, flats = (tables.nodes(flat).astype(np.intp) for flat in (False, True))
         self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
+        self.record.flats, self.record.flat = len(flats), self._pointer(flats)
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
         library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
 
@@ -196,7 +196,7 @@ class Mesh(Elements):
             own = (start + np.arange(count))[:, None]
             cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
         total = np.concatenate(sizes)
-        poses = [kind.name == "node" for kind in tables.kinds]
+        poses = [kind.node for kind in tables.kinds]
         massless = np.zeros(len(total), bool)
         massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
         self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
