@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .topology.system import Named, System
 
 COORDINATES = ("auto", "relative", "absolute")
+PLANES = ("auto", "x", "y", "z")
 # what compile() may be asked for unless functions= says otherwise
 STANDARD = (
     "rhs",
@@ -89,6 +90,7 @@ def derive(
     coordinates: Literal["absolute"],
     *,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
+    plane: Literal["auto", "x", "y", "z"] | None = None,
 ) -> Absolute: ...
 
 
@@ -101,6 +103,7 @@ def derive(
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
+    plane: str | None = None,
 ) -> Equations | Absolute:
     """Equations of motion of a scene.
 
@@ -125,6 +128,9 @@ def derive(
             independent coordinates only, and multipliers serve for the rest.
         branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
             default what is nearest to the initial values of its joints.
+        plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
+            ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
+            that normal. ``"auto"`` takes the plane that there is, if any.
 
     Returns:
         The record that says everything else: matrices, counts, functions; in absolute coordinates
@@ -146,7 +152,12 @@ def derive(
         options = {"method": method, "constraints": constraints}
         given = [name for name, value in options.items() if value != "auto"]
         others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
-        return _absolute(system, [*given, *(n for n, x in others.items() if x is not None)])
+        given += [name for name, value in others.items() if value is not None]
+        return _absolute(system, given, plane)
+    if plane is not None:
+        raise DerivationError(
+            f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
+        )
     if system.segments:
         raise DerivationError(
             f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
@@ -161,18 +172,20 @@ def derive(
     return replace(found, free=topology.build(scene)) if specialize else found
 
 
-def _absolute(system: System, given: Sequence[str]) -> Absolute:
+def _absolute(system: System, given: Sequence[str], plane: str | None) -> Absolute:
     """Equations in absolute coordinates.
 
     Raises:
-        DerivationError: options of joint coordinates.
+        DerivationError: options of joint coordinates, no such plane, or a scene that leaves it.
     """
+    if plane not in (None, *PLANES):
+        raise DerivationError(f"plane '{plane}' does not exist.{near(plane, PLANES)}")
     if given:
         raise DerivationError(
             f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
             "out, or take coordinates='relative'"
         )
-    return lowered(system)
+    return lowered(system, plane)
 
 
 def compile(
@@ -187,6 +200,7 @@ def compile(
     specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
     constraints: str | Treatment | None = None,
     branches: Mapping[str, str] | None = None,
+    plane: str | None = None,
     loops: bool | None = None,
     threads: int | None = None,
 ) -> CompiledModel:
@@ -196,7 +210,7 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints, branches: As
+        coordinates, method, speeds, rewrites, specialize, constraints, branches, plane: As
             :func:`derive` takes them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
@@ -217,6 +231,7 @@ def compile(
         specialize=specialize,
         constraints=constraints,
         branches=branches,
+        plane=plane,
     )
     if isinstance(equations, Absolute):
         return _of_elements(equations, directory, threads)
@@ -336,7 +351,8 @@ def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> s
 def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
     """How equations were derived, besides the system."""
     if isinstance(equations, Absolute):
-        return "absolute", mesh.numbers(equations)
+        planes = [kind.plane for kind in equations.places.kinds]
+        return "absolute", planes, mesh.numbers(equations)
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
 
 

@@ -55,7 +55,7 @@ class Absolute(Modeled):
         self._meshes: dict[Any, Elements] = {}
         self.model = model
         self.tables = self._mesh(None).tables
-        super().__init__(model, self.tables.mp, _extent(model))
+        super().__init__(model, self.tables.mp, _extent(model, self.tables))
         rows = model.manifest.get("multipliers", ())
         self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
         self.reach = REACH
@@ -296,13 +296,10 @@ def _vectors(turns: Array) -> Array:
     return found
 
 
-def _extent(model: CompiledModel) -> float:
+def _extent(model: CompiledModel, tables: Tables) -> float:
     """The largest distance of a node from their middle, at first [m]; 1 without any."""
     q = model.split(model.initial())[0]
-    names = {n: k for k, n in enumerate(model.coordinates)}
-    nodes = [n[:-3] for n in names if n.endswith(".px")]
-    ends = (".px", ".py", ".pz")
-    places = [[q[names[n + e]] for e in ends] for n in nodes if all(n + e in names for e in ends)]
-    spread = np.array(places or [[0.0, 0.0, 0.0]])
+    nodes = [k for k, kind in enumerate(tables.kind) if tables.kinds[kind].node]
+    spread = np.array([tables.pose(q, k)[4:] for k in nodes] or np.zeros((1, 3)))
     size = float(np.linalg.norm(spread - spread.mean(axis=0), axis=1).max())
     return 2 * size or 1.0

@@ -15,13 +15,13 @@ from .. import __version__
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
+from ..topology.system import Joint
 from . import layout
 from .manifest import ABI, SCHEMA, Base, parameter_rows
 from .writing import generate
 
 FILE = "mesh.npz"
 PARTS = ("K", "C", "M", "R", "G")
-POSE = 7  # entries of the q of a node
 
 
 def base(absolute: Absolute, functions: Sequence[str]) -> Base:
@@ -152,7 +152,15 @@ def _place(kind: BlockKind) -> dict[str, Any]:
         "nu": kind.nu,
         "quaternion": kind.quaternion,
         "functions": {name: f.name for name, f in kind.functions.items()},
+        "plane": _plane(kind),
     }
+
+
+def _plane(kind: BlockKind) -> dict[str, Any] | None:
+    """How nodes of a plane stand in space."""
+    if kind.plane is None:
+        return None
+    return {"spread": kind.plane.spread.tolist(), "home": kind.plane.home.tolist()}
 
 
 def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
@@ -196,7 +204,7 @@ def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, A
     starts: dict[str, Sequence[float]] = {
         joint.name: joint.q0 for joint in system.joints if joint.q0 is not None
     }
-    inner = absolute.reference.reshape(-1, 7)
+    inner = absolute.inner
     last = places.names[len(places) - len(inner) :]
     starts |= dict(zip(last, inner.tolist(), strict=True))
     q: list[dict[str, Any]] = []
@@ -204,12 +212,24 @@ def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, A
     names = iter(absolute.coordinates), iter(absolute.speeds)
     for owner, k in zip(places.names, places.kind, strict=True):
         kind = places.kinds[k]
-        defaults = starts.get(owner) or kind.defaults
+        own = starts.get(owner) or kind.defaults
+        # where a node of a plane starts follows from the pose that was asked for
+        defaults = own if len(own) == kind.nq or kind.plane is None else kind.plane.first(own)
         for unit, default in zip(kind.q_units, defaults, strict=True):
             q.append({"name": next(names[0]), "unit": unit, "default": default, "joint": owner})
         for unit in kind.u_units:
             u.append({"name": next(names[1]), "unit": unit, "joint": owner})
     return q, u
+
+
+def _start(kind: BlockKind, joint: Joint | None, name: str) -> list[float] | None:
+    """Where the model says that a place starts, in its own coordinates."""
+    given = None if joint is None else getattr(joint, name)
+    if given is None:
+        return None
+    if kind.plane is None:
+        return list(given)
+    return list(kind.plane.first(given) if name == "q0" else kind.plane.spread.T @ given)
 
 
 def _joints(absolute: Absolute) -> list[dict[str, Any]]:
@@ -223,15 +243,19 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
         rows.append(
             {
                 "name": name,
-                "kind": joint.element.kind if joint is not None else "free",
+                "kind": "planar"
+                if kind.plane is not None
+                else joint.element.kind
+                if joint is not None
+                else "free",
                 "parent": "ground",
                 "child": name,
                 "parent_frame": "ground",
                 "child_frame": "ground",
                 "q": [int(places.q[k]), kind.nq],
                 "u": [int(places.u[k]), kind.nu],
-                "q0": list(joint.q0) if joint is not None and joint.q0 is not None else None,
-                "u0": list(joint.u0) if joint is not None and joint.u0 is not None else None,
+                "q0": _start(kind, joint, "q0"),
+                "u0": _start(kind, joint, "u0"),
                 "limits": {},
                 "quaternion": int(places.q[k]) + quaternion if quaternion is not None else None,
                 "rotation": "quaternion" if quaternion is not None else None,
@@ -257,7 +281,7 @@ def _rest(absolute: Absolute) -> list[float]:
 def _loose(absolute: Absolute) -> list[int]:
     """Places of nodes that only beams hold."""
     implicit = {joint.name for joint in absolute.system.joints if joint.implicit}
-    named = len(absolute.places) - len(absolute.reference) // 7
+    named = len(absolute.places) - len(absolute.inner)
     return [k for k in range(named) if absolute.places.names[k] in implicit]
 
 
@@ -285,10 +309,10 @@ def _multipliers(absolute: Absolute) -> list[dict[str, Any]]:
 
 def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
     """Rows of the segments: their ends, first of the q of the nodes between, their number."""
-    system = absolute.system
+    system, places = absolute.system, absolute.places
     # the nodes inside of beams are the last places, in the order of the segments
-    at = absolute.places.nq - absolute.reference.size
-    for segment in system.segments:
+    at, size = absolute.places.nq - absolute.reference.size, absolute.inner.shape[1]
+    for segment, line in zip(system.segments, absolute.lines, strict=True):
         inner = segment.line.elements - 1
         yield {
             "name": segment.name,
@@ -296,8 +320,9 @@ def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
             "end": system.frames[segment.frame_b].name,
             "q": [at, inner],
             "outline": list(segment.outline),
+            "plane": _plane(places.kinds[places.kind[line[1]]]) if inner else None,
         }
-        at += POSE * inner
+        at += size * inner
 
 
 def _frame(absolute: Absolute, k: int) -> dict[str, Any]:
@@ -307,4 +332,5 @@ def _frame(absolute: Absolute, k: int) -> dict[str, Any]:
     body = system.bodies[frame.body] if frame.body >= 0 else None
     part = body.parts[frame.part].name if body is not None and body.parts else None
     name = body.name if body is not None and body.parts else "ground"
-    return {"name": frame.name, "body": name, "part": part, "node": starts}
+    plane = None if place == GROUND else _plane(places.kinds[places.kind[place]])
+    return {"name": frame.name, "body": name, "part": part, "node": starts, "plane": plane}

@@ -100,27 +100,40 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     return status;
 }
 
+/* Where node k is, those of a plane after the others, and in how many directions. */
+static const real *at(const cardan_mesh *mesh, ptrdiff_t k, const real *q)
+{
+    if (k < mesh->nodes)
+        return q + mesh->q[mesh->node[k]] + 4;
+    return q + mesh->q[mesh->flat[k - mesh->nodes]];
+}
+
+static int wide(const cardan_mesh *mesh, ptrdiff_t k)
+{
+    return k < mesh->nodes ? 3 : 2;
+}
+
 /* Largest distance of nodes from their middle, or from where they were: the size of the scene. */
 static real span_of(const cardan_alpha *v, const real *q)
 {
     const cardan_mesh *mesh = v->mesh;
+    const ptrdiff_t count = mesh->nodes + mesh->flats;
     real middle[3] = {0}, largest = 0, span;
 
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++)
-        for (int i = 0; i < 3; i++)
-            middle[i] += q[mesh->q[mesh->node[k]] + 4 + i];
+    for (ptrdiff_t k = 0; k < count; k++)
+        for (int i = 0; i < wide(mesh, k); i++)
+            middle[i] += at(mesh, k, q)[i];
     for (int i = 0; i < 3; i++)
-        middle[i] /= (real)(mesh->nodes > 0 ? mesh->nodes : 1);
-    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
-        const real *place = q + mesh->q[mesh->node[k]] + 4;
+        middle[i] /= (real)(count > 0 ? count : 1);
+    for (ptrdiff_t k = 0; k < count; k++) {
         real square = 0;
-        for (int i = 0; i < 3; i++)
-            square += (place[i] - middle[i]) * (place[i] - middle[i]);
+        for (int i = 0; i < wide(mesh, k); i++)
+            square += (at(mesh, k, q)[i] - middle[i]) * (at(mesh, k, q)[i] - middle[i]);
         largest = square > largest ? square : largest;
     }
     span = sqrt(largest);
     for (int i = 0; i < 3; i++)
-        span = fmax(span, mesh->nodes > 0 ? fabs(middle[i]) : 0);
+        span = fmax(span, count > 0 ? fabs(middle[i]) : 0);
     return span;
 }
 
@@ -135,12 +148,14 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
     const real angle = 1 / (atol + rtol);
     real sum = 0, largest = 0;
 
-    for (ptrdiff_t k = 0, place = 0; place < mesh->places; place++) {
+    for (ptrdiff_t k = 0, j = 0, place = 0; place < mesh->places; place++) {
         const int pose = k < mesh->nodes && mesh->node[k] == place;
+        const int flat = j < mesh->flats && mesh->flat[j] == place;
         const ptrdiff_t start = mesh->u[place], n = mesh->u[place + 1] - start;
 
         for (ptrdiff_t i = 0; i < n; i++) {
-            const real part = dx[start + i] * (pose && i >= 3 ? length : angle);
+            const int moves = (pose && i >= 3) || (flat && i < 2);
+            const real part = dx[start + i] * (moves ? length : angle);
             sum += part * part;
             if (!(part * part <= largest)) {
                 largest = part * part;
@@ -148,6 +163,7 @@ real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real
             }
         }
         k += pose;
+        j += flat;
     }
     return sqrt(sum / (real)(v->nu > 0 ? v->nu : 1));
 }

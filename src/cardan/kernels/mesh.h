@@ -72,9 +72,10 @@ typedef struct cardan_movers {
 
 typedef struct cardan_mesh {
     ptrdiff_t nq, nu, nz, ns, nr, mp, m;
-    ptrdiff_t places, nodes;
+    ptrdiff_t places, nodes, flats;
     const ptrdiff_t *q, *u;    /* (places + 1): where the numbers of a place begin */
     const ptrdiff_t *node;     /* (nodes): places that are poses */
+    const ptrdiff_t *flat;     /* (flats): nodes of a plane, which hold x, y, angle */
     ptrdiff_t group_count, mover_count;
     const cardan_group *groups;
     const cardan_movers *movers;

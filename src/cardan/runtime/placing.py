@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ModelError, near
+from .absolute.standing import Plane
 from .calling import Array
 
 if TYPE_CHECKING:
@@ -66,6 +67,9 @@ def line(motion: Trajectory, beam: str) -> Array:
     found = [motion.pose(pieces[0]["start"])[:, None, :3, 3]]
     for piece in pieces:
         first, count = piece["q"]
-        inner = motion.q[:, first : first + 7 * count].reshape(len(motion), count, 7)
-        found += [inner[:, :, 4:], motion.pose(piece["end"])[:, None, :3, 3]]
+        plane = Plane.of(piece["plane"])
+        size = 7 if plane is None else 3
+        inner = motion.q[:, first : first + size * count].reshape(len(motion), count, size)
+        places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.spread[3:, :2].T
+        found += [places, motion.pose(piece["end"])[:, None, :3, 3]]
     return np.concatenate(found, axis=1)

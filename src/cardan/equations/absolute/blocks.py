@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.function import Function
+from ...spatial.plane import Plane
 from ...topology.system import System
 from ..blocks import blocks
 from ..context import Context
@@ -17,10 +20,49 @@ from ..kinematics import Kinematics
 from ..recipes import RECIPES
 from ..record import ABI_ORDER
 from .cutting import Cutting
+from .plane import plane_node
 from .record import BlockKind, Integers
 from .scene import NODE, Key, Scene
 
 FUNCTIONS = ("move", "qdot", "difference")
+
+
+@dataclass(frozen=True)
+class Holds:
+    """What places hold, those in space and here, where nodes may be of a plane.
+
+    Attributes:
+        node: What a node holds in space.
+        space, here: By place.
+        segments: What the nodes inside of every segment hold; none where that is ``node``.
+    """
+
+    node: BlockKind
+    space: Mapping[Key, BlockKind]
+    here: Mapping[Key, BlockKind]
+    segments: tuple[BlockKind, ...] = ()
+
+    def inside(self, segment: int) -> BlockKind:
+        """What the nodes inside of a segment hold."""
+        return self.segments[segment] if self.segments else self.node
+
+
+def holds(scene: Scene, bodies: Mapping[int, Plane] | None, segments: Sequence[Plane]) -> Holds:
+    """What the places of a scene hold.
+
+    Args:
+        scene: The scene.
+        bodies: The plane of every node that belongs to a body, None in space.
+        segments: That of the nodes inside of every segment.
+    """
+    kinds, numbers = block_kinds(scene)
+    space = {key: kinds[k] for key, k in zip(scene.places, numbers, strict=True)}
+    if bodies is None:
+        return Holds(kinds[0], space, space)
+    known = dict.fromkeys([*(bodies[i] for kind, i in scene.places if kind == NODE), *segments])
+    made = {plane: plane_node(plane, k) for k, plane in enumerate(known)}
+    here = {key: made[bodies[key[1]]] if key[0] == NODE else kind for key, kind in space.items()}
+    return Holds(kinds[0], space, here, tuple(made[plane] for plane in segments))
 
 
 def block_kinds(scene: Scene) -> tuple[tuple[BlockKind, ...], Integers]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -10,35 +9,58 @@ import numpy as np
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
+from ...spatial.plane import NORMALS
 from ...topology.system import System
 from ..blocks import parameters
-from .blocks import block_kinds
+from .blocks import Holds, holds
+from .flatness import check, planes
 from .kinds import kind_of, structure
 from .pieces import Piece, pieces
-from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places
+from .plane import flattened
+from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places, unique
 from .scene import NODE, Key, Scene
 from .segments import beamed
 from .states import states
 
 
-def lowered(system: System) -> Absolute:
+def lowered(system: System, plane: str | None = None) -> Absolute:
     """A system in absolute coordinates.
 
+    Args:
+        system: The system graph.
+        plane: Normal of the plane it stays in ("x", "y" or "z"), "auto" to look for one, None for
+            space.
+
     Raises:
-        DerivationError: it has events, or friction pressed by reactions.
+        DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
     """
     _refuse(system)
     scene = Scene(system)
-    kinds, numbers = block_kinds(scene)
+    if plane != "auto":
+        return _lowered(scene, None if plane is None else NORMALS.index(plane))
+    for normal in reversed(range(3)):
+        try:
+            return _lowered(scene, normal)
+        except DerivationError:
+            continue
+    return _lowered(scene, None)
+
+
+def _lowered(scene: Scene, normal: int | None) -> Absolute:
+    """A scene in space, or in the plane across an axis of the ground."""
+    system = scene.system
+    bodies, lines = (None, ()) if normal is None else planes(scene, normal)
+    hold = holds(scene, bodies, lines)
     at = {key: k for k, key in enumerate(scene.places)}
-    found = _sorted(pieces(scene), {key: kinds[numbers[k]] for key, k in at.items()})
+    taken, space = set(FLEXIBLE), dict[str, Kind]()
+    found = _sorted(pieces(scene), hold, taken, space)
     # elements that do nothing are left out
     found = [(kind, members) for kind, members in found if kind.functions]
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
-    beams = beamed(scene, at, kinds[0], powers)
+    beams = beamed(scene, at, hold, powers, taken)
     names = [*(scene.name(key) for key in scene.places), *beams.names]
-    every = np.concatenate([numbers, np.zeros(len(beams.names), dtype=np.intp)])
+    kinds, every = _numbered([hold.node] * (bodies is None), [*hold.here.values(), *beams.kinds])
     groups, position = list[Group](), 0
     other = sum(kind.mp * len(members) for kind, members in found)
     for kind, members in found:
@@ -52,18 +74,30 @@ def lowered(system: System) -> Absolute:
         for e, piece in enumerate(members)
         if piece.joint
     }
+    if normal is not None:
+        check(scene, (*groups, *beams.groups), space | beams.space, normal)
     return Absolute(
         system=system,
         places=Places(names, kinds, every),
         groups=(*groups, *beams.groups),
         frames=_frames(scene, at),
         joints=joints,
-        states=states(scene),
+        states=states(scene, bodies),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
         reference=beams.reference,
         lines=beams.lines,
     )
+
+
+def _numbered(
+    first: Sequence[BlockKind], places: Sequence[BlockKind]
+) -> tuple[tuple[BlockKind, ...], Integers]:
+    """The kinds of places there are, and the kind of every place."""
+    kinds = {kind.name: kind for kind in (*first, *places)}
+    numbers = {name: k for k, name in enumerate(kinds)}
+    every = np.array([numbers[kind.name] for kind in places], dtype=np.intp)
+    return tuple(kinds.values()), every
 
 
 def _refuse(system: System) -> None:
@@ -85,31 +119,26 @@ def _refuse(system: System) -> None:
             )
 
 
-def _sorted(found: Iterable[Piece], at: Mapping[Key, BlockKind]) -> list[tuple[Kind, list[Piece]]]:
-    """Pieces by kind, in the order in which kinds come up."""
+def _sorted(
+    found: Iterable[Piece], hold: Holds, taken: set[str], space: dict[str, Kind]
+) -> list[tuple[Kind, list[Piece]]]:
+    """Pieces by kind, in the order in which kinds come up; kinds of planes as they are in space."""
     members: dict[str, list[Piece]] = {}
     for piece in found:
-        members.setdefault(structure(piece, _blocks(piece, at)), []).append(piece)
-    taken, made = set(FLEXIBLE), []
+        members.setdefault(structure(piece, _blocks(piece, hold.here)), []).append(piece)
+    made = []
     for pieces_of in members.values():
-        name = _unique(pieces_of[0].kind, taken)
-        made.append((kind_of(name, pieces_of[0], _blocks(pieces_of[0], at)), pieces_of))
+        name = unique(pieces_of[0].kind, taken)
+        here, there = (_blocks(pieces_of[0], known) for known in (hold.here, hold.space))
+        kind = kind_of(name, pieces_of[0], there)
+        if any(block.plane is not None for block in here):
+            space[name], kind = kind, flattened(name, kind, here)
+        made.append((kind, pieces_of))
     return made
 
 
 def _blocks(piece: Piece, at: Mapping[Key, BlockKind]) -> tuple[BlockKind, ...]:
     return tuple(at[key] for key in piece.cutting.places)
-
-
-def _unique(name: str, taken: set[str]) -> str:
-    """A C identifier that no kind has yet."""
-    base = found = re.sub(r"\W", "_", name)
-    number = 1
-    while found in taken:
-        number += 1
-        found = f"{base}_{number}"
-    taken.add(found)
-    return found
 
 
 def _names(

@@ -10,6 +10,7 @@ Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapters 1 and
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 
 from ...errors import DerivationError, near
 from ...ir.function import Function
+from ...spatial.plane import Plane
 from ...topology.system import System
 from ..counts import Counts
 from ..record import Equations
@@ -30,6 +32,7 @@ Numbers: TypeAlias = NDArray[np.float64]
 
 # the place of an end that is fixed to the ground
 GROUND = -1
+POSE = 7  # entries of the q of a node in space
 
 
 @dataclass(frozen=True)
@@ -37,13 +40,15 @@ class BlockKind:
     """What a place holds.
 
     Attributes:
-        name: "node", "line<k>" where q just adds up, or one made of the kind of a joint.
+        name: "node"; "plane_node" or "line<k>", where q just adds up; or one made of the kind of a
+            joint.
         coordinates, speeds: Names of the entries of q and u behind the name of the place; "" where
             the name of the place is all.
         q_units, u_units: Their units.
         defaults: Entries of q where nothing is said.
         quaternion: Index in q of the scalar part of a unit quaternion, None without one.
-        functions: ``move`` [q, T], ``qdot``, ``difference``; none of "line<k>".
+        functions: ``move`` [q, T], ``qdot``, ``difference``; none where q just adds up.
+        plane: Of a node of a plane how it stands in space, None of others.
     """
 
     name: str
@@ -54,6 +59,7 @@ class BlockKind:
     defaults: tuple[float, ...]
     quaternion: int | None = None
     functions: Mapping[str, Function] = field(default_factory=dict, repr=False, compare=False)
+    plane: Plane | None = None
 
     @property
     def nq(self) -> int:
@@ -155,6 +161,17 @@ class Kind:
     def c_name(self, function: str) -> str:
         """C name of one of its functions."""
         return f"{self.name}__{function}"
+
+
+def unique(name: str, taken: set[str]) -> str:
+    """A C identifier that no kind has yet, which is entered."""
+    base = found = re.sub(r"\W", "_", name)
+    number = 1
+    while found in taken:
+        number += 1
+        found = f"{base}_{number}"
+    taken.add(found)
+    return found
 
 
 @dataclass(frozen=True)
@@ -264,6 +281,12 @@ class Absolute:
                 group.kind.rows[: group.kind.mp] if positions else group.kind.rows[group.kind.mp :]
             )
         )
+
+    @property
+    def inner(self) -> Numbers:
+        """Coordinates of the nodes inside of beams in the reference configuration (n, nq)."""
+        inside = self.reference.size and self.places.kinds[self.places.kind[-1]].nq
+        return self.reference.reshape(-1, inside or POSE)
 
     @cached_property
     def mp(self) -> int:

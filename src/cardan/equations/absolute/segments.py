@@ -21,7 +21,9 @@ from ...spatial.exponential import quaternion_of
 from ...topology.convert import IDENTITY, ORIGIN
 from ...topology.segment import Segment
 from ..blocks import parameters
-from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers
+from .blocks import Holds
+from .plane import flattened
+from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers, unique
 from .scene import NODE, Key, Scene
 
 # elements of a segment up to which they share a table with those of others
@@ -40,13 +42,17 @@ class Beamed:
 
     Attributes:
         names: Of the nodes between named ones.
-        reference: Their coordinates in the reference configuration (7 n,).
+        reference: Their coordinates in the reference configuration, one after the other.
+        kinds: What each of them holds.
+        space: Kinds of elements in space by the name of those in a plane.
         lines: Places of the nodes of every segment, GROUND at ends fixed to the ground.
         groups: The elements.
     """
 
     names: tuple[str, ...]
     reference: Numbers
+    kinds: tuple[BlockKind, ...]
+    space: dict[str, Kind]
     lines: tuple[Integers, ...]
     groups: tuple[Group, ...]
 
@@ -81,19 +87,23 @@ class _Part:
     power: int
 
 
-def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]) -> Beamed:
+def beamed(
+    scene: Scene, at: Mapping[Key, int], holds: Holds, powers: dict[str, int], taken: set[str]
+) -> Beamed:
     """Nodes and elements of all segments.
 
     Args:
         scene: The scene.
         at: Its places, which the nodes in between follow.
-        node: What a node is.
+        holds: What places hold.
         powers: Numbers of the sources of power; beams are added.
+        taken: Names of kinds that there are.
     """
-    builder = _Builder(scene, at, node, powers)
+    builder = _Builder(scene, at, holds, powers, taken)
     names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
+    kinds = list[BlockKind]()
     place, known = len(at), dict[str, tuple[int, int]]()
-    for segment in scene.system.segments:
+    for number, segment in enumerate(scene.system.segments):
         count = segment.line.elements
         # nodes and elements are numbered along the whole beam
         nodes, elements = known.get(segment.name, (0, 0))
@@ -103,16 +113,25 @@ def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[st
         line = np.array([ends[0].place, *inner, ends[1].place], dtype=np.intp)
         names += [f"{segment.name}.node{nodes + k + 1}" for k in range(count - 1)]
         place += count - 1
-        own = _poses(segment)
-        poses.append(own[1:-1].ravel())
+        own = poses_of(segment)
+        inside = holds.inside(number)
+        poses.append(_coordinates(inside, own[1:-1]).ravel())
+        kinds += [inside] * (count - 1)
         lines.append(line)
         told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
-        parts += builder.parts(segment, told, line, ends, np.hstack([own[:-1], own[1:]]))
+        pairs = np.hstack([own[:-1], own[1:]])
+        parts += builder.parts(segment, told, line, ends, pairs, inside)
     reference = np.concatenate(poses) if poses else np.zeros(0)
-    return Beamed(tuple(names), reference, tuple(lines), tuple(builder.groups(parts)))
+    groups = tuple(builder.groups(parts))
+    return Beamed(tuple(names), reference, tuple(kinds), builder.space, tuple(lines), groups)
 
 
-def _poses(segment: Segment) -> Numbers:
+def _coordinates(kind: BlockKind, poses: Numbers) -> Numbers:
+    """Coordinates of nodes at poses (n, 7)."""
+    return poses if kind.plane is None else kind.plane.told(poses)
+
+
+def poses_of(segment: Segment) -> Numbers:
     """Unit quaternions and positions of the nodes (n + 1, 7)."""
     line = segment.line
     found = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
@@ -136,11 +155,18 @@ class _Builder:
     """Makes the groups of segments; kinds are derived once."""
 
     def __init__(
-        self, scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[str, int]
+        self,
+        scene: Scene,
+        at: Mapping[Key, int],
+        holds: Holds,
+        powers: dict[str, int],
+        taken: set[str],
     ) -> None:
         self.scene, self.system = scene, scene.system
-        self.at, self.node, self.powers = at, node, powers
-        self._kinds: dict[str, Kind] = {}
+        self.at, self.holds, self.powers, self.taken = at, holds, powers, taken
+        self.keys = list(at)
+        self.space: dict[str, Kind] = {}
+        self._kinds: dict[tuple[str, ...], Kind] = {}
 
     def end(self, number: int) -> _End:
         """Where a frame at the end of a segment is."""
@@ -197,6 +223,7 @@ class _Builder:
         line: Integers,
         ends: Sequence[_End],
         poses: Numbers,
+        inside: BlockKind,
     ) -> Iterator[_Part]:
         """The elements of a segment: those at its ends apart where they are no nodes.
 
@@ -206,13 +233,17 @@ class _Builder:
             line: Places of its nodes.
             ends: Where it begins and ends.
             poses: Of both nodes of every element in the reference configuration (n, 14).
+            inside: What its nodes inside hold.
         """
         for element, values in self._elements(segment):
             own = element.rows(segment.line.stations, poses)
-            for part, kinds, data in _parts(segment.line.elements, ends):
+            apart = [end.place >= 0 and self._held(end.place, inside) != inside for end in ends]
+            for part, kinds, data in _parts(segment.line.elements, ends, apart):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
                 places = places[:, [kind != AT_GROUND for kind in kinds]]
-                rows, kind = own[part], self._kind(element, kinds)
+                first = places[0] if len(places) else ()
+                held = tuple(self._held(int(place), inside) for place in first)
+                rows, kind = own[part], self._kind(element, kinds, held)
                 own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
                 common = tuple(values[name] for name in element.common)
                 power = self._power(segment) if "power" in kind.functions else -1
@@ -222,14 +253,26 @@ class _Builder:
         """Where the power of elements goes: one sum for the whole beam."""
         return self.powers.setdefault(segment.name, len(self.powers))
 
-    def _kind(self, element: FlexibleElement, kinds: tuple[str, str]) -> Kind:
+    def _held(self, place: int, inside: BlockKind) -> BlockKind:
+        """What a node of a segment holds."""
+        return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
+
+    def _kind(
+        self, element: FlexibleElement, kinds: tuple[str, str], held: tuple[BlockKind, ...]
+    ) -> Kind:
+        """The kind of an element between such ends, whose nodes hold this."""
         name = element.name(kinds)
-        if name not in self._kinds:
-            moving = sum(kind != AT_GROUND for kind in kinds)
-            functions = element.derived(kinds)
-            places, source = (self.node,) * moving, element.source
-            self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
-        return self._kinds[name]
+        key = (name, *(block.name for block in held))
+        if key not in self._kinds:
+            places = (self.holds.node,) * len(held)
+            functions, source = element.derived(kinds), element.source
+            found = Kind(name, places, (), 0, element.data(kinds), functions, source)
+            if held != places:
+                space, own = found, unique(name, self.taken)
+                found = flattened(own, space, held)
+                self.space[own] = space
+            self._kinds[key] = found
+        return self._kinds[key]
 
     def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
         """The elements that a segment is made of, with the expressions of their common data."""
@@ -255,11 +298,12 @@ class _Builder:
 
 
 def _parts(
-    count: int, ends: Sequence[_End]
+    count: int, ends: Sequence[_End], apart: Sequence[bool]
 ) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
     """Runs of elements between ends of the same kinds, with the data of these ends.
 
-    One element from ground to ground cannot move: it is left out.
+    Where a node at an end holds other coordinates than those inside, its element is apart too. One
+    element from ground to ground cannot move: it is left out.
     """
     first, last = ends
     if count == 1:
@@ -267,7 +311,8 @@ def _parts(
             return
         yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
-    start, stop = int(first.kind != AT_NODE), count - int(last.kind != AT_NODE)
+    start = int(first.kind != AT_NODE or apart[0])
+    stop = count - int(last.kind != AT_NODE or apart[1])
     if start:
         yield slice(0, 1), (first.kind, AT_NODE), first.data
     if stop > start:

@@ -2,24 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from ...ir.arithmetic import atan2
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from ...spatial.exponential import quaternion_of
+from ...spatial.plane import Plane
 from ..blocks import blocks
 from ..kinematics import Kinematics
-from .scene import JOINT, Scene
+from .scene import JOINT, NODE, Scene
 
 READ = ("t", "q", "u", "r", "p")
 
 
-def states(scene: Scene) -> Function:
+def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
     """[t, q, u, r, p] of the relative formulation -> [q, u] of all places.
+
+    Args:
+        scene: The scene.
+        planes: By body those nodes that are told by x, y and angle in a plane.
 
     Nodes stand where the joints of the tree carry them; coordinates of joints stay what they are.
     """
     system, k = scene.system, Kinematics(scene.system)
     q, u = list[int](), list[int]()
     for kind, i in scene.places:
+        plane = (planes or {}).get(i) if kind == NODE else None
+        if plane is not None:
+            with k.graph.made_by(system.bodies[i].name, "state"):
+                own_q, own_u = _in_plane(plane, k, i)
+            q += own_q
+            u += own_u
+            continue
         if kind == JOINT or i in scene.nodal:
             q += k.coordinates[i].nodes
             u += k.speeds[i].nodes
@@ -38,3 +53,14 @@ def states(scene: Scene) -> Function:
         tuple(body.name for body in system.bodies),
         "states of the nodes and joints by joint coordinates",
     )
+
+
+def _in_plane(plane: Plane, k: Kinematics, i: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """x, y, angle of a body and their rates."""
+    R, p = k.ground_rotation[i], k.ground_position[i]
+    spread = Matrix.of(k.graph, plane.spread.tolist())
+    turned = R @ Matrix.of(k.graph, plane.rotation.T.tolist())
+    a, b = plane.along
+    angle = atan2(turned[b, a], turned[a, a])
+    rates = spread.T @ Matrix.vstack(k.omega[i], R @ k.v[i])
+    return (p[a].node, p[b].node, angle.node), rates.nodes

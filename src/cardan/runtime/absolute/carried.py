@@ -9,12 +9,15 @@ import numpy as np
 
 from ..calling import Array
 from . import loading
+from .tables import Tables
 from .trailing import trailed
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
 SAVED = "states"
+# entries of the coordinates and speeds of a node in space
+POSE, MOTION = ("w", "x", "y", "z", "px", "py", "pz"), ("x", "y", "z", "px", "py", "pz")
 
 
 def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
@@ -31,8 +34,8 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     made = from_dict(model._objects.saved()[SAVED])
     blocks = {block.name: block.entries for block in made.inputs}
     q, u = model.split(x)[:2]
-    at = {name: k for k, name in enumerate(model.coordinates)}
-    of = {name: k for k, name in enumerate(model.speeds)}
+    tables = loading.tables(model.manifest, model.directory)
+    told = _joints(model, tables, q, u)
     inputs = np.array([row["default"] or 0.0 for row in model.manifest["inputs"]])
 
     def nodes(q: Array, u: Array) -> Mapping[str, Array]:
@@ -40,14 +43,13 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
         found: Mapping[str, Array] = model._evaluate_saved(SAVED, t=np.zeros(1), q=q, u=u, r=r, p=p)
         return found
 
-    tree = q[[at[name] for name in blocks["q"]]], u[[of[name] for name in blocks["u"]]]
+    tree = [np.array([told[name] for name in blocks[letter]]) for letter in "qu"]
     found = nodes(*tree)
     free, moved, names = set(rest), x.copy(), model.coordinates
     for entries, first, values in ((names, 0, found["q"]), (model.speeds, model.nq, found["u"])):
         for k, value in enumerate(values):
             if entries[k] in free:
                 moved[first + k] = value
-    tables = loading.tables(model.manifest, model.directory)
     if not tables.beams:
         return moved
     # nodes that only beams hold go along, unless somebody says where they are
@@ -60,3 +62,15 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     placed = nodes(rest_of, 0 * tree[1])["q"]
     reference[: len(placed)] = placed
     return trailed(tables, tables.beams, reference, moved, held)
+
+
+def _joints(model: CompiledModel, tables: Tables, q: Array, u: Array) -> dict[str, float]:
+    """Coordinates and speeds of the joints by name; of nodes of a plane those in space too."""
+    told = dict(zip(model.coordinates, q.tolist(), strict=True))
+    told |= dict(zip(model.speeds, u.tolist(), strict=True))
+    for place, row in enumerate(model.manifest["joints"]):
+        if tables.kinds[tables.kind[place]].plane is not None:
+            pose, speeds = tables.pose(q, place), tables.speeds(u, place)
+            told |= {f"{row['name']}.{x}": v for x, v in zip(POSE, pose, strict=True)}
+            told |= {f"{row['name']}.u.{x}": v for x, v in zip(MOTION, speeds, strict=True)}
+    return told

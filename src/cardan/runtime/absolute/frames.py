@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..calling import Array
+from .standing import Plane, pose, speeds
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -38,14 +39,23 @@ class Frames:
         self._position = dict(zip((r["name"] for r in rows), at["position"], strict=True))
         # first coordinate and speed of the node
         self._starts = {row["name"]: row["node"] for row in rows}
+        self._planes = {row["name"]: Plane.of(row["plane"]) for row in rows}
 
     def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
         """R (3, 3) and origin (3,) of the node that carries a frame."""
-        start = self._starts[frame]
+        start, plane = self._starts[frame], self._planes[frame]
         if start is None:
             return np.eye(3), np.zeros(3)
-        at = start[0]
-        return rotation(q[at : at + 4]), q[at + 4 : at + 7]
+        size = 7 if plane is None else 3
+        found = pose(plane, q[start[0] : start[0] + size])
+        return rotation(found[:4]), found[4:]
+
+    def _speeds(self, frame: str, u: Array) -> tuple[Array, Array]:
+        """Angular velocity in its axes and velocity in ground axes of the node, (3,) each."""
+        start, plane = self._starts[frame][1], self._planes[frame]
+        size = 6 if plane is None else 3
+        found = speeds(plane, u[start : start + size])
+        return found[:3], found[3:]
 
     def pose(self, frame: str, q: Array) -> Array:
         """Transform (4, 4) from the axes of a frame to those of the ground."""
@@ -61,7 +71,8 @@ class Frames:
         if start is None:
             return np.zeros(6)
         R, _ = self._node(frame, q)
-        omega, v = R @ u[start[1] : start[1] + 3], u[start[1] + 3 : start[1] + 6]
+        turning, v = self._speeds(frame, u)
+        omega = R @ turning
         return np.concatenate([omega, v + np.cross(omega, R @ self._position[frame])])
 
     def acceleration(self, frame: str, q: Array, u: Array, udot: Array) -> Array:
@@ -70,9 +81,8 @@ class Frames:
         if start is None:
             return np.zeros(6)
         R, _ = self._node(frame, q)
-        own, arm = slice(start[1], start[1] + 3), R @ self._position[frame]
-        omega, alpha = R @ u[own], R @ udot[own]
-        a = udot[start[1] + 3 : start[1] + 6]
+        arm, (turning, a) = R @ self._position[frame], self._speeds(frame, udot)
+        omega, alpha = R @ self._speeds(frame, u)[0], R @ turning
         a = a + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
         return np.concatenate([alpha, a])
 
@@ -84,9 +94,10 @@ class Frames:
         R, _ = self._node(frame, q)
         x, y, z = R @ self._position[frame]
         skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        J[:3, start[1] : start[1] + 3] = R
-        J[3:, start[1] : start[1] + 3] = -skew @ R
-        J[3:, start[1] + 3 : start[1] + 6] = np.eye(3)
+        zero, one = np.zeros((3, 3)), np.eye(3)
+        own, plane = np.block([[R, zero], [-skew @ R, one]]), self._planes[frame]
+        own = own if plane is None else own @ plane.spread
+        J[:, start[1] : start[1] + own.shape[1]] = own
         return J
 
 

@@ -14,6 +14,7 @@ from ..objects import Code
 from .elements import Elements
 from .mesh import Mesh
 from .plain import PlainElements
+from .standing import Plane
 from .tables import Kind, PlaceKind, Table, Tables
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns:
                 **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
             )
         )
-    places = tuple(PlaceKind(**row) for row in told["places"])
+    places = tuple(PlaceKind(**{**row, "plane": Plane.of(row["plane"])}) for row in told["places"])
     lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
     stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
     kind = numbers["kind"].astype(np.intp)

@@ -99,9 +99,9 @@ class Mesh(Elements):
             driven=tables.driven,
         )
         self._sparse()
-        poses = [k for k, kind in enumerate(tables.kinds) if kind.name == "node"]
-        nodes = np.flatnonzero(np.isin(tables.kind, poses)).astype(np.intp)
+        nodes, flats = (tables.nodes(flat).astype(np.intp) for flat in (False, True))
         self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
+        self.record.flats, self.record.flat = len(flats), self._pointer(flats)
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
         library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
 
@@ -159,7 +159,11 @@ class Mesh(Elements):
             return
         if self._width not in code.entry["lanes"]:
             return
-        built = code.recipe.there(self._width, True) or code.recipe.made(self._width, True)
+        built = code.recipe.there(self._width, True)
+        if built is None:
+            built = code.recipe.made(self._width, True)
+            # the text is that of the function for one, which was checked
+            built.built.published()
         self._keep.append(built)
         form.lanes = built.address
         # what is missing in the last block repeats the last element
@@ -196,7 +200,7 @@ class Mesh(Elements):
             own = (start + np.arange(count))[:, None]
             cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
         total = np.concatenate(sizes)
-        poses = [kind.name == "node" for kind in tables.kinds]
+        poses = [kind.node for kind in tables.kinds]
         massless = np.zeros(len(total), bool)
         massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
         self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)

@@ -57,8 +57,8 @@ class MeshRecord(ctypes.Structure):
     """``cardan_mesh``."""
 
     _fields_ = _fields(
-        (COUNT, "nq nu nz ns nr mp m places nodes"),
-        (POINTER, "q u node"),
+        (COUNT, "nq nu nz ns nr mp m places nodes flats"),
+        (POINTER, "q u node flat"),
         (COUNT, "group_count mover_count"),
         (POINTER, "groups movers plan unknown diagonal"),
         (COUNT, "lanes work local powers driven"),

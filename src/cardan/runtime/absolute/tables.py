@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from .standing import Plane, pose, speeds
+
 Array = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
@@ -18,10 +20,11 @@ class PlaceKind:
     """What a place holds.
 
     Attributes:
-        name: "node", "line<k>" or that of a joint.
+        name: "node", "plane_node", "line<k>" or that of a joint.
         nq, nu: Numbers of coordinates and speeds.
         quaternion: Index of the scalar part of a unit quaternion in its q, None without one.
         functions: C name of ``move`` and ``qdot`` where speeds are not rates.
+        plane: Of nodes of a plane how they stand in space.
     """
 
     name: str
@@ -29,6 +32,12 @@ class PlaceKind:
     nu: int
     quaternion: int | None = None
     functions: Mapping[str, str] = field(default_factory=dict)
+    plane: Plane | None = None
+
+    @property
+    def node(self) -> bool:
+        """Whether it is a node, which moves by itself."""
+        return self.name == "node" or self.plane is not None
 
 
 @dataclass(frozen=True)
@@ -172,6 +181,28 @@ class Tables:
         kind, rows = self.groups[number].kind, self.rows[number]
         own = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
         return np.concatenate(own, axis=1)
+
+    # nodes in space
+
+    def nodes(self, flat: bool) -> Integers:
+        """Places that are nodes, those of a plane or all others."""
+        kinds = [k for k, x in enumerate(self.kinds) if x.node and (x.plane is not None) == flat]
+        return np.flatnonzero(np.isin(self.kind, kinds))
+
+    def pose(self, q: Array, place: int) -> Array:
+        """Unit quaternion and position (7,) of a node at coordinates of the model."""
+        return pose(self.kinds[self.kind[place]].plane, q[self.q[place] : self.q[place + 1]])
+
+    def speeds(self, u: Array, place: int) -> Array:
+        """Angular velocity in its axes and velocity in those of the ground (6,) of a node."""
+        return speeds(self.kinds[self.kind[place]].plane, u[self.u[place] : self.u[place + 1]])
+
+    def put(self, x: Array, place: int, pose: Array, speeds: Array) -> None:
+        """Write a pose (7,) and speeds (6,) of a node into a state."""
+        plane = self.kinds[self.kind[place]].plane
+        q, u = (slice(*start[place : place + 2]) for start in (self.q, self.nq + self.u))
+        x[q] = pose if plane is None else plane.told(pose, x[q][2])
+        x[u] = speeds if plane is None else plane.spread.T @ speeds
 
 
 def _spread(starts: Integers, place: Integers) -> Integers:

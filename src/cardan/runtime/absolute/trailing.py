@@ -92,16 +92,16 @@ def _joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]
 
 
 def _motion(tables: Tables, reference: Array, x: Array, place: int) -> _Motion:
-    q, u = int(tables.q[place]), tables.nq + int(tables.u[place])
-    now, before = _rotation(x[q : q + 4]), _rotation(reference[q : q + 4])
-    turn = now * before.inv()
-    position = x[q + 4 : q + 7]
-    omega, velocity = now.apply(x[u : u + 3]), x[u + 3 : u + 6]
+    at, home = tables.pose(x, place), tables.pose(reference, place)
+    now = _rotation(at[:4])
+    turn = now * _rotation(home[:4]).inv()
+    speed = tables.speeds(x[tables.nq :], place)
+    omega = now.apply(speed[:3])
     return _Motion(
         turn,
-        position - turn.apply(reference[q + 4 : q + 7]),
+        at[4:] - turn.apply(home[4:]),
         omega,
-        velocity - np.cross(omega, position),
+        speed[3:] - np.cross(omega, at[4:]),
     )
 
 
@@ -116,17 +116,15 @@ def _carry(
             continue
         s = share[k]
         turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
-        q, u = int(tables.q[place]), tables.nq + int(tables.u[place])
-        home = reference[q + 4 : q + 7]
-        positions = [m.turn.apply(home) + m.shift for m in (one, other)]
+        home = tables.pose(reference, int(place))
+        positions = [m.turn.apply(home[4:]) + m.shift for m in (one, other)]
         position = (1 - s) * positions[0] + s * positions[1]
-        now = turn * _rotation(reference[q : q + 4])
+        now = turn * _rotation(home[:4])
         a, b, c, w = now.as_quat()
-        x[q : q + 7] = (w, a, b, c, *position)
         omega = (1 - s) * one.omega + s * other.omega
-        velocity = (1 - s) * one.velocity + s * other.velocity
-        x[u : u + 3] = now.inv().apply(omega)
-        x[u + 3 : u + 6] = velocity + np.cross(omega, position)
+        velocity = (1 - s) * one.velocity + s * other.velocity + np.cross(omega, position)
+        pose = np.array([w, a, b, c, *position])
+        tables.put(x, int(place), pose, np.concatenate([now.inv().apply(omega), velocity]))
 
 
 def _rotation(q: Array) -> Rotation:

@@ -1,0 +1,57 @@
+"""How nodes stand in space, whatever coordinates they have."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..calling import Array
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A node of a plane, told by x, y and angle.
+
+    Attributes:
+        spread: Speeds in space, angular velocity in axes of the node and velocity in those of the
+            ground, from the rates of x, y and angle (6, 3).
+        home: Unit quaternion at x = y = angle = 0 (4,).
+    """
+
+    spread: Array
+    home: Array
+
+    @staticmethod
+    def of(told: dict[str, Any] | None) -> Plane | None:
+        """From the manifest, None of other places."""
+        return None if told is None else Plane(*(np.array(told[x]) for x in ("spread", "home")))
+
+    def pose(self, q: Array) -> Array:
+        """Unit quaternion and position (7,)."""
+        w, v, n = self.home[0], self.home[1:], self.spread[:3, 2]
+        c, s = np.cos(0.5 * q[2]), np.sin(0.5 * q[2])
+        turned = c * v + s * (w * n + np.cross(v, n))
+        return np.concatenate([[c * w - s * (n @ v)], turned, self.spread[3:, :2] @ q[:2]])
+
+    def told(self, pose: Array, near: float) -> Array:
+        """x, y, angle (3,) of a pose (7,); of equal angles the nearest to ``near``."""
+        w, v, n = self.home[0], self.home[1:], self.spread[:3, 2]
+        cosine = pose[0] * w + pose[1:4] @ v
+        sine = (pose[1:4] * w - pose[0] * v - np.cross(v, pose[1:4])) @ n
+        angle = 2 * np.arctan2(sine, cosine)
+        angle -= 2 * np.pi * np.round((angle - near) / (2 * np.pi))
+        return np.array([*(pose[4:] @ self.spread[3:, :2]), angle])
+
+
+def pose(plane: Plane | None, q: Sequence[float] | Array) -> Array:
+    """Unit quaternion and position (7,) of a node by its coordinates."""
+    found = np.asarray(q, dtype=np.float64)
+    return found if plane is None else plane.pose(found)
+
+
+def speeds(plane: Plane | None, u: Array) -> Array:
+    """Speeds of a node in space (6,) by its own."""
+    return u if plane is None else plane.spread @ u
