@@ -14,9 +14,7 @@ out.mkdir(parents=True, exist_ok=True)
 
 scene = cd.Model("flexible_pendulum")
 rubber = cd.material(E=5e6, nu=0.45, rho=1100)
-bar = scene.beam(
-    "bar", (0, 0, 0), (1, 0, 0), cd.section.rectangle(0.02, 0.02), rubber, elements=10
-)
+bar = scene.beam("bar", (0, 0, 0), (1, 0, 0), cd.section.rectangle(0.02, 0.02), rubber, elements=10)
 scene.joint("pin", cd.Revolute("y"), scene.ground, bar.start)
 model = cd.compile(scene)
 
