@@ -123,6 +123,23 @@ def test_revolute_joints() -> None:
     assert np.log2(coarse / fine) == pytest.approx(2, abs=0.15)
 
 
+def test_springs_between_bodies_keep_all_momenta() -> None:
+    scene = cd.Model("sprung_nodes", gravity=(0, 0, 0))
+    a = scene.body("a", mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.25))
+    b = scene.body("b", mass=2.0, com=(0, 0.1, 0.2), inertia=(0.3, 0.15, 0.2))
+    scene.joint("of_a", cd.Free(), scene.ground, a)
+    scene.joint("of_b", cd.Free(), scene.ground, b)
+    spring = cd.SpringDamper(a.at(0.2, 0, 0), b.at(0, 0, 0.3), stiffness=300.0, length=0.4)
+    scene.force("spring", spring)
+    model = cd.compile(scene, coordinates="absolute")
+    q, u = [1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0.9, 0, 0], np.linspace(-1, 2, 12)
+    motion = model.simulate(times(4000, 2e-3), q=q, u=u, step=2e-3, method=METHOD)
+    assert motion.success
+    energy, momentum = kept(model, motion)
+    assert np.abs(energy - energy[0]).max() < 1e-12 * energy[0]
+    assert np.abs(momentum - momentum[0]).max() < 1e-11 * np.abs(momentum[0]).max()
+
+
 def test_multipliers_are_those_of_the_motion() -> None:
     """At the ends of steps, extrapolated from their middles."""
     model, start = top()

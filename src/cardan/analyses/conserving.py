@@ -79,10 +79,8 @@ class _Looked:
             self._say("rolls", "rolling constraints bind speeds alone")
         for number, group in enumerate(tables.groups):
             kind, what = group.kind, _named(group)
-            if "C" in kind.parts and "M" not in kind.parts:
+            if "M" not in kind.parts and self._resists(number):
                 self._say(what, "its force depends on speeds")
-            if "power" in kind.functions:
-                self._say(what, "it gives or takes energy")
             if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
                 self._apart(number, what)
         for group, lost in zip(tables.groups, self._lost(), strict=True):
@@ -91,6 +89,14 @@ class _Looked:
         rates = self.mesh.balance(self.state(self.q[0], t=0.3))[2]
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
+
+    def _resists(self, number: int) -> bool:
+        """Whether forces of a group change with speeds."""
+        moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
+        rest = self.mesh.results("balance", self.state(self.q[0]))[number]
+        nu = self.tables.groups[number].kind.nu
+        change = np.abs(moving - rest)[:, :nu].max(initial=0.0)
+        return bool(change > SMALL * np.abs(rest)[:, :nu].max(initial=0.0))
 
     def _say(self, what: str, why: str) -> None:
         raise ModelError(

@@ -19,4 +19,5 @@ METHOD = Integrator(
     needs=("balance", "energy", "move", "qdot"),
     multipliers=True,
     suited=suited,
+    elements=True,
 )

@@ -155,7 +155,11 @@ class Mesh(Elements):
             return
         if self._width not in code.entry["lanes"]:
             return
-        built = code.recipe.there(self._width, True) or code.recipe.made(self._width, True)
+        built = code.recipe.there(self._width, True)
+        if built is None:
+            built = code.recipe.made(self._width, True)
+            # the text is that of the function for one, which was checked
+            built.built.published()
         self._keep.append(built)
         form.lanes = built.address
         # what is missing in the last block repeats the last element
