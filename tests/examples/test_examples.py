@@ -22,6 +22,12 @@ LEAVES = {
     "10_rolling_disk": ("rolling_disk.html",),
     "11_solar_array": ("solar_array.html",),
     "12_ensemble": ("runs.nc",),
+    "13_roll_up": ("roll_up.png",),
+    "14_bend": ("bend.png",),
+    "15_flexible_slider_crank": ("slider_crank.html",),
+    "16_spin_up_blade": ("spin_up.html",),
+    "17_flexible_pendulum": ("pendulum.html",),
+    "18_locking_beams": ("locking.html",),
 }
 
 

@@ -61,7 +61,11 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     reference = model._layout.start("q").copy()
     placed = nodes(rest_of, 0 * tree[1])["q"]
     reference[: len(placed)] = placed
-    return trailed(tables, tables.beams, reference, moved, held)
+    trail = trailed(tables, tables.beams, reference, moved, held)
+    # what was given stays as it is, nodes between others too
+    kept = [name not in free for name in (*names, *model.speeds)]
+    trail[: len(kept)][kept] = moved[: len(kept)][kept]
+    return trail
 
 
 def _joints(model: CompiledModel, tables: Tables, q: Array, u: Array) -> dict[str, float]:
