@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 TARGETS = {"time": 0.1, "error": 0.2}
@@ -55,11 +56,13 @@ def ratios(found: Found) -> Iterator[tuple[str, ...]]:
     """Rows: elements, times [us], their ratio, errors [mm], their ratio, what is reached."""
     for ours, theirs in zip(found.compared[::2], found.compared[1::2], strict=True):
         time, error = ours.seconds / theirs.seconds, ours.error / theirs.error
+        known = not math.isnan(error)
         reached = time <= TARGETS["time"] and not error > TARGETS["error"]
         yield (
             str(ours.elements), f"{1e6 * ours.seconds:.1f}", f"{1e6 * theirs.seconds:.1f}",
             f"{time:.3f}", _millimeters(ours.error), _millimeters(theirs.error),
-            "" if math.isnan(error) else f"{error:.3f}", "yes" if reached else "no",
+            f"{error:.3f}" if known else "",
+            "no" if not reached else "yes" if known else "time",
         )  # fmt: skip
 
 
@@ -84,7 +87,7 @@ def lines(found: Found) -> Iterator[tuple[str, ...]]:
 def show(found: Found) -> None:
     """Tables on a screen."""
     for headings, rows in ((HEADINGS, ratios(found)), (CURVE, lines(found))):
-        table = Table(*headings, box=None)
+        table = Table(*map(escape, headings), box=None)
         for row in rows:
             table.add_row(*row)
         Console(width=150).print(table, "")
