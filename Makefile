@@ -1,6 +1,6 @@
 # Every target makes its own virtual environment first; a second call finds it done.
 #   make demo              the Panda robot from URDF to simulation
-#   make test              linters, types, all tests
+#   make test              linters, types, tests; make slow: the rest of those that take long
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make hard              every integrator on every hard case, docs/hard_cases.md
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
@@ -17,7 +17,7 @@ BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd)
 
-.PHONY: help demo test bench hard lint types external fuzz clean
+.PHONY: help demo test slow bench hard lint types external fuzz clean
 
 help:
 	@sed -n '2,6s/^#   //p' Makefile
@@ -42,7 +42,14 @@ types: $(VENV)/.installed-test
 	$(BIN)/mypy
 
 test: lint types
-	$(BIN)/python -m pytest -n 2 --dist loadfile -m 'not external' $(PYTEST_ARGS)
+	# two processes on two cores: no threads of theirs besides
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist loadfile \
+		-m 'not external and not slow' $(PYTEST_ARGS)
+
+# what make test takes a spread of
+slow: $(VENV)/.installed-test
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist load \
+		-m 'slow and not external' $(PYTEST_ARGS)
 
 external: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -n 2 --dist load -m external tests/external

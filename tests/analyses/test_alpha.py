@@ -49,7 +49,8 @@ class Exact:
 
     def __init__(self, model: cd.CompiledModel, times: Array) -> None:
         self.times, self.start = times, spinning(model)
-        self.motion = model.simulate(times, x0=self.start, rtol=1e-13, atol=1e-13)
+        known = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-13}
+        self.motion = model.simulate(times, x0=self.start, **known)
         self.lam = np.stack([*self.motion.multipliers.values()], axis=-1)
 
     def errors(self, model: cd.CompiledModel, since: int = 0, **options: Any) -> list[float]:

@@ -23,6 +23,7 @@ CHOICES: list[tuple[Case, str, str]] = [
     (Case(1e-9, stiff=True), "Radau", "stability limited"),
     (Case(1e-6, stiff=True, asked=True), "Radau", "slopes of f(t, x)"),
     (Case(1e-6, stiff=True, derived=False), "DOP853", "functions=[..., 'rhs_jacobian']"),
+    (Case(1e-6, elements=True), "GeneralizedAlpha", "elements in absolute coordinates"),
 ]
 
 

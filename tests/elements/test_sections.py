@@ -78,7 +78,6 @@ def inside(section: Any, y: Any, z: Any) -> Any:
 def test_area_and_second_moments_are_integrals(name: str) -> None:
     section = INSTANCES[name]
     found, outline = numbers(section), section.outline(vars(section))
-    assert outline is not None
     n = 2000
     y = (np.arange(n) + 0.5) / n * 2 * outline.e2 - outline.e2
     z = (np.arange(n) + 0.5) / n * 2 * outline.e3 - outline.e3
@@ -157,6 +156,14 @@ def test_general_sections_say_it_themselves() -> None:
     wanted = {"EA": 1e6, "GA2": 2e5, "GA3": 3e5, "GJ": 50.0, "EI2": 60.0, "EI3": 70.0}
     wanted |= {"rhoA": 2.0, "rhoI2": 0.01, "rhoI3": 0.02, "damping": 0.0}
     assert found == wanted
+
+
+def test_outline_of_numbers_is_that_of_a_round_bar() -> None:
+    bar = numbers(INSTANCES["circle"])
+    general = cd.section.general(EA=bar["EA"], GA=bar["GA2"], GJ=bar["GJ"], EI=bar["EI2"])
+    scene = cd.Model("one")
+    scene.beam("b", (0, 0, 0), (1, 0, 0), general)
+    assert build(scene).segments[0].outline == pytest.approx((0.03, 0.03, True))
 
 
 def test_numbers_are_parameters_and_parameters_stay() -> None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS
 
-from .case import UNDAMPED, Case, Cell, table
+from .case import METHODS, UNDAMPED, Case, Cell, table
 
 HEIGHT, BOUNCE, G = 1.0, 0.5, 9.81
 FALL = np.sqrt(2 * HEIGHT / G)
@@ -54,7 +53,7 @@ CHATTER = Case(
     error=end,
     # a parabola: exact for every method, up to how small intervals count as none
     expected=table(
-        {name: Cell(1e-4, status="chatter") for name in INTEGRATORS} | {"Newmark": UNDAMPED}
+        {name: Cell(1e-4, status="chatter") for name in METHODS} | {"Newmark": UNDAMPED}
     ),
     **COMMON,
 )
@@ -64,6 +63,6 @@ SETTLED = Case(
     oracle="closed form; largest error of the times of impacts [s]",
     build=settling,
     error=settled,
-    expected=table({name: Cell(1e-8) for name in INTEGRATORS} | {"Newmark": UNDAMPED}),
+    expected=table({name: Cell(1e-8) for name in METHODS} | {"Newmark": UNDAMPED}),
     **COMMON,
 )

@@ -8,9 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS
 
-from .case import DAMPED, Case, Cell, Never
+from .case import DAMPED, METHODS, Case, Cell, Never
 
 STEP = 2e-3
 SPIN = [0.4, 1.0, 0.02]
@@ -80,5 +79,5 @@ LONG = replace(
     expected=expected(10_000_000)
     | {"EnergyMidpoint": Cell(1e-3, {"step": 20 * STEP})}
     | {name: Cell(1e-5, {"step": STEP}) for name in DAMPED},
-    slow=tuple(INTEGRATORS),
+    slow=tuple(METHODS),
 )

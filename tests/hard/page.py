@@ -13,10 +13,9 @@ from pathlib import Path
 # the cases and the zoo stand in the folder above
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.cli.terminal import progress
 from hard import CASES
-from hard.case import FINISHED, Case, Cell, Never, Outcome, measure
+from hard.case import FINISHED, METHODS, Case, Cell, Never, Outcome, measure
 
 PAGE = Path(__file__).parents[2] / "docs" / "hard_cases.md"
 Found = dict[tuple[str, str], Outcome]
@@ -58,10 +57,10 @@ def mark(case: Case, method: str, found: Found) -> str:
 
 def overview(found: Found) -> Iterator[str]:
     """Case by method."""
-    yield f"| case | {' | '.join(INTEGRATORS)} |"
-    yield f"|---|{':---:|' * len(INTEGRATORS)}"
+    yield f"| case | {' | '.join(METHODS)} |"
+    yield f"|---|{':---:|' * len(METHODS)}"
     for case in CASES.values():
-        marks = " | ".join(mark(case, method, found) for method in INTEGRATORS)
+        marks = " | ".join(mark(case, method, found) for method in METHODS)
         yield f"| [{case.title}](#{anchor(case)}) | {marks} |"
 
 

@@ -9,9 +9,8 @@ from typing import Any
 
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS
 from hard import CASES
-from hard.case import Case, Cell, Never, measure
+from hard.case import METHODS, Case, Cell, Never, measure
 from hard.page import PAGE, expectation
 
 ASKED = pytest.mark.skipif("CARDAN_HARD" not in os.environ, reason="asked for by CARDAN_HARD=1")
@@ -57,7 +56,7 @@ def test_given_steps_past_a_lock_are_right_or_end(step: float, method: str) -> N
 
 @pytest.mark.parametrize("case", CASES.values(), ids=str)
 def test_every_method_has_a_cell(case: Case) -> None:
-    assert set(case.expected) == set(INTEGRATORS)
+    assert set(case.expected) == set(METHODS)
     assert all(cell.reason for cell in case.expected.values() if isinstance(cell, Never))
 
 
@@ -66,6 +65,6 @@ def test_the_page_says_the_same(case: Case) -> None:
     section = PAGE.read_text("utf-8").split(f"\n## {case.title}\n")[1].split("\n## ")[0]
     rows = [line for line in section.splitlines() if line.startswith("| ")][1:]
     said = {cells[1].strip(): cells for cells in (row.split("|") for row in rows)}
-    assert set(said) == set(INTEGRATORS)
+    assert set(said) == set(METHODS)
     for method, cell in case.expected.items():
         assert said[method][3].strip() == expectation(cell)

@@ -12,8 +12,8 @@ import sympy
 
 import cardan as cd
 
-# where a source calls a beam inextensible or rigid in shear
-STIFF = 1e8
+# EA and GA where a source calls a beam inextensible and rigid in shear
+STIFF = 1e6
 
 
 def roll_up(elements: int = 10) -> cd.Model:
@@ -49,14 +49,14 @@ def bend45(elements: int = 8, torsion: float = 1 / 6) -> cd.Model:
 EIGHTHS = (math.pi / 8, math.pi / 4)
 
 
-def elastica(elements: int = 10) -> cd.Model:
+def elastica(elements: int = 10, stiff: float = STIFF) -> cd.Model:
     """A cantilever of length 1 and EI = 1 with a dead force P across its tip.
 
     Source: Mattiasson, IJNME 17 (1981).
     """
     scene = cd.Model("elastica", gravity=(0, 0, 0))
     force = scene.parameter("P", 10, unit="N")
-    section = cd.section.general(EA=STIFF, GA=STIFF, GJ=1, EI=1, rhoA=1)
+    section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
     beam = scene.beam("beam", scene.ground, (1, 0, 0), section, elements=elements)
     scene.force("load", cd.Force(beam.end, (0, force, 0)))
     return scene
@@ -76,16 +76,17 @@ def two_loads(elements: int = 16) -> cd.Model:
     return scene
 
 
-def column(elements: int = 10, imperfection: float = 1e-4) -> cd.Model:
+def column(elements: int = 10, imperfection: float = 1e-4, stiff: float = STIFF) -> cd.Model:
     """A pinned column of length 1 and EI = 1 under P in units of the load of Euler.
 
-    It is bent beforehand by a part of a sine, so that it buckles to one side.
+    It is bent beforehand by a part of a sine, so that it buckles to one side; or a force F in
+    the middle pushes it there.
 
     Source: Timoshenko and Gere, Theory of Elastic Stability (elastica).
     """
     scene = cd.Model("column", gravity=(0, 0, 0))
-    load = scene.parameter("P", 1.1)
-    section = cd.section.general(EA=STIFF, GA=STIFF, GJ=1, EI=1, rhoA=1)
+    load, aside = scene.parameter("P", 1.1), scene.parameter("F", 0, unit="N")
+    section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
     xs = [k / 40 for k in range(41)]
     points = [(x, 0, imperfection * math.sin(math.pi * x)) for x in xs]
     points[-1] = (1, 0, 0)
@@ -97,6 +98,7 @@ def column(elements: int = 10, imperfection: float = 1e-4) -> cd.Model:
     scene.joint("guide", cd.Prismatic("x"), scene.ground, roller)
     scene.joint("hinge", cd.Revolute("y"), roller, beam.end)
     scene.force("load", cd.Force(roller, (-load * math.pi**2, 0, 0)))
+    scene.force("push", cd.Force(beam.at(0.5), (0, 0, aside)))
     scene.output("middle", beam.at(0.5).position()[2], unit="m")
     return scene
 
@@ -118,14 +120,14 @@ def right_angle(elements: int = 8) -> cd.Model:
 
 
 def spaghetti(elements: int = 16) -> cd.Model:
-    """A free rod of length 10, thrown by a force and a moment at one end for 2.5 s.
+    """A free rod of length 10, thrown by a force and a moment at one end while they are ``on``.
 
     Source: Simo and Vu-Quoc, J. Appl. Mech. 53 (1986).
     """
     scene = cd.Model("spaghetti", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e4, GA=1e4, GJ=100, EI=100, rhoA=1, rhoI=10)
     rod = scene.beam("rod", (6, 0, 0), (0, 8, 0), section, elements=elements)
-    on = sympy.Piecewise((1, cd.t < 2.5), (0, True))
+    on = scene.input("on", default=1)
     scene.force("push", cd.Force(rod.start, (8 * on, 0, 0)))
     scene.force("turn", cd.Torque(rod.start, (0, 0, -80 * on)))
     return scene

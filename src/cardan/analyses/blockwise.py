@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from hashlib import sha256
 from typing import final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import block_array, coo_array
+from scipy.sparse import coo_array, csr_array
 
 from ..errors import SolveError
 from ..runtime.absolute.plan import Plan, plan
@@ -19,10 +20,26 @@ Longs = NDArray[np.int64]
 MOTION = 1e-3  # of a direction without units: below this part nothing moves along it
 
 
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """A pattern that was planned.
+
+    Attributes:
+        plan: The plan.
+        order, place: Which unknown stands where in it, and where each unknown stands (n + m,).
+        at: Where the numbers of K, G and Gᵀ go in its values.
+    """
+
+    plan: Plan
+    order: Longs
+    place: Longs
+    at: Longs
+
+
 @final
 @dataclass(eq=False)
 class Blockwise:
-    """Factors [K Gᵀ; G 0] block by block; plans of matrices of one pattern are kept.
+    """Factors [K Gᵀ; G 0] block by block; the plan of the last pattern is kept.
 
     Attributes:
         places: First speed of every place, and how many there are (places + 1,). What comes behind
@@ -34,7 +51,7 @@ class Blockwise:
     places: NDArray[np.integer]
     massless: NDArray[np.bool_]
     elements: NDArray[np.integer]
-    _plans: dict[bytes, Plan] = field(default_factory=dict)
+    _seen: dict[bytes, _Seen] = field(default_factory=dict)
 
     def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
         """Solver of [K Gᵀ; G 0] for a right-hand side (n + m,), or several (n + m, k).
@@ -42,61 +59,65 @@ class Blockwise:
         Raises:
             Singular: nothing holds an unknown; the solver, where no solution exists.
         """
-        n, m = K.shape[0], G.shape[0]
-        block, order = self._blocks(n, m)
-        place = np.empty_like(order)
-        place[order] = np.arange(n + m)
-        whole = coo_array(block_array([[K, G.T], [G, None]]) if m else K)
-        i, j = place[whole.coords[0]], place[whole.coords[1]]
-        made, values = self._filled(block[order], n, i, j, whole.data)
-        by = solver(made)
+        K, G = csr_array(K), csr_array(G)
+        parts = (K.indptr, K.indices, G.indptr, G.indices)
+        key = sha256(b"".join(part.tobytes() for part in parts)).digest()
+        if key not in self._seen:
+            self._seen.clear()
+            self._seen[key] = self._look(K, G)
+        seen, n = self._seen[key], K.shape[0]
+        values = np.bincount(
+            seen.at, np.concatenate([K.data, G.data, G.data]), seen.plan.pattern.values
+        ).astype(np.float64)
+        by = solver(seen.plan)
         try:
-            by.factor(values, *balanced(made, values))
+            by.factor(values, *balanced(seen.plan, values))
         except SolveError:
             raise Singular from None
 
         def solve(right: Array) -> Array:
-            sides = np.asarray(right, float)[order].reshape(n + m, -1)
+            sides = np.asarray(right, float)[seen.order].reshape(len(seen.order), -1)
             try:
                 found = [solution(by, side) for side in sides.T]
             except SolveError:
-                raise Singular(_motion(by, place[:n])) from None
-            return np.stack(found, axis=1)[place].reshape(np.shape(right))
+                raise Singular(_motion(by, seen.place[:n])) from None
+            return np.stack(found, axis=1)[seen.place].reshape(np.shape(right))
 
         return solve
 
-    def _blocks(self, n: int, m: int) -> tuple[Longs, Longs]:
-        """The block of every unknown (n + m,), and the order in which blocks stand together."""
+    def _blocks(self, n: int, m: int) -> Longs:
+        """The block of every unknown (n + m,)."""
         count, known = len(self.places) - 1, int(self.places[-1])
         speeds = np.repeat(np.arange(count), np.diff(self.places))
         own = count + np.arange(n - known)
         elements = np.unique(self.elements, return_inverse=True)[1]
         rest = int(elements.max(initial=-1)) + 1 + np.arange(m - len(self.elements))
         rows = count + (n - known) + np.concatenate([elements, rest])
-        block = np.concatenate([speeds, own, rows]).astype(np.int64)
-        return block, np.argsort(block, kind="stable")
+        return np.concatenate([speeds, own, rows]).astype(np.int64)
 
-    def _filled(self, block: Longs, n: int, i: Longs, j: Longs, data: Array) -> tuple[Plan, Array]:
-        """The plan of a matrix with entries (i, j), and its values."""
+    def _look(self, K: Matrix, G: Matrix) -> _Seen:
+        """Plan matrices of the pattern of K and G."""
+        n, m = K.shape[0], G.shape[0]
+        block = self._blocks(n, m)
+        order = np.argsort(block, kind="stable")
+        place = np.empty_like(order)
+        place[order] = np.arange(n + m)
+        block = block[order]
+        (down, across), (row, held) = (coo_array(x).coords for x in (K, G))
+        i = place[np.concatenate([down, n + row.astype(np.int64), held])]
+        j = place[np.concatenate([across, held, n + row.astype(np.int64)])]
         nb = int(block[-1]) + 1 if len(block) else 0
         pairs, pair = np.unique(block[i] * nb + block[j], return_inverse=True)
         sizes = np.bincount(block, minlength=nb)
-        key = np.concatenate([sizes, [n], pairs]).tobytes()
-        if key not in self._plans:
-            multiplier = np.cumsum(sizes) > n
-            massless = np.zeros(nb, bool)
-            massless[: len(self.massless)] = self.massless
-            coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
-            cliques = [coupled, _through_rows(coupled, multiplier)]
-            self._plans.clear()
-            self._plans[key] = plan(sizes, cliques, multiplier, massless)
-        made = self._plans[key]
+        multiplier, massless = np.cumsum(sizes) > n, np.zeros(nb, bool)
+        massless[: len(self.massless)] = self.massless
+        coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
+        made = plan(sizes, [coupled, _through_rows(coupled, multiplier)], multiplier, massless)
         matrix = made.pattern
         known = matrix.rows.astype(np.int64) * nb + matrix.column
         start = matrix.value[np.searchsorted(known, pairs)][pair]
-        down, across = i - matrix.first[block[i]], j - matrix.first[block[j]]
-        at = start + down * matrix.stride[block[i]] + across
-        return made, np.bincount(at, data, matrix.values).astype(np.float64)
+        at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
+        return _Seen(made, order, place, at + j - matrix.first[block[j]])
 
 
 def _through_rows(coupled: Longs, multiplier: NDArray[np.bool_]) -> Longs:

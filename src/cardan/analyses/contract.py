@@ -42,6 +42,7 @@ class Moment:
         r: Inputs (nr,).
         z, s: Internal states (nz,) and modes (ns,) of elements.
         parameters: Other values than the model's own, by name.
+        inner: What elements keep themselves while one searches; empty else.
     """
 
     t: float
@@ -53,6 +54,7 @@ class Moment:
     z: Array = field(default_factory=_none)
     s: Array = field(default_factory=_none)
     parameters: Parameters = None
+    inner: Array = field(default_factory=_none)
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,6 +207,12 @@ class Contract(Protocol):
     def kinematics(self, at: Moment) -> Array:
         """E (nu, nu): increments change at the rate E increments + change of the speeds."""
 
+    def opened(self, at: Moment) -> Moment:
+        """The moment with what elements keep themselves while one searches, if they do."""
+
+    def advanced(self, at: Moment, du: Array) -> Moment:
+        """The moment an increment (nu,) away, multipliers and speeds as they are."""
+
     def integrate(self, q: Array, du: Array) -> Array:
         """Coordinates (nq,) an increment away."""
 
@@ -230,12 +238,12 @@ def contract_of(model: Any) -> Contract:
     """
     from ..runtime.compiled import CompiledModel
 
-    if isinstance(model, CompiledModel):
-        from .relative import Relative
-
-        return Relative(model)
-    offered = getattr(model, "contract", None)
-    if offered is None:
+    if not isinstance(model, CompiledModel):
         raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
-    found: Contract = offered()
-    return found
+    if "mesh" in model.manifest:
+        from .absolute import Absolute
+
+        return Absolute(model)
+    from .relative import Relative
+
+    return Relative(model)

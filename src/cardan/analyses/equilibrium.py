@@ -17,9 +17,11 @@ from .standing import Standing, stand, words
 from .static_problem import Load, Point, Problem
 
 Array = NDArray[np.float64]
-WAYS = ("full", "damped", "creep")
+WAYS = ("full", "ramp", "damped", "creep")
+DIRECT = WAYS[:1]
 TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
+SHOWN = 24
 STEADY = 1e-8  # accelerations below this are none
 
 
@@ -93,10 +95,9 @@ class Equilibrium:
     def reaction(self, joint: str) -> Array:
         """Wrench (6,) of parent on child at the child joint frame, in its axes."""
         held, tau = Problem(contract_of(self.model)).held(self.point, self.load)
-        extra = {"tau": tau} if held else {}
-        found: Array = self.model.reaction(
-            joint, self.q, self.u, r=self.load.r, t=self.t, z=self.point.at.z, **extra
-        )
+        given: dict[str, Any] = {"r": self.load.r, "z": self.point.at.z, "tau": tau if held else ()}
+        some = {name: value for name, value in given.items() if len(value)}
+        found: Array = self.model.reaction(joint, self.q, self.u, t=self.t, **some)
         return found
 
     def pose(self, frame: str) -> Array:
@@ -108,8 +109,8 @@ class Equilibrium:
         lines = [f"'{self.model.name}': {self.message}"]
         stop = self.model.nq
         values = list(self.named.items())[:stop]
-        lines += [f"  {name} = {value:.10g}" for name, value in values[:40]]
-        lines += [f"  ... {stop - 40} more"] if stop > 40 else []
+        lines += [f"  {name} = {value:.10g}" for name, value in values[:SHOWN]]
+        lines += [f"  ... {stop - SHOWN} more"] if stop > SHOWN else []
         lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding.items()]
         return "\n".join(lines)
 
@@ -151,7 +152,7 @@ def equilibrium(
     load = read(system, hold, inputs, parameters, t, u)
     problem = Problem(system)
     point = problem.begin(load, q)
-    found = rest(problem, point, load, WAYS[2:] if stable else WAYS)
+    found = rest(problem, point, load, ("creep",) if stable else WAYS)
     if stable and found.converged:
         found = _downhill(problem, found, load)
     result = record(model, problem, found, load)

@@ -33,6 +33,7 @@ class Integrator:
         suited: What it makes of itself for a model, with words to print; raises ModelError where
             that is none for it.
         lanes: Whether ``kernels/lane_<kernel>.c`` takes its steps side by side.
+        elements: Whether it is one for elements in absolute coordinates alone.
     """
 
     name: str
@@ -55,3 +56,4 @@ class Integrator:
         default=None, repr=False
     )
     lanes: bool = False
+    elements: bool = False

@@ -58,7 +58,6 @@ def linearize(
     """
     at, held, tau, model = moment(model, x, q, u, z, r, t, parameters)
     system = contract_of(model)
-    at = system.accelerations(at, tau)
     found = first_order(system, at, held, tau)
     B, driven = _inputs(system, at, found, inputs)
     C, D, told = _outputs(system, at, found, outputs)
@@ -86,7 +85,10 @@ def linearize(
 def moment(
     model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, parameters: Any
 ) -> tuple[Moment, list[int], Array, Any]:
-    """The state that is meant, what is held there and by which forces, and the model to take."""
+    """The state that is meant, what is held there by which forces, and the model.
+
+    An equilibrium has its multipliers already.
+    """
     if x is None and q is None and u is None and z is None:
         given = contract_of(model).given_inputs(r)
         values = dict(zip(model.inputs, given.tolist(), strict=True))
@@ -99,7 +101,8 @@ def moment(
         model = model.with_parameters(dict(parameters))
     system = contract_of(model)
     at = system.state(x, q, u, z, float(t), system.given_inputs(r), None)
-    return at, [], np.zeros(len(system.columns)), model
+    still = np.zeros(len(system.columns))
+    return system.accelerations(at, still), [], still, model
 
 
 def _left(system: Contract, at: Moment, held: list[int]) -> Array:

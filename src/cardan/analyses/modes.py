@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -79,9 +78,7 @@ def modes(
         raise ModelError(f"modes: count={count!r}: a number of modes, at least 1")
     at, held, tau, model = moment(model, x, q, u, None, r, t, parameters)
     system = contract_of(model)
-    at = system.accelerations(at, tau)
     _steady(system, at, held)
-    at = replace(at, udot=0 * at.udot) if held else at
     still = not np.any(at.u)
     values, shapes = _found(system, at, held, tau, count, damped, still)
     momentum = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T

@@ -1,10 +1,12 @@
 """Newton's method for rest under loads, and what is done where it does not get there.
 
-Full steps come first: they turn slender structures far in few iterations. Then steps are shortened
-until the residual falls. Where that fails too the system creeps: each step is one of a motion
-without inertia in ever thicker time steps, which ends where it rests stably.
+Full steps come first: they turn slender structures far in few iterations. Then the forces that are
+out of balance at the start come on little by little. Then steps are shortened until the residual
+falls. Where that fails too the system creeps: each step is one of a motion without inertia in ever
+thicker time steps, which ends where it rests stably.
 
-Source: C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998), 508-523 (pseudo-transient
+Source: E. Allgower, K. Georg, Introduction to Numerical Continuation Methods, section 1.2 (global
+homotopy); C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998), 508-523 (pseudo-transient
 continuation).
 """
 
@@ -17,14 +19,19 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array, issparse
 
 from ..errors import SolveError
-from .saddle import Singular
+from .saddle import Dense, Singular
 from .static_problem import Load, Matrix, Point, Problem
 
 Array = NDArray[np.float64]
 TIGHT = 1e-10  # steps without units that end the search; the next would be their square
 NOISE = 1e-7  # steps that no longer fall below this are rounding
-NEWTON, CREEPING = 30, 400
+# where forces are rounding, of the largest stiffness, larger steps are
+ROUNDED, ROUGH = 4e-15, 1e-4
+NEWTON, CREEPING, FEW = 30, 400, 100
+HASTE = 0.03  # steps of a creeping system that are not worth it below that
 HALVINGS = 12
+FIRST, LEAST = 0.125, 2.0**-12  # parts of a load that comes on
+SLOW, AWAY = 15, 0.1  # steps after which others are this part of the reach at most
 GROWTH = 1e3  # steps this much larger than the smallest before them lead away
 
 
@@ -54,6 +61,13 @@ def newton(problem: Problem, point: Point, load: Load, damped: bool = False) -> 
         problem, point, load: Of what, from where, under what.
         damped: Shorten steps until the residual falls.
     """
+    if damped:
+        return _steps(problem, point, load, damped)
+    found = _steps(problem, problem.opened(point), load, damped)
+    return replace(found, point=problem.closed(found.point))
+
+
+def _steps(problem: Problem, point: Point, load: Load, damped: bool) -> Search:
     last, least, step = np.inf, np.inf, np.zeros(0)
     for k in range(1, NEWTON + 1):
         try:
@@ -68,9 +82,13 @@ def newton(problem: Problem, point: Point, load: Load, damped: bool = False) -> 
         size = _size(step)
         if not np.isfinite(size) or size > GROWTH * max(least, problem.system.reach):
             break
+        if k > SLOW and size > AWAY * problem.system.reach and not damped:
+            break
         share = min(1.0, problem.system.reach / max(size, 1e-300))
         point, share = _moved(problem, point, load, step, y, share, K if damped else None)
-        if share == 1.0 and (size <= TIGHT or (NOISE >= size >= 0.5 * last)):
+        # rounding is all that is left where neither steps nor forces fall any more
+        rounded = size <= NOISE or np.abs(force).max() <= ROUNDED * float(abs(K).max())
+        if share == 1.0 and (size <= TIGHT or (rounded and ROUGH >= size >= 0.5 * last)):
             return Search(point, k, True, step)
         last, least = size, min(least, size)
     return Search(point, k, False, step)
@@ -103,13 +121,37 @@ def _miss(problem: Problem, point: Point, load: Load, unit: float) -> float:
     return float(np.hypot(np.linalg.norm(force / unit), np.linalg.norm(gap)))
 
 
+def ramp(problem: Problem, point: Point, load: Load) -> Search:
+    """Newton's method while what is out of balance at the start is taken back in steps."""
+    force, gap = problem.residual(point, load)
+    done, part, spent = 0.0, FIRST, 0
+    found = Search(point, 0, False, np.zeros(0))
+    while part >= LEAST:
+        share = min(1.0, done + part)
+        left = ((1 - share) * force, (1 - share) * gap)
+        found = newton(problem, point, replace(load, left=left))
+        spent += found.iterations
+        # a long way in one step leads elsewhere
+        if found.converged and _near(problem, point, found):
+            point, done, part = found.point, share, 1.5 * part
+            if done == 1.0:
+                return replace(found, iterations=spent)
+        else:
+            part *= 0.5
+    return replace(found, iterations=spent, converged=False)
+
+
+def _near(problem: Problem, point: Point, found: Search) -> bool:
+    return _size(problem.step(point, found.point)[0]) <= 0.5 * problem.system.reach
+
+
 def creep(problem: Problem, point: Point, load: Load) -> Search:
     """Motion without inertia until it rests, then Newton's method.
 
     Stiffness alone pulls towards rest of any kind; with the resistance it leads downhill.
     """
     system, resistance, last, step, total = problem.system, 1.0, np.inf, np.zeros(0), 0
-    for total in range(1, CREEPING + 1):
+    for total in range(1, (CREEPING if isinstance(system.saddle, Dense) else FEW) + 1):
         try:
             K, G = problem.tangent(point, load)
             force, gap = problem.residual(point, load)
@@ -133,8 +175,10 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
                 found.motion if len(found.motion) else step,
                 found.pushed,
             )
-        # thicker steps as it comes to rest
-        if 0 < last < np.inf and share == 1.0:
+        # thicker steps as it comes to rest, and while stiffness that has no part in it holds it up
+        if size < HASTE * system.reach:
+            resistance *= 0.3
+        elif 0 < last < np.inf and share == 1.0:
             resistance = min(1.0, resistance * min(max(size / last, 0.3), 2.0))
         elif last == 0:
             resistance *= 0.3
@@ -153,17 +197,20 @@ def _size(step: Array) -> float:
     return float(np.abs(step).max(initial=0.0))
 
 
+OTHERS = {"ramp": ramp, "creep": creep}
+
+
 def rest(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> Search:
     """Rest under a load next to a point.
 
     Args:
         problem, point, load: Of what, from where, under what.
-        ways: Of ``"full"``, ``"damped"`` and ``"creep"`` those to try, in their order.
+        ways: Of ``"full"``, ``"damped"``, ``"ramp"`` and ``"creep"`` those to try, in this order.
     """
     spent, pushed = 0, None
     for way in ways:
-        if way == "creep":
-            found = creep(problem, point, load)
+        if way in OTHERS:
+            found = OTHERS[way](problem, point, load)
         else:
             found = newton(problem, point, load, way == "damped")
         spent += found.iterations

@@ -202,6 +202,14 @@ class Relative(Modeled):
         u = rng.normal(size=model.nu)
         return bool((model.qdot(places, u) == u).all())
 
+    def opened(self, at: Moment) -> Moment:
+        """As :meth:`Contract.opened`: there is nothing of the kind."""
+        return at
+
+    def advanced(self, at: Moment, du: Array) -> Moment:
+        """As :meth:`Contract.advanced`."""
+        return replace(at, q=self.integrate(at.q, du)) if np.any(du) else at
+
     def integrate(self, q: Array, du: Array) -> Array:
         """As :meth:`Contract.integrate`."""
         if self._mechanism.chosen:

@@ -22,9 +22,11 @@ Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Factored: TypeAlias = Callable[[Array], Array]
 Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
+FULL = 300  # unknowns up to which full matrices are quick, and show what is singular
+WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
-LOOSE = 1e-10  # of K on what G allows: below this part of the largest nothing holds
+LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 
 
 class Singular(ArithmeticError):
@@ -138,25 +140,38 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     return np.asarray(found)
 
 
-def factored(K: Matrix, G: Matrix) -> Factored:
-    """Solver of [K Gᵀ; G 0] for one right-hand side, by SuperLU.
+def joined(K: Matrix, G: Matrix) -> Matrix:
+    """[K Gᵀ; G 0], in columns."""
+    return csc_array(block_array([[K, G.T], [G, None]]) if G.shape[0] else K)
+
+
+def factored(K: Matrix, G: Matrix, weak: float = 0.0) -> Factored:
+    """Solver of [K Gᵀ; G -weak] for one right-hand side, by SuperLU.
 
     Raises:
         Singular: it has no unique solution.
     """
-    m = G.shape[0]
-    whole = block_array([[K, G.T], [G, None]]) if m else K
+    whole, n = joined(K, G), K.shape[0]
+    if weak:
+        amount = weak / max(float(abs(K).max()), 1e-300)
+        diagonal = np.concatenate([np.zeros(n), np.full(G.shape[0], amount)])
+        whole = csc_array(whole - diags_array(diagonal))
     try:
-        solve: Factored = splu(csc_array(whole)).solve
+        solve: Factored = splu(whole).solve
     except RuntimeError:
         raise Singular from None
     return solve
 
 
+def _giving_way(K: Matrix, G: Matrix) -> Factored:
+    """The same where redundant multipliers give way a little."""
+    return factored(K, G, WEAK)
+
+
 @final
 @dataclass(frozen=True)
 class Sparse:
-    """Sparse matrices.
+    """Sparse matrices; small ones as full ones.
 
     Attributes:
         factored: ``factored(K, G)`` gives a solver of [K Gᵀ; G 0] for one right-hand side.
@@ -166,11 +181,21 @@ class Sparse:
     factored: Factor = factored
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`."""
-        found = self.factored(K, G)(np.concatenate([a, b]))
-        if not np.isfinite(found).all():
-            raise Singular
-        return found[: len(a)], -found[len(a) :]
+        """As :meth:`Saddle.solve`; redundant constraints share their forces."""
+        right = np.concatenate([a, b])
+        if len(right) <= FULL:
+            return Dense().solve(K.toarray(), G.toarray(), a, b)
+        whole, why = joined(K, G), Singular()
+        for way in (self.factored, _giving_way):
+            try:
+                found = _refined(whole, way(K, G), right)
+            except Singular as singular:
+                # the first that knows what moves
+                why = why if why.motion is not None else singular
+                continue
+            if found is not None:
+                return found[: len(a)], -found[len(a) :]
+        raise why
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
         """As :meth:`Saddle.lowest`: those next to 0."""
@@ -188,6 +213,20 @@ class Sparse:
 def is_small(G: Any) -> bool:
     """Whether G (m, n) allows so few directions that all of them are looked at."""
     return bool(G.shape[1] - G.shape[0] <= SMALL)
+
+
+def _refined(whole: Matrix, solve: Any, right: Array) -> Array | None:
+    """The solution of a system by factors of one next to it; None where it is not solved."""
+    found: Array = solve(right)
+    for _ in range(REFINED):
+        left = right - whole @ found
+        found = found + solve(left)
+    if not np.isfinite(found).all():
+        return None
+    left, largest = right - whole @ found, float(abs(whole).max())
+    # what is left may be rounding of the solution, and of the right-hand side
+    most = 1e-9 * np.abs(right).max(initial=0.0) + 1e-13 * largest * np.abs(found).max(initial=0.0)
+    return found if np.abs(left).max(initial=0.0) <= most else None
 
 
 def near(

@@ -74,9 +74,9 @@ def simulate(
             internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
             a further word says which way, along the run.
         method: Name of an integrator, such as ``"DOP853"``, ``"RK45"``, ``"RKMK853"``,
-            ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"`` (fixed step),
-            or a :class:`cardan.GeneralizedAlpha`; ``"auto"`` takes what the scene and the first
-            steps ask for, and says why.
+            ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
+            ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
+            takes what the scene and the first steps ask for, and says why.
         rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
             state, root mean square over them.
         step: Step of a fixed method, first step of an adaptive one [s].

@@ -71,11 +71,16 @@ def _stable(problem: Problem, point: Point, load: Load, lowest: Lowest) -> bool 
 
 
 def words(system: Contract, motion: Array) -> str:
-    """What moves most in a motion (nu,): ``'cart', 'pole'``."""
+    """What moves most in a motion (nu,): ``'cart', 'pole'``; of equals those that can be held."""
     sizes: dict[str, float] = {}
     for owner, size in zip(system.owners, np.abs(motion[: len(system.owners)]), strict=False):
         sizes[owner] = max(sizes.get(owner, 0.0), float(size))
     largest = max(sizes.values(), default=0.0)
-    told = sorted((n for n in sizes if sizes[n] >= SHARE * largest > 0), key=lambda n: -sizes[n])
+    speeds = set(system.speeds)
+
+    def order(name: str) -> tuple[float, bool]:
+        return -round(sizes[name] / largest, 1), f"{name}.u" not in speeds
+
+    told = sorted((n for n in sizes if sizes[n] >= SHARE * largest > 0), key=order)
     more = ", ..." if len(told) > MOST else ""
     return ", ".join(f"'{name}'" for name in told[:MOST]) + more

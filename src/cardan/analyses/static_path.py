@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError, near
 from ..runtime.conduct import FINISHED
-from .equilibrium import WAYS, Equilibrium
+from .equilibrium import DIRECT, Equilibrium
 from .loading import Loading
 from .newton import rest
 from .standing import stand
@@ -137,7 +137,7 @@ class StaticPath:
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
             load = self.loading.at(middle)
-            search = rest(problem, problem.under(point, load), load, WAYS[:2])
+            search = rest(problem, problem.under(point, load), load, DIRECT)
             if not search.converged:
                 high = middle
                 continue

@@ -28,6 +28,7 @@ class Load:
         t, r, parameters: Time [s], inputs (nr,), values by name.
         hold: Coordinate -> the value it has.
         u: Speed -> value, of a steady motion.
+        left: Forces and gaps (nu + nz,), (m + k,) that are left over on purpose, None for none.
     """
 
     t: float
@@ -35,6 +36,7 @@ class Load:
     parameters: Parameters = None
     hold: Mapping[str, float] = field(default_factory=dict)
     u: Mapping[str, Any] = field(default_factory=dict)
+    left: tuple[Array, Array] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +101,8 @@ class Problem:
             q, u = s.place(name)
             force[u] -= point.held[k]
             gap[m + k] = (at.q[q] - value) / s.columns[u]
-        return np.concatenate([force, s.internal_rates(at)]), gap
+        force = np.concatenate([force, s.internal_rates(at)])
+        return (force, gap) if load.left is None else (force - load.left[0], gap - load.left[1])
 
     def tangent(self, point: Point, load: Load) -> tuple[Matrix, Matrix]:
         """K (nu + nz, nu + nz) and G (m + k, nu + nz)."""
@@ -130,10 +133,17 @@ class Problem:
         """The point after a step of the unknowns, with the speeds that belong to it."""
         s, at = self.system, point.at
         nu, m = len(s.columns), len(s.rows)
-        q = s.integrate(at.q, x[:nu] * s.columns) if np.any(x[:nu]) else at.q
         lam = at.lam + y[:m] / s.rows
-        moved = replace(at, q=q, z=at.z + x[nu:], lam=lam)
+        moved = replace(s.advanced(at, x[:nu] * s.columns), z=at.z + x[nu:], lam=lam)
         return Point(self._steady(moved, load), point.held + y[m:])
+
+    def opened(self, point: Point) -> Point:
+        """The point with what elements keep themselves while one searches."""
+        return replace(point, at=self.system.opened(point.at))
+
+    def closed(self, point: Point) -> Point:
+        """The point without that."""
+        return replace(point, at=replace(point.at, inner=np.zeros(0)))
 
     def held(self, point: Point, load: Load) -> tuple[list[int], Array]:
         """Speeds (places) that are held, and the forces (nu,) that hold them."""

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, SolveError, SolveWarning
 from .contract import Contract, contract_of
-from .equilibrium import WAYS, Equilibrium, missed, read, record
+from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
 from .loading import TIME, Loading, loading
 from .newton import Search, rest
 from .saddle import Singular
@@ -112,7 +112,7 @@ def _follow(
             s = min(goal, track[-1][0] + length)
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
-            found = rest(problem, _ahead(problem, way, track, s), load, WAYS[:2])
+            found = rest(problem, _ahead(problem, way, track, s), load, DIRECT)
             if found.converged and not _jumped(problem, track, s, load, found):
                 track.append((s, found.point))
                 length *= 1.5 if found.iterations <= GOOD else 1.0

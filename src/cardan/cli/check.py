@@ -13,6 +13,7 @@ from ..errors import CardanError, DerivationError, SolveWarning
 from . import reading
 
 if TYPE_CHECKING:
+    from ..equations.absolute.record import Absolute
     from ..equations.record import Equations
 
 DESCRIPTION = """\
@@ -64,6 +65,7 @@ def run(options: argparse.Namespace) -> int:
 
 def complaints(options: argparse.Namespace) -> list[Complaint]:
     """What there is to say about a scene, the worst first."""
+    from ..equations.absolute.record import Absolute
     from ..pipeline import derive
 
     try:
@@ -75,6 +77,9 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     except (CardanError, OSError) as problem:
         return [Complaint("error", str(problem))]
     found = [Complaint("warning", note) for note in equations.system.notes]
+    snaps = [Complaint("note", str(snap)) for snap in equations.system.snaps]
+    if isinstance(equations, Absolute):
+        return found + _started(equations) + snaps
     try:
         # constraints that cannot be derived are no matter of massless bodies: nothing runs
         if equations.constraint_rows:
@@ -87,7 +92,23 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
         found.append(Complaint("warning", f"no forward dynamics: {problem}"))
     else:
         found += _open_circuits(equations) or _tried(equations)
-    return found + [Complaint("note", str(snap)) for snap in equations.system.snaps]
+    return found + snaps
+
+
+def _started(equations: Absolute) -> list[Complaint]:
+    """Whether a scene in absolute coordinates moves from where it is built."""
+    from ..pipeline import compile
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            model = compile(equations)
+            x = model.initial()
+            model.forward_dynamics(x[: model.nq], x[model.nq : model.nq + model.nu])
+        except CardanError as problem:
+            return [Complaint("warning", f"no forward dynamics: {problem}")]
+    found = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
+    return [Complaint("warning", words) for words in found]
 
 
 def _open_circuits(equations: Equations) -> list[Complaint]:

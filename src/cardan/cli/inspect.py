@@ -9,11 +9,15 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
+from ..errors import ModelError
 from . import reading
+from .terminal import console
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from ..equations.absolute.record import Absolute
+    from ..model import Model
     from .sheet import Sheet
 
 DESCRIPTION = """\
@@ -49,14 +53,17 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, derive, show."""
+    from ..equations.absolute.record import Absolute
     from ..pipeline import derive
     from .sheet import facts, sheet
-    from .terminal import console, progress
+    from .terminal import progress
 
     scene = reading.read(options)
     with progress() as show:
         show("deriving")
         equations = derive(scene, method=options.method)
+        if isinstance(equations, Absolute):
+            return _meshed(scene, equations, options)
         if options.json:
             print(json.dumps(facts(equations), indent=1))
         if options.output is None and options.json:
@@ -74,6 +81,31 @@ def run(options: argparse.Namespace) -> int:
             display(found, out)
         else:
             out.print(f"wrote {options.output}", soft_wrap=True)
+    return 0
+
+
+def _meshed(scene: Model, equations: Absolute, options: argparse.Namespace) -> int:
+    """A scene in absolute coordinates: its graph, and the elements that stand for its equations.
+
+    Raises:
+        ModelError: a page is asked for.
+    """
+    if options.output is not None:
+        raise ModelError(
+            f"{options.file}: a scene with beams has functions of elements, not equations of its "
+            "own, so that there is no page of them; leave out -o"
+        )
+    if options.json:
+        counts = {
+            k.name: sum(len(g) for g in equations.groups if g.kind is k) for k in equations.kinds
+        }
+        told = {"name": equations.system.name, "coordinates": equations.coordinates}
+        print(json.dumps({**told, "elements": counts}, indent=1))
+        return 0
+    out = console()
+    out.print(str(scene.graph), soft_wrap=True)
+    out.print()
+    out.print(str(equations), soft_wrap=True)
     return 0
 
 

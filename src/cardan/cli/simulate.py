@@ -7,11 +7,14 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..errors import CardanError
 from . import INTERRUPTED, reading, running
 
 if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
     from ..runtime.trajectory import Trajectory
+
+ROWS = 60  # of the table of coordinates
 
 DESCRIPTION = """\
 Simulate a mechanism described by a scene file, or a robot described by a URDF.
@@ -121,9 +124,17 @@ def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
         "events": [{"time": event.t, "name": event.name} for event in motion.events],
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
-        "energy_drift": float(motion.drift[-1]),
+        "energy_drift": _drift(motion),
         **_closed(motion),
     }
+
+
+def _drift(motion: Trajectory) -> float | None:
+    """Energy that the run lost or made; None where its model does not know its powers."""
+    try:
+        return float(motion.drift[-1])
+    except CardanError:
+        return None
 
 
 def _closed(motion: Trajectory) -> dict[str, Any]:
@@ -145,7 +156,8 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
     for heading in ("coordinate", "start", "end", "speed at end"):
         rows.add_column(heading, justify="left" if heading == "coordinate" else "right")
     speeds = dict(zip(model.speeds, motion.u[-1].tolist(), strict=True))
-    for name in (*model.coordinates, *model.internals):
+    names = (*model.coordinates, *model.internals)
+    for name in names[:ROWS]:
         rate = speeds.get(f"{name}.u")
         rows.add_row(
             name,
@@ -155,12 +167,15 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
         )
     out = console()
     out.print(rows)
+    if len(names) > ROWS:
+        out.print(f"... and {len(names) - ROWS} more")
     how = f"{found['steps']} steps of {found['method']}"
     out.print(f"{found['message']}: t = {found['time']:g} s in {how}")
     if found["events"]:
         last = found["events"][-1]
         out.print(f"events {len(found['events'])}, last '{last['name']}' at {last['time']:g} s")
-    out.print(f"energy drift {found['energy_drift']:.1e} J")
+    if found["energy_drift"] is not None:
+        out.print(f"energy drift {found['energy_drift']:.1e} J")
     for level, worst in found.get("residuals", {}).items():
         out.print(f"largest {level} residual of the constraints {worst:.1e}")
     for path in written:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from .writing import generate
 
 FILE = "mesh.npz"
 PARTS = ("K", "C", "M", "R", "G")
+POSE = 7  # entries of the q of a node
 
 
 def base(absolute: Absolute, functions: Sequence[str]) -> Base:
@@ -58,6 +59,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             for b in system.bodies
             if b.parts
         ],
+        "beams": list(_beams(absolute)),
         "frames": [_frame(absolute, k) for k in range(len(system.frames))],
         "shapes": [{"frame": system.frames[k].name, **shape} for k, shape in system.shapes],
         "outputs": [{"name": name, "unit": unit} for name, unit in absolute.results],
@@ -74,6 +76,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
             "lines": len(absolute.lines),
             "frames": "frames__data",
             "states": absolute.states.name,
+            "rest": _rest(absolute),
             "reactions": {name: list(at) for name, at in absolute.joints.items()},
         },
         "functions": {},
@@ -107,6 +110,8 @@ def numbers(absolute: Absolute) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
     tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
+    segments = absolute.system.segments
+    tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
         for name in ("own", "z", "s", "outputs", "powers"):
@@ -229,13 +234,23 @@ def _joints(absolute: Absolute) -> list[dict[str, Any]]:
                 "limits": {},
                 "quaternion": int(places.q[k]) + quaternion if quaternion is not None else None,
                 "rotation": "quaternion" if quaternion is not None else None,
-                "domain": None,
+                "domain": joint.element.domain if joint is not None else "",
                 "coupled": None,
                 "solved": None,
                 "prescribed": False,
             }
         )
     return rows
+
+
+def _rest(absolute: Absolute) -> list[float]:
+    """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
+    found: list[float] = []
+    for joint in absolute.system.joints:
+        own = [c.default for c in joint.element.coordinates]
+        if joint.q >= 0:
+            found += joint.q0 if joint.implicit and joint.q0 is not None else own
+    return [float(x) for x in found]
 
 
 def _loose(absolute: Absolute) -> list[int]:
@@ -265,6 +280,23 @@ def _multipliers(absolute: Absolute) -> list[dict[str, Any]]:
                 told |= {"joint": member, "level": level}
                 (positions if k < group.kind.mp else others).append(told)
     return [*positions, *others]
+
+
+def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
+    """Rows of the segments: their ends, first of the q of the nodes between, their number."""
+    system = absolute.system
+    # the nodes inside of beams are the last places, in the order of the segments
+    at = absolute.places.nq - absolute.reference.size
+    for segment in system.segments:
+        inner = segment.line.elements - 1
+        yield {
+            "name": segment.name,
+            "start": system.frames[segment.frame_a].name,
+            "end": system.frames[segment.frame_b].name,
+            "q": [at, inner],
+            "outline": list(segment.outline),
+        }
+        at += POSE * inner
 
 
 def _frame(absolute: Absolute, k: int) -> dict[str, Any]:

@@ -29,7 +29,8 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
                               const real *y, const real *udot, const real *lam)
 {
     const real part = (1 - v->af) / (1 - v->am);
-    const cardan_state at = {t, y, y + run->nq, udot, lam, y + run->nq + run->nu, run->s, run->r};
+    const cardan_state at = {t, y, y + run->nq, udot, lam, y + run->nq + run->nu, run->s, run->r,
+                             NULL, NULL};
     const cardan_assembly parts = {{h * h * v->beta * part, h * v->gamma * part, 1},
                                    h * v->beta / v->gamma,
                                    v->index == 2,

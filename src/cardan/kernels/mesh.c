@@ -69,7 +69,14 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdif
             *local = at->lam ? at->lam[k < g->mp ? rows[0] + k : rows[1] + k - g->mp] : 0;
         }
     local = pick(at->z, g->z, g->nz, element, lanes, local);
-    return pick(at->s, g->s, g->ns, element, lanes, local);
+    local = pick(at->s, g->s, g->ns, element, lanes, local);
+    if (!at->inner)
+        return local;
+    local = fetch_places(g, element, lanes, mesh->u, at->du, local);
+    for (ptrdiff_t i = 0; i < g->inner; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *local++ = at->inner[g->inner_start + element[lane] * g->inner + i];
+    return local;
 }
 
 /* The blocks of `local` as functions read them. */
@@ -86,6 +93,10 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.lam = in.udot + g->nu * stride;
     in.z = in.lam + g->m * stride;
     in.s = in.z + g->nz * stride;
+    in.du = in.s + g->ns * stride;
+    /* kinds with unknowns of their own have no internal states */
+    if (g->inner > 0)
+        in.z = in.du + g->nu * stride;
     return in;
 }
 

@@ -28,6 +28,8 @@ enum {
     CARDAN_REACTION, /* (6) of the parent on the child */
     CARDAN_OUTPUTS,  /* of the user */
     CARDAN_STRESS,   /* resultants and strains along an element */
+    CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
+    CARDAN_MIXED_STEP, /* these after the increment du */
     CARDAN_FORMS
 };
 
@@ -47,6 +49,8 @@ typedef struct cardan_group {
     ptrdiff_t count;           /* elements */
     ptrdiff_t places;          /* that each couples */
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
+    ptrdiff_t inner, inner_start; /* unknowns of an element's own while one searches; where they
+                                     begin among those of all */
     const ptrdiff_t *place;    /* (count, places) */
     const ptrdiff_t *rows;     /* (count, 2): first row of positions, first of the others */
     const ptrdiff_t *z, *s;    /* (count, nz), (count, ns): which of the scene's they are */
@@ -86,6 +90,7 @@ typedef struct cardan_mesh {
 typedef struct cardan_state {
     real t;
     const real *q, *u, *udot, *lam, *z, *s, *r;
+    const real *du, *inner; /* of a search: increments (nu), unknowns of elements; NULL else */
 } cardan_state;
 
 /* Elements side by side. */

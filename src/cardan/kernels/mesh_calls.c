@@ -18,7 +18,7 @@ static const cardan_mesh *mesh_of(const cardan_in *in)
 static cardan_state state_of(const cardan_in *in)
 {
     const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
-                             in->z, in->s, in->r};
+                             in->z, in->s, in->r, NULL, NULL};
 
     return at;
 }

@@ -296,6 +296,8 @@ enum {
     cardan_dop853_rows = 7,
     cardan_alpha_stages = 1,
     cardan_alpha_rows = 3,
+    cardan_conserving_stages = 1,
+    cardan_conserving_rows = 3,
     cardan_radau_stages = 3,
     cardan_radau_rows = 3,
     cardan_rosenbrock_stages = 8,
@@ -325,6 +327,10 @@ int cardan_alpha_init(cardan_run *run);
 int cardan_alpha_step(cardan_run *run);
 int cardan_alpha_dense(cardan_run *run);
 ptrdiff_t cardan_alpha_length(const cardan_run *run);
+int cardan_conserving_init(cardan_run *run);
+int cardan_conserving_step(cardan_run *run);
+int cardan_conserving_dense(cardan_run *run);
+ptrdiff_t cardan_conserving_length(const cardan_run *run);
 int cardan_radau_init(cardan_run *run);
 int cardan_radau_step(cardan_run *run);
 int cardan_radau_dense(cardan_run *run);

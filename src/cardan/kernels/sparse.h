@@ -77,7 +77,7 @@ typedef struct cardan_sparse {
 typedef struct cardan_sparse_factors {
     double *values;        /* plan->factors */
     double *scale;         /* n: the size of numbers a pivot is judged by */
-    double *work;          /* cardan_sparse_work(plan) */
+    double *work;          /* cardan_sparse_work(plan); solutions use it too */
     double *shift;         /* n: what was added to pivots, the first `weak` of them */
     int32_t *pivot;        /* n: with which row of its supernode each was exchanged */
     int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to */

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
+    from .absolute.beams import BeamStress
     from .compiled import CompiledModel
 
 
@@ -207,6 +208,20 @@ class Analyzed(Described):
         from ..analyses.stiffness import stiffness
 
         return stiffness(self._itself, x, t, **options)
+
+    def beam(self, name: str, q: State) -> BeamStress:
+        """Forces, moments and strains along a beam, in axes of the section.
+
+        Args:
+            name: Of the beam.
+            q: Coordinates (..., nq), such as those of an equilibrium.
+
+        Raises:
+            ModelError: there is no such beam. ArgumentError: q has another shape.
+        """
+        from .absolute.beams import beam_stress
+
+        return beam_stress(self._itself, name, q)
 
     def partition(self, q: ArrayLike, *, t: float = 0.0, r: Any = None) -> Partition:
         """Independent coordinates and speeds, chosen at a position: the minimal form.

@@ -68,6 +68,8 @@ class Described(Derivatives):
         """Names of the joints: those of the tree, those that are cut, those that are fixed."""
         cut = self.manifest.get("cuts", [])
         moving = [row["name"] for row in (*self.manifest["joints"], *cut)]
+        # elements that transmit a reaction, some without coordinates of their own
+        moving += self.manifest.get("mesh", {}).get("reactions", ())
         return (*dict.fromkeys(moving), *self.manifest["fixed"])
 
     @property

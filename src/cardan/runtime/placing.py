@@ -50,3 +50,22 @@ def placed(motion: Trajectory, frame: str) -> Array:
     place[:3, :3] = np.reshape(motion.scene["frame_rotation"], (-1, 3, 3))[k]
     place[:3, 3] = np.reshape(motion.scene["frame_position"], (-1, 3))[k]
     return place
+
+
+def line(motion: Trajectory, beam: str) -> Array:
+    """Positions (nt, nodes, 3) of the nodes of a beam from its start to its end.
+
+    Raises:
+        ModelError: no such beam.
+    """
+    rows = motion.manifest.get("beams", [])
+    pieces = [row for row in rows if row["name"] == beam]
+    if not pieces:
+        names = list(dict.fromkeys(row["name"] for row in rows))
+        raise ModelError(f"beam '{beam}' does not exist.{near(beam, names)}")
+    found = [motion.pose(pieces[0]["start"])[:, None, :3, 3]]
+    for piece in pieces:
+        first, count = piece["q"]
+        inner = motion.q[:, first : first + 7 * count].reshape(len(motion), count, 7)
+        found += [inner[:, :, 4:], motion.pose(piece["end"])[:, None, :3, 3]]
+    return np.concatenate(found, axis=1)

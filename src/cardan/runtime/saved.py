@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import json
 from collections.abc import Mapping
@@ -15,7 +16,8 @@ from .parameters import Parameters
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-KINDS = (".c", ".h", ".json")
+NUMBERS = ".npz"  # tables of elements, as base64 among the texts
+KINDS = (".c", ".h", ".json", NUMBERS)
 MANIFEST = "manifest.json"
 LARGEST = 1 << 30  # characters of all texts of a pickled model
 
@@ -23,10 +25,26 @@ LARGEST = 1 << 30  # characters of all texts of a pickled model
 def texts(directory: Path) -> dict[str, str]:
     """File name -> text of everything a model directory is made of."""
     return {
-        path.name: path.read_text("utf-8")
+        path.name: _text(path)
         for path in sorted(directory.iterdir())
         if path.suffix in KINDS and not path.name.startswith(".")
     }
+
+
+def _text(path: Path) -> str:
+    if path.suffix == NUMBERS:
+        return base64.b64encode(path.read_bytes()).decode("ascii")
+    return path.read_text("utf-8")
+
+
+def _content(name: str, text: str) -> bytes:
+    """What a file holds whose text is known; nothing where that is no text of such a file."""
+    if not name.endswith(NUMBERS):
+        return text.encode()
+    try:
+        return base64.b64decode(text, validate=True)
+    except ValueError:
+        return b""
 
 
 def load(directory: str | Path) -> CompiledModel:
@@ -113,7 +131,7 @@ def _checked(files: Any, stated: Any) -> dict[str, Any]:
         raise _damaged("functions.json holds no functions")
     stated_ones = {e["file"]: e.get("sha256") for e in manifest["functions"].values()}
     for name, known in {**stated_ones, **manifest["sha256"]}.items():
-        if hashlib.sha256(files.get(name, "").encode()).hexdigest() != known:
+        if hashlib.sha256(_content(name, files.get(name, ""))).hexdigest() != known:
             raise _damaged(f"{name} is not the file its manifest speaks of")
     return dict(manifest)
 
@@ -126,7 +144,7 @@ def _written(place: Path, files: Mapping[str, str]) -> Path:
     """A folder with these texts."""
     place.mkdir(mode=0o700, parents=True, exist_ok=True)
     for name, text in files.items():
-        content = text.encode()
+        content = _content(name, text)
         # what is there already is left alone: other processes may be reading it
         if not (place / name).is_file() or (place / name).read_bytes() != content:
             cache.publish(place / name, content)

@@ -21,9 +21,10 @@ from .dense import Dense
 from .events import Event, Happened
 from .kinematics import Energy
 from .ledger import Drift, Ledger
-from .placing import placed, rigid_pose
+from .placing import line, placed, rigid_pose
 
 if TYPE_CHECKING:
+    from .absolute.beams import BeamStress
     from .compiled import CompiledModel
 
 
@@ -293,6 +294,14 @@ class Trajectory:
         if key not in self.stored and self.model is not None:
             self.stored[key] = self.model.pose(frame, self.q, t=self.t, r=self._r)
         return self.stored[key] if key in self.stored else rigid_pose(self, frame)
+
+    def line(self, beam: str) -> Array:
+        """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
+        return line(self, beam)
+
+    def beam(self, name: str) -> BeamStress:
+        """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
+        return self._model(f"what beam '{name}' carries").beam(name, self.q)
 
     @cached_property
     def scene(self) -> Mapping[str, Array]:

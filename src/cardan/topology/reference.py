@@ -156,7 +156,9 @@ class Reference:
             place = Placement(axes, tuple(map(g.sub, far.position, arm)))
             near_side = self._onto(inner, place)
         else:
-            near_side = parent
+            # what is let go turns about axes of its own beam, not of the node it leaves
+            axes_there = self._onto(inner, place).rotation if released else parent.rotation
+            near_side = Placement(axes_there, parent.position)
         there = place.then(g, apart)
         far_side = self._onto(outer, there)
         if not self._follows(joint.child):

@@ -85,6 +85,7 @@ class Segment:
             length: ``dead_force dead_moment`` (3, 1) in ground axes and ``follower_force
             follower_moment`` (3, 1) in axes of the section [N/m, N].
         line: Its nodes in the reference configuration.
+        outline: For pictures: half widths along e2 and e3 [m], and whether it is round.
     """
 
     name: str
@@ -94,3 +95,4 @@ class Segment:
     frame_b: int
     data: Mapping[str, tuple[int, int, tuple[int, ...]]]
     line: Line
+    outline: tuple[float, float, bool] = (0.0, 0.0, True)

@@ -35,14 +35,17 @@ def segments(scene: Model, assembly: Assembly) -> tuple[Segment, ...]:
     """
     loads = _loads(scene, assembly.convert)
     made = [_made(beam, assembly.convert) for beam in scene.beams.values()]
-    _check(made, assembly.convert)
+    outlines = _checked(made, assembly.convert)
     found: list[Segment] = []
-    for one in made:
+    for one, outline in zip(made, outlines, strict=True):
         beam, laid = one.beam, assembly.beams.laid(one.beam)
         data = _data(one, assembly.convert) | loads[beam.name]
         frames = [_frame(beam, name, laid, assembly) for name in laid.names]
         found += [
-            Segment(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line)
+            Segment(
+                *(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line),
+                outline,
+            )
             for k, line in enumerate(laid.lines)
         ]
     return tuple(found)
@@ -130,8 +133,8 @@ def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
     return found
 
 
-def _check(made: Sequence[Made], convert: Converter) -> None:
-    """Numbers at the values of the parameters are possible ones.
+def _checked(made: Sequence[Made], convert: Converter) -> list[tuple[float, float, bool]]:
+    """Outlines of the sections, whose numbers at the values of the parameters are possible ones.
 
     Raises:
         ModelError: those of a beam are not.
@@ -140,6 +143,7 @@ def _check(made: Sequence[Made], convert: Converter) -> None:
     named = [each for one in made for each in (one.section, one.material, vars(one.stiffness))]
     values = iter(convert.defaults([x.node for each in named for x in each.values()]))
     told = iter([{key: next(values) for key in each} for each in named])
+    outlines = []
     for one in made:
         section, material, found = next(told), next(told), next(told)
         material = {key: material[key] for key in one.beam.material.quantities()}
@@ -150,6 +154,9 @@ def _check(made: Sequence[Made], convert: Converter) -> None:
                 problem = f"{name} comes out as {value:g}; check the numbers of its section"
         if problem:
             raise ModelError(f"beam '{one.beam.name}': {problem}")
+        outline = one.beam.section.outline(section)
+        outlines.append((outline.e2, outline.e3, outline.round))
+    return outlines
 
 
 def _loads(scene: Model, convert: Converter) -> dict[str, Data]:

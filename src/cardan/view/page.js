@@ -4,6 +4,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const stage = document.getElementById("stage"), pen = stage.getContext("2d");
 const slider = document.getElementById("time"), clock = document.getElementById("clock");
 const playButton = document.getElementById("play"), tag = document.getElementById("name");
+const tubes = data.beams || [];
 const first = data.t[0], last = data.t[data.t.length - 1];
 const palette = ["#2f6fde", "#e07b39", "#3a9d6e", "#b5508f", "#c9a227", "#5b6ee1", "#d0534f", "#3f9bb0"];
 
@@ -38,6 +39,12 @@ function bounds(every) {
       for (const s of body.solids) include(body.pose[i], s);
   }
   for (const s of data.ground) include(here, s);
+  for (const beam of tubes) {
+    const step = every ? Math.max(1, Math.floor(beam.path.length / 200)) : beam.path.length;
+    for (let i = 0; i < beam.path.length; i += step)
+      for (let k = 0; k < beam.path[i].length; k += 3)
+        include(here, { a: beam.path[i].slice(k, k + 3), r: beam.r });
+  }
   return { low, high, size: Math.max(...sub(high, low), 1e-6) };
 }
 const start = bounds(false), whole = bounds(true);
@@ -150,6 +157,17 @@ function solidOf(list, pose, solid, color) {
   if (solid.joint) ball(list, a, 1.3 * solid.r, color);
 }
 
+function pointsOf(beam, a, b, k) {
+  // the nodes of a beam, straight between two rows
+  const p = beam.path[a], q = beam.path[b], points = [];
+  for (let i = 0; i < p.length; i += 3)
+    points.push([0, 1, 2].map((j) => p[i + j] + k * (q[i + j] - p[i + j])));
+  return points;
+}
+function tube(list, points, r, color) {
+  for (let i = 1; i < points.length; i++) rod(list, points[i - 1], points[i], r, r, color);
+}
+
 // the floor and the axes
 
 function floor() {
@@ -204,7 +222,7 @@ function triad() {
 
 // time
 
-let t = first, playing = true, before = null, pointer = null, grip = null, poses = [];
+let t = first, playing = true, before = null, pointer = null, grip = null, poses = [], lines = [];
 function row() {
   let a = 0, b = data.t.length - 1;
   const forward = last >= first;
@@ -240,9 +258,13 @@ function draw() {
   poses = data.bodies.map((body) => between(body.pose[a], body.pose[b], k));
   pen.strokeStyle = css("--shade"); pen.lineCap = "round";
   data.bodies.forEach((body, k) => body.solids.forEach((s) => shadow(poses[k], s)));
+  lines = tubes.map((beam) => pointsOf(beam, a, b, k));
+  tubes.forEach((beam, i) => lines[i].slice(1).forEach((v, j) =>
+    shadow(here, { kind: "tube", a: lines[i][j], b: v, r: beam.r })));
   pen.lineCap = "butt";
   for (const s of data.ground) solidOf(list, here, s, s.color ? paint(s, 0) : [128, 134, 145]);
   data.bodies.forEach((body, k) => body.solids.forEach((s) => solidOf(list, poses[k], s, paint(s, k))));
+  tubes.forEach((beam, i) => tube(list, lines[i], beam.r, rgb(palette[(data.bodies.length + i) % palette.length])));
   list.sort((p, q) => q.depth - p.depth).forEach((thing) => thing.draw());
   triad();
   clock.textContent = `${t.toFixed(2)} / ${last.toFixed(2)} s`;
@@ -261,6 +283,10 @@ function name() {
     const p = project(place(poses[k], s.a)), q = s.b ? project(place(poses[k], s.b)) : p;
     const d = away(p, q) - (s.r || Math.min(...s.size) / 2) * p[3];
     if (d < nearest) { nearest = d; best = { body, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
+  }));
+  if (pointer && !grip) tubes.forEach((beam, i) => lines[i].slice(1).forEach((v, j) => {
+    const p = project(lines[i][j]), q = project(v), d = away(p, q) - beam.r * p[3];
+    if (d < nearest) { nearest = d; best = { body: beam, c: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2] }; }
   }));
   tag.style.display = best ? "block" : "none";
   if (best) {

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ..runtime.trajectory import Trajectory
-from .scene import drawing
+from . import meshed, scene
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
 TEMPLATE = Path(__file__).with_name("page.html")
@@ -29,7 +29,8 @@ def write_page(
     The file appears complete or not at all.
     """
     shown = _resampled(motion, fps)
-    data = {"t": np.round(shown.t, 6).tolist(), **drawing(shown)}
+    drawn = (meshed if shown.manifest["method"] == "absolute" else scene).drawing(shown)
+    data = {"t": np.round(shown.t, 6).tolist(), **drawn}
     # names are the user's: nothing in them may end the script or open a tag
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     for character in "<>&\u2028\u2029":

@@ -33,10 +33,10 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
         name = str(body["name"])
         solids = _shapes(motion, name)
         if not solids:
-            solids = [_link(a, b, radius) for a, b in links[name]]
+            solids = [link(a, b, radius) for a, b in links[name]]
             solids += _center(motion, k, links[name], radius)
         bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
-    ground = _shapes(motion, "ground") or [_link(a, b, radius) for a, b in links["ground"]]
+    ground = _shapes(motion, "ground") or [link(a, b, radius) for a, b in links["ground"]]
     return {"name": manifest["name"], "bodies": bodies, "ground": ground}
 
 
@@ -85,9 +85,9 @@ def _com(motion: Trajectory, k: int) -> Array:
     return np.asarray(moment / mass if mass else np.zeros(3))
 
 
-def _link(a: Array, b: Array, radius: float) -> dict[str, Any]:
+def link(a: Array, b: Array, radius: float) -> dict[str, Any]:
     """A rod that gets thinner from the inboard joint on, with a ball at the joint."""
-    ends = {"a": _short(a), "b": _short(b), "r": radius, "end": TAPER * radius}
+    ends = {"a": short(a), "b": short(b), "r": radius, "end": TAPER * radius}
     return {"kind": "link", **ends, "joint": True, "color": None}
 
 
@@ -99,10 +99,10 @@ def _center(
     foot = min(
         (_nearest(com, a, b) for a, b in links), key=lambda p: float(np.linalg.norm(com - p))
     )
-    ball = {"kind": "sphere", "a": _short(com), "r": 1.15 * radius, "color": None}
+    ball = {"kind": "sphere", "a": short(com), "r": 1.15 * radius, "color": None}
     if np.linalg.norm(com - foot) < 2 * radius:
         return [ball]
-    rib = {"kind": "link", "a": _short(foot), "b": _short(com), "r": 0.35 * radius, "color": None}
+    rib = {"kind": "link", "a": short(foot), "b": short(com), "r": 0.35 * radius, "color": None}
     return [rib, ball]
 
 
@@ -114,7 +114,8 @@ def _nearest(point: Array, a: Array, b: Array) -> Array:
     return np.asarray(a + k * along)
 
 
-def _short(x: Array) -> list[float]:
+def short(x: Array) -> list[float]:
+    """Numbers as they stand in the page."""
     values: list[float] = np.round(x, 6).tolist()
     return values
 
@@ -125,11 +126,12 @@ def _shapes(motion: Trajectory, body: str) -> list[dict[str, Any]]:
     solids = []
     for row in motion.manifest["shapes"]:
         if row["kind"] in SOLIDS and bodies.get(row["frame"]) == body:
-            solids.append(_solid(row, motion.placed(row["frame"])))
+            solids.append(solid(row, motion.placed(row["frame"])))
     return solids
 
 
-def _solid(row: Mapping[str, Any], place: Array) -> dict[str, Any]:
+def solid(row: Mapping[str, Any], place: Array) -> dict[str, Any]:
+    """A shape of the user; ``place`` (4, 4) is that of its frame in the body."""
     local = np.eye(4)
     local[:3, 3] = row["position"]
     if row["rotation"] is not None:
@@ -137,12 +139,12 @@ def _solid(row: Mapping[str, Any], place: Array) -> dict[str, Any]:
     at = place @ local
     color = None if row["color"] is None else [float(c) for c in row["color"]]
     if row["kind"] == "sphere":
-        return {"kind": "sphere", "a": _short(at[:3, 3]), "r": row["radius"], "color": color}
+        return {"kind": "sphere", "a": short(at[:3, 3]), "r": row["radius"], "color": color}
     if row["kind"] == "box":
         size = [row["x"], row["y"], row["z"]]
-        turned = {"R": _short(at[:3, :3].ravel()), "a": _short(at[:3, 3])}
+        turned = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
         return {"kind": "box", "size": size, "color": color, **turned}
     axis = at[:3, "xyz".index(row.get("axis", "z"))] * (row["length"] / 2)
-    ends = {"a": _short(at[:3, 3] - axis), "b": _short(at[:3, 3] + axis)}
+    ends = {"a": short(at[:3, 3] - axis), "b": short(at[:3, 3] + axis)}
     kind = "cylinder" if row["kind"] == "cylinder" else "link"
     return {"kind": kind, **ends, "r": row["radius"], "color": color}

@@ -134,6 +134,22 @@ def test_weight_and_mass() -> None:
     assert up @ bias == pytest.approx((weight - missing) * 9.81, rel=0.05)
 
 
+def test_beams_that_carry_their_loads() -> None:
+    """Weight and dead loads act once, whichever element has them."""
+    found = []
+    for element in ("hellinger_reissner", "hellinger_reissner_loaded"):
+        model = clamped(element=element)
+        model.gravity = (0, 0, -9.81)
+        model.force("snow", cd.LineLoad("rod", force=(0, 3.0, -50.0)))
+        scene = cd.derive(model, coordinates="absolute")
+        _, bias, _, _ = at_rest(scene).assembled()
+        found.append(bias.reshape(-1, 6))
+        loads = [g.kind.name for g in scene.groups if g.kind.name.startswith("dead_load")]
+        assert bool(loads) == (element == "hellinger_reissner")
+    assert np.abs(found[0]).max() > 10
+    assert found[1] == pytest.approx(found[0], abs=1e-9)
+
+
 def test_a_beam_on_a_hinged_arm() -> None:
     """Ends on bodies, released ends, joints to nodes: everything finds its place."""
     model = cd.Model("arm", gravity=(0, 0, -9.81))
@@ -185,3 +201,16 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
     power = Reference(scene, reference.q, u).listed("power", 0 * u, np.zeros(0))
     # damping takes more than wind can give; snow has a potential
     assert power[0] < 0 == power[1]
+
+
+def test_an_end_is_let_go_of_the_node_of_another_beam() -> None:
+    """The axes of the joint are those of its own beam; nothing is strained at the start."""
+    model = cd.Model("branch", gravity=(0, 0, 0))
+    beam = model.beam("stem", (0, 0, 0), (2, 0, 0), TUBE, STEEL, 2)
+    model.beam("twig", beam.at(0.5), (1, 1, 1), TUBE, STEEL, 2, release_start=("rx", "ry", "rz"))
+    model.beam("thorn", beam.at(0.5), (0, 1, 0), TUBE, STEEL, 2, release_start=("ry",))
+    reference = at_rest(cd.derive(model, coordinates="absolute"))
+    g, _ = reference.constraints()
+    assert np.abs(g).max() < 1e-14
+    _, bias, _, _ = reference.assembled()
+    assert np.abs(bias).max() < 1e-13 * 2.1e11 * np.pi * 0.02**2

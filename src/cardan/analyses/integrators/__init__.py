@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..integrator import Integrator
 from . import (
     dop853,
+    energy_momentum,
     generalized_alpha,
     hht,
     midpoint,
@@ -19,7 +20,7 @@ from . import (
 )
 
 EXPLICIT = (dop853, rk45, rk4, rkmk853, rkmk45, rkmk4)
-IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark, midpoint)
+IMPLICIT = (radau, rosenbrock, generalized_alpha, hht, newmark, midpoint, energy_momentum)
 INTEGRATORS: dict[str, Integrator] = {m.METHOD.name: m.METHOD for m in (*EXPLICIT, *IMPLICIT)}
 
 __all__ = ["INTEGRATORS", "Integrator"]

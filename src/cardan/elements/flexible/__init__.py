@@ -37,6 +37,7 @@ BEAMS: dict[str, FlexibleElement] = {
     element.name(): element
     for element in (
         HellingerReissner(),
+        HellingerReissner(loaded=True),
         Helicoidal(),
         Classical(),
         Classical(residual_flexibility=False),

@@ -47,4 +47,4 @@ class Bushing(StrainElement):
         whole = Matrix.vstack(at.turn, e)
         names = [[f"k{min(i, j) + 1}{max(i, j) + 1}" for j in range(6)] for i in range(6)]
         stiffness = Matrix.of(ends.graph, [[ends.number(name) for name in row] for row in names])
-        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)
+        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), stiffness, None, 1.0)

@@ -7,7 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import GRAVITY, InertiaElement
+from .inertia import InertiaElement
+from .section import GRAVITY
 
 
 @dataclass(frozen=True)

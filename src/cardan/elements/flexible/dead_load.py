@@ -9,8 +9,8 @@ from ...ir.matrix import Matrix
 from .ends import Ends
 from .loading import LoadElement
 from .places import Pose
+from .section import DEAD
 
-FORCE = ("dead_force_1", "dead_force_2", "dead_force_3")
 MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")
 
 
@@ -32,7 +32,7 @@ class DeadLoad(LoadElement):
 
     @property
     def common(self) -> tuple[str, ...]:
-        return (*FORCE, *MOMENT)
+        return (*DEAD, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
-        return ends.vector(*FORCE), pose.rotation.T @ ends.vector(*MOMENT)
+        return ends.vector(*DEAD), pose.rotation.T @ ends.vector(*MOMENT)

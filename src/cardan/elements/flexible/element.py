@@ -47,6 +47,11 @@ class FlexibleElement(ABC):
         return " ".join((self.__doc__ or "").split(".")[0].split())
 
     @property
+    def carries(self) -> tuple[str, ...]:
+        """Names of the data of loads that it carries for all elements beside it."""
+        return ()
+
+    @property
     def variant(self) -> str:
         """What its options add to the name of its kind."""
         return ""

@@ -9,8 +9,8 @@ from ...ir.matrix import Matrix
 from .ends import Ends
 from .loading import LoadElement
 from .places import Pose
+from .section import FOLLOWER
 
-FORCE = ("follower_force_1", "follower_force_2", "follower_force_3")
 MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")
 
 
@@ -33,7 +33,7 @@ class FollowerLoad(LoadElement):
 
     @property
     def common(self) -> tuple[str, ...]:
-        return (*FORCE, *MOMENT)
+        return (*FOLLOWER, *MOMENT)
 
     def densities(self, ends: Ends, pose: Pose) -> tuple[Matrix, Matrix]:
-        return pose.rotation @ ends.vector(*FORCE), ends.vector(*MOMENT)
+        return pose.rotation @ ends.vector(*FOLLOWER), ends.vector(*MOMENT)

@@ -12,7 +12,7 @@ from .carried_load import CarriedLoad
 from .element import balance, energy, matrix
 from .ends import Ends
 from .relative import Relative
-from .section import FORCES, SECTION, SHAPE, weight
+from .section import CARRIED, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, carried_strain, increment, stresses, unknown
 from .stress_field import Varying
 
@@ -48,6 +48,10 @@ class HellingerReissner(StrainElement):
     @property
     def common(self) -> tuple[str, ...]:
         return (*SECTION, *FORCES) if self.loaded else SECTION
+
+    @property
+    def carries(self) -> tuple[str, ...]:
+        return CARRIED if self.loaded else ()
 
     @property
     def variant(self) -> str:

@@ -44,4 +44,4 @@ class FlexibleHinge(StrainElement):
         whole = Matrix.vstack(at.turn, e)
         turn, tilt, axial, radial = ends.vector(*STIFFNESSES)
         stiffness = diagonal(ends.graph, [turn, tilt, tilt, axial, radial, radial])
-        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), whole, stiffness, None, 1.0)
+        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), stiffness, None, 1.0)

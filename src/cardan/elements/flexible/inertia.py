@@ -12,7 +12,6 @@ from .section import diagonal
 
 # per length: mass [kg/m], moments of inertia about axes 2 and 3 of the section [kg m]
 DENSITY = ("rhoA", "rhoI2", "rhoI3")
-GRAVITY = ("gravity_1", "gravity_2", "gravity_3")
 
 
 def spin(ends: Ends, share: float) -> Matrix:

@@ -8,8 +8,9 @@ from typing import ClassVar
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import DENSITY, GRAVITY, InertiaElement, spin
+from .inertia import DENSITY, InertiaElement, spin
 from .places import Motion, Pose
+from .section import GRAVITY
 
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 

@@ -7,7 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from .ends import Ends
-from .inertia import DENSITY, GRAVITY, InertiaElement, spin
+from .inertia import DENSITY, InertiaElement, spin
+from .section import GRAVITY
 
 
 @dataclass(frozen=True)

@@ -23,12 +23,11 @@ SECTION = (*STIFFNESS, *FREE)
 # length [m] and strain of the reference shape [rad/m, -]
 SHAPE = ("length", "K1", "K2", "K3", "E1", "E2", "E3")
 # forces per length: of loads in ground and in section axes [N/m], and what makes the weight
-FORCES = (
-    *(f"dead_force_{k}" for k in (1, 2, 3)),
-    *(f"follower_force_{k}" for k in (1, 2, 3)),
-    "rhoA",
-    *(f"gravity_{k}" for k in (1, 2, 3)),
+DEAD, FOLLOWER, GRAVITY = (
+    tuple(f"{name}_{k}" for k in (1, 2, 3)) for name in ("dead_force", "follower_force", "gravity")
 )
+FORCES = (*DEAD, *FOLLOWER, "rhoA", *GRAVITY)
+CARRIED = (*DEAD, *GRAVITY)
 
 
 @dataclass(frozen=True)
@@ -61,8 +60,8 @@ def flat(ends: Ends, column: Matrix) -> Matrix:
 
 def weight(ends: Ends) -> tuple[Matrix, Matrix]:
     """Force per length in ground axes and in axes of the section (3, 1), from ``FORCES``."""
-    fixed = ends.vector(*FORCES[:3]) + ends.vector(*FORCES[7:]) * ends.number("rhoA")
-    return fixed, ends.vector(*FORCES[3:6])
+    fixed = ends.vector(*DEAD) + ends.vector(*GRAVITY) * ends.number("rhoA")
+    return fixed, ends.vector(*FOLLOWER)
 
 
 def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]:

@@ -50,7 +50,7 @@ class Law:
         tangent: Second derivatives (3, 3): by theta and theta, theta and e, e and e.
         energy: (1, 1) [J], where the stress is that of the strain.
         ends: Stress (m, n) at ends 1 and 2, (6, 1) each.
-        strains: Strain there, (6, 1) each.
+        strains: Strain there beyond that without stress, (6, 1) each.
     """
 
     moment: Matrix
@@ -182,7 +182,7 @@ class StrainElement(FlexibleElement):
 
 
 def stresses(law: Law) -> Output:
-    """Stress and strain at both ends (4, 6)."""
+    """Stress at both ends and strain that belongs to it (4, 6)."""
     entries = ("start", "end")
     names = [f"{end}.{x}" for kind in (STRESSES, STRAINS) for end in entries for x in kind]
     units = STRESS_UNITS * 2 + STRAIN_UNITS * 2
@@ -232,13 +232,11 @@ class Elastic(Field):
     """A stress that is proportional to the strain and the same all along the element.
 
     Attributes:
-        whole: (theta, e) (6, 1).
         stiffness: Stress of the element by its strain (6, 6).
         flexibility: Its inverse; None where that does not exist.
         length: What makes strain of (theta, e) [m].
     """
 
-    whole: Matrix
     stiffness: Matrix
     flexibility: Matrix | None
     length: Number
@@ -249,7 +247,6 @@ class Elastic(Field):
         g = whole.graph
         return Elastic(
             whole - free,
-            whole,
             diagonal(g, [x / length for x in stiffness]),
             diagonal(g, [length / x for x in stiffness]),
             length,
@@ -269,7 +266,7 @@ class Elastic(Field):
         upper, below = slice(3), slice(3, 6)
         blocks = ((upper, upper), (upper, below), (below, below))
         first, second, third = (self.stiffness.block(*block) for block in blocks)
-        strain = self.whole / self.length
+        strain = self.strain / self.length
         return Law(
             stress.block(upper),
             stress.block(below),

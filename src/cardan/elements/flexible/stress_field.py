@@ -88,7 +88,6 @@ class Varying(Field):
         tangent = _condensed(*self.factors, self.slope(stress), bend)
         middle, half = self._at_ends(stress), varied * 0.5
         ends = (middle + half, middle - half)
-        rest = self.section.free * (1.0 / self.section.length)
         elastic = diagonal(g, [1.0 / x for x in self.section.stiffness])
         return Law(
             m - m.cross(t1) - n.cross(t2),
@@ -96,7 +95,7 @@ class Varying(Field):
             tangent,
             (stress.T @ (self.compliance @ stress) + tau.T @ self._stored(varied)) * 0.5,
             ends,
-            (rest + elastic @ ends[0], rest + elastic @ ends[1]),
+            (elastic @ ends[0], elastic @ ends[1]),
         )
 
     def by_load(self, stress: Matrix) -> Matrix:

@@ -47,5 +47,5 @@ class Circle(Section):
     def complaint(self, values: Numbers) -> str:
         return ""
 
-    def outline(self, values: Numbers) -> Outline | None:
+    def outline(self, values: Numbers) -> Outline:
         return Outline(values["radius"], values["radius"], round=True)

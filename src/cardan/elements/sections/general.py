@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -78,5 +79,7 @@ class General(Section):
     def complaint(self, values: Numbers) -> str:
         return ""
 
-    def outline(self, values: Numbers) -> Outline | None:
-        return None
+    def outline(self, values: Numbers) -> Outline:
+        # that of a full round bar of this stiffness
+        e2, e3 = (2 * math.sqrt(values[f"EI.{k}"] / values["EA"]) for k in ("e3", "e2"))
+        return Outline(e2, e3, round=True)

@@ -68,7 +68,7 @@ class HollowRectangle(Section):
             f"{least:g} m; a full one is a rectangle"
         )
 
-    def outline(self, values: Numbers) -> Outline | None:
+    def outline(self, values: Numbers) -> Outline:
         return Outline(values["width"] / 2, values["height"] / 2)
 
 

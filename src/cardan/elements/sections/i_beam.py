@@ -95,5 +95,5 @@ class IBeam(Section):
             return f"the web of {values['web']:g} m is wider than the flanges"
         return ""
 
-    def outline(self, values: Numbers) -> Outline | None:
+    def outline(self, values: Numbers) -> Outline:
         return Outline(values["width"] / 2, values["height"] / 2)

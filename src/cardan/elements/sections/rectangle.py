@@ -68,7 +68,7 @@ class Rectangle(Section):
     def complaint(self, values: Numbers) -> str:
         return ""
 
-    def outline(self, values: Numbers) -> Outline | None:
+    def outline(self, values: Numbers) -> Outline:
         return Outline(values["width"] / 2, values["height"] / 2)
 
 

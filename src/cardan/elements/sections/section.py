@@ -75,8 +75,8 @@ class Section(ABC):
         """Why no section has these numbers; "" where one may."""
 
     @abstractmethod
-    def outline(self, values: Numbers) -> Outline | None:
-        """What to draw; None where it has no shape."""
+    def outline(self, values: Numbers) -> Outline:
+        """What to draw."""
 
 
 def made_of(

@@ -57,5 +57,5 @@ class Tube(Section):
             f"{values['outer']:g} m"
         )
 
-    def outline(self, values: Numbers) -> Outline | None:
+    def outline(self, values: Numbers) -> Outline:
         return Outline(values["outer"], values["outer"], round=True)

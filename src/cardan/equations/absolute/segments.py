@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.ends import GROUND as AT_GROUND
 from ...elements.flexible.ends import NODE as AT_NODE
 from ...elements.flexible.ends import OFFSET
-from ...ir.function import Function, Output
-from ...ir.graph import ZERO
+from ...ir.function import Block, Function, Output
+from ...ir.graph import ZERO, Graph
 from ...ir.interpreter import evaluate
+from ...ir.matrix import Matrix
+from ...spatial.exponential import quaternion_of
 from ...topology.convert import IDENTITY, ORIGIN
 from ...topology.segment import Segment
 from ..blocks import parameters
@@ -111,13 +114,22 @@ def beamed(scene: Scene, at: Mapping[Key, int], node: BlockKind, powers: dict[st
 
 def _poses(segment: Segment) -> Numbers:
     """Unit quaternions and positions of the nodes (n + 1, 7)."""
-    from scipy.spatial.transform import Rotation
-
-    xyzw = Rotation.from_matrix(segment.line.rotations).as_quat()
+    line = segment.line
+    found = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
     # of q and -q that beside the one before
-    turned = np.sum(xyzw[1:] * xyzw[:-1], axis=1) < 0
-    xyzw[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
-    return np.hstack([xyzw[:, 3:], xyzw[:, :3], segment.line.positions])
+    turned = np.sum(found[1:] * found[:-1], axis=1) < 0
+    found[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
+    return np.hstack([found, line.positions])
+
+
+@cache
+def _quaternions() -> Function:
+    """Rotation matrix q (9) -> unit quaternion (4)."""
+    graph = Graph()
+    R = Matrix(graph, 3, 3, [graph.var("q", k) for k in range(9)])
+    block = Block("q", tuple(f"R{k}" for k in range(9)), ("",) * 9)
+    output = Output("q", (4,), quaternion_of(R).nodes)
+    return Function("quaternions", graph, (block,), (output,))
 
 
 class _Builder:
@@ -195,8 +207,7 @@ class _Builder:
             ends: Where it begins and ends.
             poses: Of both nodes of every element in the reference configuration (n, 14).
         """
-        values = self._values(segment)
-        for element in self._elements(segment):
+        for element, values in self._elements(segment):
             own = element.rows(segment.line.stations, poses)
             for part, kinds, data in _parts(segment.line.elements, ends):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
@@ -220,15 +231,18 @@ class _Builder:
             self._kinds[name] = Kind(name, places, (), 0, element.data(kinds), functions, source)
         return self._kinds[name]
 
-    def _elements(self, segment: Segment) -> Iterator[FlexibleElement]:
-        """The elements that a segment is made of."""
-        yield BEAMS[segment.element]
-        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
-        if data["rhoA"] != (ZERO,):
-            yield INERTIAS[segment.inertia]
+    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
+        """The elements that a segment is made of, with the expressions of their common data."""
+        values, strained = self._values(segment), BEAMS[segment.element]
+        yield strained, values
+        # what it carries for all acts once
+        values = values | dict.fromkeys(strained.carries, ZERO)
+        if values["rhoA"] != ZERO:
+            yield INERTIAS[segment.inertia], values
         for kind, names in ASIDE.items():
-            if any(node != ZERO for name in names for node in data[name]):
-                yield FLEXIBLE[kind]()
+            entries = (x for name, x in values.items() if name.rstrip("_123") in names)
+            if any(node != ZERO for node in entries):
+                yield FLEXIBLE[kind](), values
 
     def _values(self, segment: Segment) -> dict[str, int]:
         """Common data by name; entries of vectors are numbered."""

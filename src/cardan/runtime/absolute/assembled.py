@@ -17,6 +17,7 @@ from ..objects import Code, Key
 from ..slots import ORDER
 from .evaluated import FUNCTIONS, Results
 from .loading import load
+from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -51,18 +52,23 @@ class Assembled(Source):
 
     def mesh(self, model: CompiledModel) -> int:
         """Address of the tables, with what methods ask of elements themselves."""
-        self.results(model).mesh.connect("balance", "balance_tangent", "gamma")
-        return ctypes.addressof(self.results(model).mesh.record)
+        mesh = self.results(model).mesh
+        if not isinstance(mesh, Mesh):
+            return 0
+        mesh.connect("balance", "balance_tangent", "gamma")
+        return ctypes.addressof(mesh.record)
 
     def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
         results, arguments = self.results(model), model._layout.reads(name, of)
         shape, entries = results.shape(name)
         code = self._code(results, name, entries, shape)
         address = code.address
-        # runs hand the address of the record on as prepared parameters
-        record = results.mesh.record
-        count = ctypes.sizeof(record) // 8
-        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
+        w = np.zeros(0)
+        if isinstance(results.mesh, Mesh):
+            # runs hand the address of the record on as prepared parameters
+            record = results.mesh.record
+            count = ctypes.sizeof(record) // 8
+            w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
         caller = Caller(
             f"{name}('{of}')" if of else name,
             address,
@@ -78,9 +84,11 @@ class Assembled(Source):
     def _code(
         self, results: Results, name: str, entries: Sequence[str], shape: tuple[int, ...]
     ) -> Code:
-        address = results.mesh.closure(name) if name in CLOSURES else 0
+        mesh, address, work = results.mesh, 0, 0
+        if name in CLOSURES and isinstance(mesh, Mesh):
+            address, work = mesh.closure(name), mesh.work
         entry: dict[str, Any] = {
-            "work_size": results.mesh.work if address else 0,
+            "work_size": work,
             "output_size": prod(shape),
             "outputs": [{"name": name, "shape": list(shape), "entries": list(entries)}],
             "operations": {},

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,14 +34,14 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     at = {name: k for k, name in enumerate(model.coordinates)}
     of = {name: k for k, name in enumerate(model.speeds)}
     inputs = np.array([row["default"] or 0.0 for row in model.manifest["inputs"]])
-    found = model._evaluate_saved(
-        SAVED,
-        t=np.zeros(1),
-        q=q[[at[name] for name in blocks["q"]]],
-        u=u[[of[name] for name in blocks["u"]]],
-        r=inputs[: len(blocks["r"])],
-        p=model.parameters.vector,
-    )
+
+    def nodes(q: Array, u: Array) -> Mapping[str, Array]:
+        r, p = inputs[: len(blocks["r"])], model.parameters.vector
+        found: Mapping[str, Array] = model._evaluate_saved(SAVED, t=np.zeros(1), q=q, u=u, r=r, p=p)
+        return found
+
+    tree = q[[at[name] for name in blocks["q"]]], u[[of[name] for name in blocks["u"]]]
+    found = nodes(*tree)
     free, moved, names = set(rest), x.copy(), model.coordinates
     for entries, first, values in ((names, 0, found["q"]), (model.speeds, model.nq, found["u"])):
         for k, value in enumerate(values):
@@ -54,4 +54,9 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     own = {k: names[tables.q[k] : tables.q[k + 1]] for k in model.manifest["mesh"]["loose"]}
     loose = {k for k, entries in own.items() if free.issuperset(entries)}
     held = set(range(len(tables.kind))) - loose
-    return trailed(tables, tables.beams, model._layout.start("q"), moved, held)
+    # beams are without stress where all joints are at their own defaults
+    rest_of = np.array(model.manifest["mesh"]["rest"], dtype=np.float64)
+    reference = model._layout.start("q").copy()
+    placed = nodes(rest_of, 0 * tree[1])["q"]
+    reference[: len(placed)] = placed
+    return trailed(tables, tables.beams, reference, moved, held)

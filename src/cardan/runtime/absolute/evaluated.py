@@ -11,8 +11,8 @@ import scipy.sparse
 
 from ...errors import ModelError
 from ..calling import Array
+from .elements import Elements, State
 from .frames import Frames
-from .mesh import Mesh, State
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -55,7 +55,7 @@ class Results:
         model: For names and frames.
     """
 
-    def __init__(self, mesh: Mesh, model: CompiledModel) -> None:
+    def __init__(self, mesh: Elements, model: CompiledModel) -> None:
         self.mesh = mesh
         self.tables = mesh.tables
         self.manifest = model.manifest

@@ -11,7 +11,9 @@ import numpy as np
 from ...errors import ModelError
 from ..calling import Array
 from ..objects import Code
+from .elements import Elements
 from .mesh import Mesh
+from .plain import PlainElements
 from .tables import Kind, PlaceKind, Table, Tables
 
 if TYPE_CHECKING:
@@ -53,7 +55,9 @@ def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns:
         )
     places = tuple(PlaceKind(**row) for row in told["places"])
     lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
-    return Tables(places, numbers["kind"].astype(np.intp), tuple(groups), nr, nz, ns, lines)
+    stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
+    kind = numbers["kind"].astype(np.intp)
+    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations)
 
 
 def _whole(array: Any) -> Any:
@@ -73,7 +77,7 @@ def data_of(model: CompiledModel, group: Table) -> Array:
     return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
 
 
-def load(model: CompiledModel) -> Mesh:
+def load(model: CompiledModel) -> Elements:
     """The elements of a model at its parameters, ready to be asked."""
     found = tables(model.manifest, model.directory)
     objects = model._objects
@@ -85,4 +89,7 @@ def load(model: CompiledModel) -> Mesh:
         return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
 
     data = [data_of(model, group) for group in found.groups]
+    some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
+    if any(code.function is not None for code in codes(some).values()):
+        return PlainElements(found, codes, data)
     return Mesh(found, model.manifest["functions"], codes, data, model._kernels())

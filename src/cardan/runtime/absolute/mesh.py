@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, final
 
 import numpy as np
-import scipy.sparse
 from numpy.typing import NDArray
 
 from ...errors import SolveError
@@ -18,6 +16,7 @@ from ..loaded import prepare
 from ..objects import Code
 from ..slots import ORDER
 from .blocks import plan_record
+from .elements import Elements, State
 from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .tables import Kind, Table, Tables
@@ -25,6 +24,8 @@ from .tables import Kind, Table, Tables
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
 WORTH = 8
+# unknowns of its own that an element of mixed form has: its stress
+INNER = 6
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -41,28 +42,8 @@ NEEDED = {
 }
 
 
-@dataclass(frozen=True)
-class State:
-    """What elements are asked at; blocks that are left out count as zeros.
-
-    Attributes:
-        q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
-        lam: Multipliers (m,).
-        t, r: Time [s] and inputs (nr,).
-        z, s: Internal states and modes of elements.
-    """
-
-    q: Array
-    u: Array | None = None
-    udot: Array | None = None
-    lam: Array | None = None
-    t: float = 0.0
-    r: Array | None = None
-    z: Array | None = None
-    s: Array | None = None
-
-
-class Mesh:
+@final
+class Mesh(Elements):
     """The tables of a model with loaded functions and data.
 
     Args:
@@ -89,6 +70,7 @@ class Mesh:
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
         self._width = lane_builds.width()
+        self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
         for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
             self._group(record, group, number)
@@ -140,6 +122,9 @@ class Mesh:
         record.count, record.places = len(group), group.place.shape[1]
         for name in ("nq", "nu", "nz", "ns", "mp", "m"):
             setattr(record, name, getattr(kind, name))
+        if "mixed" in kind.functions:
+            record.inner, record.inner_start = INNER, self.inner
+            self.inner += INNER * len(group)
         record.place = self._pointer(group.place.astype(np.intp))
         record.rows = self._pointer(tables.rows[number])
         record.z, record.s = self._pointer(group.z), self._pointer(group.s)
@@ -170,7 +155,11 @@ class Mesh:
             return
         if self._width not in code.entry["lanes"]:
             return
-        built = code.recipe.there(self._width, True) or code.recipe.made(self._width, True)
+        built = code.recipe.there(self._width, True)
+        if built is None:
+            built = code.recipe.made(self._width, True)
+            # the text is that of the function for one, which was checked
+            built.built.published()
         self._keep.append(built)
         form.lanes = built.address
         # what is missing in the last block repeats the last element
@@ -260,7 +249,7 @@ class Mesh:
 
     def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
         given = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
-        given |= {"z": at.z, "s": at.s, "r": at.r}
+        given |= {"z": at.z, "s": at.s, "r": at.r, "du": at.du, "inner": at.inner}
         held = {name: np.ascontiguousarray(x, float) for name, x in given.items() if x is not None}
         pointers = {name: x.ctypes.data for name, x in held.items()}
         return StateRecord(t=at.t, **pointers), list(held.values())
@@ -325,22 +314,6 @@ class Mesh:
         parts = np.split(out, np.cumsum(counts)[:-1]) if counts else []
         return [part.reshape(-1, size) for part, size in zip(parts, sizes, strict=True)]
 
-    def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
-        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
-        tables = self.tables
-        found: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
-        numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
-        results = self.results("balance_tangent", at)
-        for number, values in zip(numbers, results, strict=True):
-            group = tables.groups[number]
-            columns, lines = tables.columns(group), tables.lines(number)
-            for name, start in group.kind.parts.items():
-                rows = lines if name in "RG" else columns
-                block = values[:, start : start + rows.shape[1] * columns.shape[1]]
-                found[name].append(_entries(rows, columns, block))
-        shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
-        return {name: _assembled(found[name], shapes[name]) for name in PARTS}
-
     def values(self, at: State, shares: tuple[float, float, float]) -> Array:
         """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
         out, given = np.empty(self.plan.pattern.values), np.array(shares, float)
@@ -365,7 +338,7 @@ class Mesh:
 
 def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
     """Numbers that an element reads, and gives at most."""
-    reads = kind.nq + 2 * kind.nu + kind.m + kind.nz + kind.ns
+    reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
     sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
     return reads + max(sizes, default=0)
 
@@ -381,18 +354,3 @@ def _on_lines(array: Array) -> Array:
     copy = room[start : start + array.size].reshape(array.shape)
     copy[...] = array
     return copy
-
-
-def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:
-    """Row, column and value of every entry of element matrices."""
-    n, height, width = len(values), rows.shape[1], columns.shape[1]
-    i = np.broadcast_to(rows[:, :, None], (n, height, width)).reshape(-1)
-    j = np.broadcast_to(columns[:, None, :], (n, height, width)).reshape(-1)
-    return i, j, values.reshape(-1)
-
-
-def _assembled(entries: list[tuple[Any, Any, Any]], shape: tuple[int, int]) -> Any:
-    if not entries:
-        return scipy.sparse.csr_matrix(shape)
-    i, j, values = (np.concatenate(part) for part in zip(*entries, strict=True))
-    return scipy.sparse.csr_matrix((values, (i, j)), shape=shape)

@@ -17,7 +17,7 @@ Longs = NDArray[np.int64]
 LARGEST = 2**31 - 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pattern:
     """A square matrix whose rows and columns come in the same nb blocks, stored by rows (CSR).
 
@@ -80,6 +80,14 @@ class Pattern:
             starts, np.int32
         )
 
+    @cached_property
+    def turned(self) -> tuple[Longs, Longs, Longs]:
+        """The row of each value, the values column by column (values,), column starts (n + 1,)."""
+        columns, starts = self.csr
+        rows = np.repeat(np.arange(self.n), np.diff(starts))
+        order = np.argsort(columns, kind="stable")
+        return rows, order, np.searchsorted(columns[order], np.arange(self.n + 1))
+
     def block_of(self, unknown: int) -> int:
         """The block that an unknown belongs to."""
         return int(np.searchsorted(self.first, unknown, side="right")) - 1
@@ -91,6 +99,13 @@ def ranges(start: NDArray[Any], count: NDArray[Any]) -> Longs:
     total = int(ends[-1]) if len(ends) else 0
     moved = np.asarray(start, np.int64) - (ends - count)
     return np.asarray(np.arange(total) + np.repeat(moved, count), np.int64)
+
+
+def distinct(numbers: Longs) -> Longs:
+    """Every number once, ascending. By sorting: hashes of numbers like these collide."""
+    ascending = np.sort(numbers)
+    first = np.append(True, ascending[1:] != ascending[:-1])[: len(ascending)]
+    return np.asarray(ascending[first], np.int64)
 
 
 def pattern(
@@ -122,7 +137,7 @@ def pattern(
     keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
     absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
     wanted = [key[~without] for key, without in zip(keys, absent, strict=True)]
-    pairs = np.unique(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
+    pairs = distinct(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
     row, column, value, stride = _laid(pairs, size)
     found = [np.full(key.shape, -1, np.int32) for key in keys]
     for place, key, without in zip(found, wanted, absent, strict=True):

@@ -17,7 +17,7 @@ WIDEST = 48
 PAD = 4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Plan:
     """How a sparse matrix is factored; see ``cardan_sparse`` in ``kernels/sparse.h``.
 
@@ -131,7 +131,7 @@ def planned(matrix: Pattern) -> Plan:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Panels:
     """Where everything stands. A vertex is a set of blocks that are eliminated together.
 
@@ -249,7 +249,7 @@ def _heads(begin: Longs, below: Longs, place: Longs) -> NDArray[np.bool_]:
     return head
 
 
-def _loads(matrix: Pattern, panels: _Panels) -> tuple[Longs, Longs]:
+def _loads(matrix: Pattern, panels: _Panels) -> tuple[Longs, Ints]:
     """Blocks of the matrix by the panel they go to."""
     i, j = matrix.rows, matrix.column
     some = (matrix.sizes[i] > 0) & (matrix.sizes[j] > 0)
@@ -258,11 +258,12 @@ def _loads(matrix: Pattern, panels: _Panels) -> tuple[Longs, Longs]:
         panels.vertex[i], panels.block[i], panels.vertex[j], panels.block[j]
     )
     sizes, first = matrix.sizes, matrix.first
-    load = np.stack(
-        [value, matrix.stride[i], to, sizes[i], sizes[j], first[i], first[j], turned], 1
-    )
     by = np.argsort(panel, kind="stable")
-    return np.searchsorted(panel[by], np.arange(panels.count + 1)), load[by]
+    load = np.empty((len(by), 8), np.int32)
+    fields: list[NDArray[np.integer]] = [value, matrix.stride[i], to, sizes[i], sizes[j]]
+    for k, numbers in enumerate([*fields, first[i], first[j], turned]):
+        load[:, k] = numbers[by]
+    return np.searchsorted(panel[by], np.arange(panels.count + 1)), load
 
 
 def _runs(panels: _Panels) -> tuple[Longs, Longs, Longs]:

@@ -18,6 +18,8 @@ FORMS = (
     "reaction",
     "outputs",
     "stress",
+    "mixed",
+    "mixed_step",
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G")
@@ -38,7 +40,7 @@ class Group(ctypes.Structure):
 
     _fields_ = [
         *_fields(
-            (COUNT, "count places nq nu nz ns mp m"),
+            (COUNT, "count places nq nu nz ns mp m inner inner_start"),
             (POINTER, "place rows z s parts spots"),
         ),
         ("forms", Form * len(FORMS)),
@@ -66,4 +68,4 @@ class MeshRecord(ctypes.Structure):
 class StateRecord(ctypes.Structure):
     """``cardan_state``: what elements are asked at."""
 
-    _fields_ = _fields((REAL, "t"), (POINTER, "q u udot lam z s r"))
+    _fields_ = _fields((REAL, "t"), (POINTER, "q u udot lam z s r du inner"))

@@ -15,6 +15,7 @@ from .plan import Plan
 Reals = NDArray[np.float64]
 ENOUGH = 1e-14
 GOOD = 1e-9
+EVEN = 0.3  # units are good enough where largest numbers are between this and its inverse
 CARRIED = 1e-3
 
 
@@ -115,14 +116,27 @@ def balanced(plan: Plan, values: ArrayLike, sweeps: int = 6) -> tuple[Reals, Rea
 
     Source: D. Ruiz, A scaling algorithm to equilibrate both rows and columns norms, 2001.
     """
-    matrix = assembled(plan, np.abs(np.asarray(values, float)))
-    found = np.ones((2, plan.pattern.n))
+    columns, starts = plan.pattern.csr
+    rows, turned, begins = plan.pattern.turned
+    size, units = np.abs(np.asarray(values, float)), np.ones((2, plan.pattern.n))
     for _ in range(sweeps):
-        scaled = matrix.multiply(found[0][:, None]).multiply(found[1]).tocsr()
-        for side, axis in ((found[0], 1), (found[1], 0)):
-            most = scaled.max(axis=axis).toarray().reshape(-1)
-            side /= np.sqrt(np.where(most > 0, most, 1))
-    return found[0], found[1]
+        most = _largest(size, starts), _largest(size[turned], begins)
+        if all(np.all((x >= EVEN) & (x * EVEN <= 1)) for x in most):
+            break
+        shares = [1 / np.sqrt(x) for x in most]
+        units *= shares
+        size *= shares[0][rows] * shares[1][columns]
+    return units[0], units[1]
+
+
+def _largest(size: Reals, starts: NDArray[np.integer]) -> Reals:
+    """The largest of numbers from each start to the next, 1 where there are none but zeros."""
+    most = np.ones(len(starts) - 1)
+    some = np.flatnonzero(np.diff(starts))
+    if len(some):
+        found = np.maximum.reduceat(size, starts[some])
+        most[some] = np.where(found > 0, found, 1.0)
+    return most
 
 
 def guess(n: int) -> Reals:

@@ -94,6 +94,7 @@ class Tables:
         groups: The elements.
         nr, nz, ns: Inputs, internal states and modes of the scene.
         beams: Places of the nodes of every segment of a beam; -1 for the ground.
+        stations: Their arc lengths from the start of the beam [m].
     """
 
     kinds: tuple[PlaceKind, ...]
@@ -103,6 +104,7 @@ class Tables:
     nz: int = 0
     ns: int = 0
     beams: tuple[Integers, ...] = ()
+    stations: tuple[Array, ...] = ()
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
@@ -149,6 +151,10 @@ class Tables:
             found.append(np.ascontiguousarray(pairs))
             position, other = position + kind.mp * len(group), other + rest * len(group)
         return tuple(found)
+
+    def places_of(self, group: Table) -> Integers:
+        """(n, nq) global coordinate of every local one."""
+        return _spread(self.q, group.place)
 
     def columns(self, group: Table) -> Integers:
         """(n, nu) global speed of every local one."""

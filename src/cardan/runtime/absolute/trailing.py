@@ -59,7 +59,7 @@ def trailed(
     ends = {int(place) for line in lines for place in (line[0], line[-1])}
     for place in ends & set(held):
         known[place] = _motion(tables, reference, x, place)
-    waiting = list(lines)
+    waiting = _joined(lines, known)
     while waiting:
         # first what lies between two known ends, then what hangs on one
         ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in known for k in (0, -1)))
@@ -72,6 +72,23 @@ def trailed(
         for k, motion in ((0, other), (-1, one)):
             known.setdefault(int(line[k]), motion or _REST)
     return moved
+
+
+def _joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]:
+    """Lines that go on through nodes where nothing else hangs and nobody says where they are."""
+    at: dict[int, list[int]] = {}
+    for k, line in enumerate(lines):
+        for place in (int(line[0]), int(line[-1])):
+            at.setdefault(place, []).append(k)
+    through = {place for place, own in at.items() if len(set(own)) == 2 and place not in known}
+    found: list[Integers] = []
+    for line in lines:
+        # segments of a beam follow each other
+        if found and int(line[0]) in through and found[-1][-1] == line[0]:
+            found[-1] = np.concatenate([found[-1], line[1:]])
+        else:
+            found.append(line)
+    return found
 
 
 def _motion(tables: Tables, reference: Array, x: Array, place: int) -> _Motion:

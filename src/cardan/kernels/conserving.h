@@ -1,0 +1,77 @@
+/* The energy-momentum method on elements in tables: what its parts share.
+ *
+ * Part of cardan. Caller owns all memory; everything here lies in `own` of the run.
+ */
+#ifndef CARDAN_CONSERVING_H
+#define CARDAN_CONSERVING_H
+
+#include "mesh_matrix.h"
+#include "run.h"
+
+/* how a step was made, in `now` */
+enum {
+    CONSERVING_MATRIX, /* step of the factored matrix, 0: there is none */
+    CONSERVING_WEAK,   /* pivots of it that were replaced */
+    CONSERVING_SINCE,  /* steps since the start of the segment */
+    CONSERVING_ENERGY, /* of everything at the start of the segment */
+    CONSERVING_EXCESS, /* by how much there is more at t: roundings */
+    CONSERVING_UNMET,  /* energies that corrections of forces make up for, without signs */
+    CONSERVING_SHARE,  /* of these to add, so that roundings do not add up */
+    CONSERVING_NOW
+};
+/* numbers of a place: its speeds are no more than these */
+enum { CONSERVING_PLACE = 6, CONSERVING_MASS = 36 };
+
+typedef struct cardan_conserving {
+    const cardan_mesh *mesh;
+    const real *down;     /* (3) direction of gravity, of length 1; zeros without */
+    const real *symmetry; /* (groups) common motions that change no element: 0, 3, 6 */
+    ptrdiff_t nq, nu, mp, m, elements;
+    real last; /* the last step, 0: there is none */
+
+    /* kept from step to step */
+    real *now;     /* CONSERVING_NOW numbers */
+    real *mass;    /* (places, 36) of every place, along its own axes */
+    real *pose;    /* (places) 1: a node */
+    real *lam_old; /* (m) at t_old, then */
+    real *lam;     /* (m) at t */
+    real *middle;  /* (m) in the middle of the last step */
+    real *rise;    /* (nu) by which u grew in the last step, per time */
+    real *open;    /* (mp) g at t */
+
+    /* of the step that is tried */
+    real *eta;      /* (nu) the increment: rotations along body axes, translations in the ground */
+    real *lam_new;  /* (m) */
+    real *half;     /* (nq) half way */
+    real *mean;     /* (nu) speeds there, eta / h */
+    real *before;   /* (elements) potential at the start */
+    real *after;    /* (elements) at the end */
+    real *missing;  /* (nu) what is missing in the balance of momenta, per time */
+    real *gaps;     /* balance (nu), g (mp), rates (m) at the end */
+    real *dx;       /* (nu) */
+    real *element;  /* (2 nu) of the widest element */
+    real *start;    /* udot (nu), lam (m) */
+    cardan_mesh_system system;
+} cardan_conserving;
+
+/* conserving.c */
+cardan_conserving cardan_conserving_at(const cardan_run *run);
+
+/* conserving_motion.c */
+void cardan_rotation(const real *quaternion, real *R);
+int cardan_conserving_move(cardan_run *run, const cardan_conserving *v, real h);
+void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v, real h);
+
+/* conserving_forces.c */
+int cardan_conserving_masses(const cardan_run *run, const cardan_conserving *v);
+int cardan_conserving_energy(const cardan_run *run, const cardan_conserving *v, real *energy);
+int cardan_conserving_gaps(const cardan_run *run, const cardan_conserving *v, real t,
+                           const real *y);
+int cardan_conserving_potentials(const cardan_run *run, const cardan_conserving *v, real t,
+                                 const real *q, real *potentials);
+int cardan_conserving_forces(const cardan_run *run, const cardan_conserving *v, real t);
+
+/* conserving_newton.c */
+int cardan_conserving_solve(cardan_run *run, const cardan_conserving *v, real h, real t_new);
+
+#endif

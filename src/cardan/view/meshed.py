@@ -1,0 +1,84 @@
+"""What the page draws of a motion in absolute coordinates: beams as tubes, and bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.trajectory import Trajectory
+from .scene import SOLIDS, THICK, link, solid
+
+Array = NDArray[np.float64]
+# points of one beam in one picture; numbers of all beams in all pictures
+MOST_POINTS, MOST_NUMBERS = 60, 3_000_000
+# least radius of a tube against the size of what is drawn
+THIN = 1 / 400
+
+
+def tubes(motion: Trajectory) -> list[dict[str, Any]]:
+    """Beams as tubes: name, radius, and the points of the line in every picture (nt, 3 n)."""
+    rows = {row["name"]: row for row in motion.manifest.get("beams", ())}
+    if not rows:
+        return []
+    lines = {name: motion.line(name) for name in rows}
+    ends = np.concatenate([line[0] for line in lines.values()])
+    least = THIN * float(np.ptp(ends, axis=0).max())
+    room = MOST_NUMBERS // (3 * len(motion) * len(lines))
+    found = []
+    for name, line in lines.items():
+        count = int(np.clip(room, 2, min(MOST_POINTS, line.shape[1])))
+        chosen = np.unique(np.linspace(0, line.shape[1] - 1, count).round().astype(int))
+        points = np.round(line[:, chosen].reshape(len(motion), -1), 5).tolist()
+        e2, e3, _ = rows[name]["outline"]
+        found.append({"name": name, "r": max((e2 + e3) / 2, least), "path": points})
+    return found
+
+
+def drawing(motion: Trajectory) -> dict[str, Any]:
+    """Everything the page needs to know, as :func:`.scene.drawing` says it, and ``beams``."""
+    manifest, lines = motion.manifest, tubes(motion)
+    nodes = {row[end] for row in manifest.get("beams", ()) for end in ("start", "end")}
+    frames: dict[str, list[str]] = {}
+    for row in manifest["frames"]:
+        frames.setdefault(row["body"], []).append(row["name"])
+    shapes: dict[str, list[Mapping[str, Any]]] = {}
+    for row in manifest["shapes"]:
+        if row["kind"] in SOLIDS:
+            shapes.setdefault(row["frame"], []).append(row)
+    bodies = []
+    for body in manifest["bodies"]:
+        name, own = str(body["name"]), frames[body["name"]]
+        pose = motion.pose(own[0])
+        places = {frame: np.linalg.inv(pose[0]) @ motion.pose(frame)[0] for frame in own}
+        # a node of beams with nothing on it is drawn with its beams
+        bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
+        if bare and body["parts"] == [name] and name in nodes:
+            continue
+        solids = [solid(row, places[f]) for f in own for row in shapes.get(f, ())]
+        flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
+        bodies.append(
+            {"name": name, "solids": solids, "arms": places, "pose": np.round(flat, 5).tolist()}
+        )
+    ground = [
+        solid(row, motion.pose(f)[0]) for f in frames.get("ground", ()) for row in shapes.get(f, ())
+    ]
+    _without_shapes(bodies, lines)
+    return {"name": manifest["name"], "bodies": bodies, "ground": ground, "beams": lines}
+
+
+def _without_shapes(bodies: list[dict[str, Any]], lines: list[dict[str, Any]]) -> None:
+    """Bodies without shapes: a ball at the origin, links from there to the other frames."""
+    lengths = [float(np.linalg.norm(p[:3, 3])) for body in bodies for p in body["arms"].values()]
+    lengths = [length for length in lengths if length > 0]
+    radius = THICK * float(np.mean(lengths)) if lengths else 0.02
+    # balls must show beside the beams that they hang on
+    radius = max([radius, *(1.5 * line["r"] for line in lines)])
+    for body in bodies:
+        arms = [place[:3, 3] for place in body.pop("arms").values()]
+        if not body["solids"]:
+            ball = {"kind": "sphere", "a": [0.0, 0.0, 0.0], "r": 1.15 * radius, "color": None}
+            links = [link(np.zeros(3), arm, radius) for arm in arms if np.linalg.norm(arm) > 0]
+            body["solids"] = [ball, *links]

@@ -1,0 +1,39 @@
+"""States that runs begin with: beams on bodies away from the origin are not strained by it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from mechanisms.flexible import folding_arm, slider_crank
+
+
+def test_beams_on_bodies_stand_as_in_the_reference() -> None:
+    scene = folding_arm(elements=2)
+    model = cd.compile(scene)
+    q, u, *_ = model.split(model.initial())
+    np.testing.assert_allclose(model.pose("outer.start", q)[:3, 3], [2, 0, 0], atol=1e-15)
+    np.testing.assert_allclose(model.pose("outer.end", q)[:3, 3], [2.5, 0, 0], atol=1e-15)
+    # the spring alone acts: 4 N m on a node of about 1e-4 kg m^2; a strain of 1e-5 would do more
+    assert np.abs(model.forward_dynamics(q, u)).max() < 1e5
+
+
+@pytest.mark.parametrize("angle", [0.7, -2.0])
+def test_beams_go_along_with_bodies_that_joints_turn(angle: float) -> None:
+    model = cd.compile(folding_arm(elements=2))
+    q, *_ = model.split(model.initial(q={"hinge": angle}))
+    along = np.array([np.cos(angle), np.sin(angle), 0])
+    tip = model.pose("outer.end", q)
+    np.testing.assert_allclose(tip[:3, 3], [1, 0, 0] + 1.5 * along, atol=1e-14)
+    np.testing.assert_allclose(tip[:3, 0], along, atol=1e-14)
+
+
+def test_speeds_go_over_from_one_end_of_a_beam_to_the_other() -> None:
+    model = cd.compile(slider_crank(elements=2))
+    q, u, *_ = model.split(model.initial())
+    # the crank turns at 150 rad/s, the slider does not move: the middle, 0.3 m from the pivot,
+    # has the mean of what either end would give it, though a named node is there
+    start, middle = (model.velocity(name, q, u)[4] for name in ("rod.start", "rod.at1"))
+    assert start == pytest.approx(150 * 0.15)
+    assert middle == pytest.approx(150 * 0.3 / 2)
