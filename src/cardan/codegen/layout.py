@@ -65,8 +65,16 @@ def write_model(directory: Path, base: Base) -> None:
 
 def has_function(directory: Path, name: str) -> bool:
     """Whether a function is in the manifest and its file is the one it speaks of."""
-    manifest = read(directory)
-    entry = (manifest or {}).get("functions", {}).get(name)
+    return not missing(directory, [name])
+
+
+def missing(directory: Path, names: Sequence[str]) -> list[str]:
+    """Those that :func:`has_function` denies, by one look at the manifest."""
+    functions = (read(directory) or {}).get("functions", {})
+    return [name for name in names if not _is_there(directory, functions.get(name))]
+
+
+def _is_there(directory: Path, entry: dict[str, Any] | None) -> bool:
     if entry is None:
         return False
     try:
@@ -169,7 +177,8 @@ def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
     for name in ("functions", "sha256"):
         ordered[name] = dict(sorted(ordered[name].items()))
     # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
-    indent = 1 if len(ordered["frames"]) <= READ else None
+    rows = max(len(ordered["frames"]), len(ordered["joints"]))
+    indent = 1 if rows <= READ else None
     text = json.dumps(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
     _write(directory / MANIFEST, text + "\n")
 

@@ -138,8 +138,8 @@ def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
     """
     layout.write_model(folder, base(absolute, available))
     layout.add_bytes(folder, FILE, numbers(absolute))
-    missing = [f for f in functions(absolute) if not layout.has_function(folder, f.name)]
-    name = absolute.system.name
+    wanted, name = {f.name: f for f in functions(absolute)}, absolute.system.name
+    missing = [wanted[each] for each in layout.missing(folder, list(wanted))]
     made = [(generate(f, model=name, notes=[], of=None), f) for f in missing]
     if made:
         layout.add_functions(folder, made)
