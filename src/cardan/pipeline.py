@@ -142,7 +142,7 @@ def derive(
     """
     if coordinates not in COORDINATES:
         raise DerivationError(
-            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
+            f"coordinates '{coordinates}' do not exist.{near(str(coordinates), COORDINATES)}"
         )
     if speeds and method not in ("auto", "kane"):
         raise DerivationError(f"speeds= goes with method='kane', not '{method}'")

@@ -64,7 +64,7 @@ def test_arc_length_of_a_spline_is_even() -> None:
 def test_refusals() -> None:
     for words, make in {
         "either center= or through=": lambda: cd.arc(),
-        "both is given": lambda: cd.arc(center=(0, 0, 0), through=(1, 0, 0)),
+        "both are given": lambda: cd.arc(center=(0, 0, 0), through=(1, 0, 0)),
         "center has 2 entries": lambda: cd.arc(center=(0, 0)),
         "at least three points": lambda: cd.spline([(0, 0, 0), (1, 0, 0)]),
         "points\\[1\\] has 2 entries": lambda: cd.spline([(0, 0, 0), (1, 0), (1, 1, 1)]),

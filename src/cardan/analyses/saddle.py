@@ -15,7 +15,7 @@ from typing import Any, ClassVar, Protocol, TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import block_array, csc_array, csr_array, diags_array
-from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
+from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, eigsh, splu
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
@@ -83,7 +83,11 @@ class Saddle(Protocol):
         """
 
     def lowest(self, K: Any, G: Any) -> Lowest:
-        """The weakest directions of K on what G allows."""
+        """The weakest directions of K on what G allows.
+
+        Raises:
+            Singular: they are not found, or numbers are not finite.
+        """
 
 
 @final
@@ -92,6 +96,8 @@ class Dense:
 
     def solve(self, K: Array, G: Array, a: Array, b: Array) -> tuple[Array, Array]:
         """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
+        if not (np.isfinite(K).all() and np.isfinite(G).all()):
+            raise Singular
         # redundant rows look independent as far as they are open
         U, s, Z, V = split(G, max(RANK, min(ROUGH, 3 * float(np.abs(b).max(initial=0.0)))))
         s = s.reshape(-1, *[1] * (a.ndim - 1))
@@ -103,6 +109,8 @@ class Dense:
 
     def lowest(self, K: Array, G: Array) -> Lowest:
         """As :meth:`Saddle.lowest`: all directions."""
+        if not (np.isfinite(K).all() and np.isfinite(G).all()):
+            raise Singular
         Z = split(G)[2]
         inner = Z.T @ K @ Z
         if not inner.size:
@@ -204,7 +212,11 @@ class Sparse:
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
         half = csr_array(0.5 * (K + K.T))
         unit, shift = diags_array(np.ones(n)), -1e-9 * largest
-        values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
+        try:
+            values, vectors = near(half, unit, G, shift, self.COUNT, self.factored)
+        except ArpackError:
+            # eigenvalues that do not converge say nothing
+            raise Singular from None
         order = np.argsort(values)
         skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
         return Lowest(values[order], vectors[:, order], largest, skew)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning
+from ..runtime.absolute.evaluated import FUNCTIONS
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
@@ -183,9 +184,11 @@ def runner_of(
     needs += [("a run with events", name) for name in may.functions]
     for what, name in needs:
         if name not in available:
+            cure = f"cd.compile(..., functions=[..., '{name}'])"
+            if "mesh" in model.manifest and name not in FUNCTIONS:
+                cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
             raise ModelError(
-                f"{what} needs the function '{name}', which model "
-                f"'{model.name}' lacks: cd.compile(..., functions=[..., '{name}'])"
+                f"{what} needs the function '{name}', which model '{model.name}' lacks: {cure}"
             )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
     called += [name for _, name in needs]

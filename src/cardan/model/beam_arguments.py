@@ -102,14 +102,7 @@ def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
     Raises:
         ModelError: none of these, or a release of what nothing holds.
     """
-    if isinstance(released, str):
-        released = (released,)
-    letting = tuple(released)
-    for one in letting:
-        if one not in RELEASES:
-            raise ModelError(
-                f"{who}: release_{role} has no direction {one!r}." + near(str(one), RELEASES)
-            )
+    letting = _released(who, role, released)
     if letting and frozenset(letting) not in RELEASED:
         listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
         raise ModelError(
@@ -121,6 +114,21 @@ def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
     if letting:
         raise ModelError(f"{who}: release_{role}: that end is free, nothing holds it; leave it out")
     return End(None, _triple(who, role, given))
+
+
+def _released(who: str, role: str, given: Any) -> tuple[str, ...]:
+    """Directions in which an end is let go; one may stand alone."""
+    listed = (given,) if isinstance(given, str) else given
+    if not isinstance(listed, (tuple, list, set, frozenset)):
+        raise ModelError(
+            f"{who}: release_{role} is {given!r}; give directions, such as 'ry' or ('ry', 'rz')"
+        )
+    for one in listed:
+        if one not in RELEASES:
+            raise ModelError(
+                f"{who}: release_{role} has no direction {one!r}." + near(str(one), RELEASES)
+            )
+    return tuple(listed)
 
 
 def _triple(who: str, role: str, given: Any) -> tuple[Any, Any, Any]:
@@ -139,8 +147,8 @@ def count_of(who: str, elements: Any) -> int:
     Raises:
         ModelError: not a whole number above 0.
     """
-    whole = checks.is_number(elements) and not isinstance(elements, bool)
-    if not whole or int(elements) != elements or elements < 1:
+    number = checks.is_number(elements) and not isinstance(elements, bool)
+    if not (number and elements >= 1 and elements % 1 == 0):
         raise ModelError(f"{who}: elements is {elements!r}; give a whole number, 1 or more")
     return int(elements)
 
@@ -151,7 +159,7 @@ def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
     Raises:
         ModelError: another one, with the near ones.
     """
-    if given not in known:
+    if str(given) not in known:
         raise ModelError(f"{who}: {what} '{given}' does not exist." + near(str(given), known))
     return str(given)
 
@@ -202,8 +210,10 @@ def prestrain_of(who: str, given: Mapping[str, Any] | None) -> dict[str, Any]:
     Raises:
         ModelError: an unknown name, or what is no number.
     """
+    if given is not None and not isinstance(given, Mapping):
+        raise ModelError(f"{who}: prestrain is {given!r}; give strains by name, {{'twist': 0.1}}")
     found = {}
-    for name, value in dict(given or {}).items():
+    for name, value in (given or {}).items():
         if name not in STRAINS:
             raise ModelError(f"{who}: prestrain has no '{name}'." + near(str(name), STRAINS))
         found[name] = number(who, f"prestrain {name}", value)

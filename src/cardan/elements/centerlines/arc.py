@@ -35,7 +35,7 @@ class Arc(Centerline):
         if len(given) != 1:
             raise ModelError(
                 "arc: give either center= or through=, a point between the ends; "
-                f"{'both' if given else 'neither'} is given"
+                f"{'both are' if given else 'neither is'} given"
             )
         value = vector("arc", given[0], getattr(self, given[0]), 3)
         object.__setattr__(self, given[0], value)

@@ -121,7 +121,7 @@ class Results:
         if self.tables.nu > WHOLE:
             raise ModelError(
                 f"{name}: model '{self.name}' has {self.tables.nu} speeds, too many for a full "
-                "matrix. model.contract().tangents(...) gives sparse ones"
+                "matrix. model.equilibrium() and model.modes() take sparse ones"
             )
 
     # dynamics

@@ -265,8 +265,7 @@ class Mesh(Elements):
         memory = np.empty(self.work)
         status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
         del held
-        if status:
-            raise SolveError(f"an element returned the status {status} in {name}")
+        _done(name, status)
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
@@ -328,7 +327,8 @@ class Mesh(Elements):
         """qdot (nq,)."""
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
         memory = np.empty(self.work)
-        self.library.cardan_mesh_rates(self.reference, *map(_at, (q, u, out, memory)))
+        arguments = map(_at, (q, u, out, memory))
+        _done("rates", self.library.cardan_mesh_rates(self.reference, *arguments))
         return out
 
     def move(self, q: Array, du: Array) -> Array:
@@ -336,7 +336,7 @@ class Mesh(Elements):
         out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
         memory = np.empty(self.work)
         arguments = (_at(q), _at(du), _at(out), None, _at(memory))
-        self.library.cardan_mesh_move(self.reference, *arguments)
+        _done("move", self.library.cardan_mesh_move(self.reference, *arguments))
         return out
 
 
@@ -345,6 +345,12 @@ def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
     reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
     sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
     return reads + max(sizes, default=0)
+
+
+def _done(name: str, status: int) -> None:
+    """Refuse the results of functions that failed."""
+    if status:
+        raise SolveError(f"an element returned the status {status} in {name}")
 
 
 def _at(array: Array) -> ctypes.c_void_p:
