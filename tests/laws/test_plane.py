@@ -38,10 +38,12 @@ def swing(normal: str, element: str = "hellinger_reissner") -> cd.Model:
         element=element,
     )
     hook = scene.body("hook", mass=1, inertia=(0.01, 0.01, 0.01))
-    scene.joint("pin", cd.Revolute(normal), blade.end, hook)
+    # axes of the section, and of the hook: e2 is along the normal where that is not z
+    own = "z" if normal == "z" else "y"
+    scene.joint("pin", cd.Revolute(own), blade.end, hook)
     scene.force("wind", cd.LineLoad(blade, force=turned(normal, 3.0, 1.0)))
-    along = [hook.at(*turned(normal, 0.2, 0.1)), scene.ground.at(*turned(normal, 3.0, 1.0))]
-    scene.force("spring", cd.Spring(*along, k=20, rest_length=0.5))
+    along = [hook.at(*turned(own, 0.2, 0.1)), scene.ground.at(*turned(normal, 3.0, 1.0))]
+    scene.force("spring", cd.SpringDamper(*along, stiffness=20, length=0.5))
     scene.output("sag", blade.at(0.5).position()[(NORMALS.index(normal) + 2) % 3], unit="m")
     return scene
 
@@ -57,7 +59,8 @@ def both(scene: cd.Model, normal: str) -> tuple[cd.CompiledModel, cd.CompiledMod
 def test_motion_of_a_plane_is_that_in_space(normal: str) -> None:
     plane, space = both(swing(normal), normal)
     assert plane.nu < 0.6 * space.nu
-    runs = [m.simulate(0.05, step=1e-3, method="GeneralizedAlpha", rtol=1e-11) for m in (plane, space)]  # fmt: skip
+    runs = [m.simulate(0.05, step=1e-3, method="GeneralizedAlpha", rtol=1e-11)
+            for m in (plane, space)]  # fmt: skip
     for frame in ("hook", "blade.end", "arm"):
         np.testing.assert_allclose(runs[0].pose(frame), runs[1].pose(frame), atol=1e-9)
     np.testing.assert_allclose(runs[0].line("blade"), runs[1].line("blade"), atol=1e-9)
@@ -65,7 +68,7 @@ def test_motion_of_a_plane_is_that_in_space(normal: str) -> None:
     for frame in ("hook", "blade.end"):
         found = plane.velocity(frame, *here), space.velocity(frame, *there)
         np.testing.assert_allclose(*found, atol=1e-7)
-        J = plane.jacobian(frame, here[0])
+        J = plane.frame_jacobian(frame, here[0])
         np.testing.assert_allclose(J @ here[1], found[0], atol=1e-12)
     np.testing.assert_allclose(plane.outputs(*here), space.outputs(*there), atol=1e-9)
     energy = plane.energy(*here).total, space.energy(*there).total
@@ -79,7 +82,7 @@ def test_rest_and_modes_of_a_plane_are_those_in_space(element: str) -> None:
     for frame in ("hook", "blade.end"):
         found = [m.pose(frame, r.q) for m, r in zip((plane, space), rest, strict=True)]
         np.testing.assert_allclose(found[0], found[1], atol=1e-8)
-    own, others = (m.modes(r).frequencies for m, r in zip((plane, space), rest, strict=True))
+    own, others = (m.modes(x=r).frequencies for m, r in zip((plane, space), rest, strict=True))
     for frequency in own[:6]:
         assert np.abs(others - frequency).min() < 1e-6 * (1 + frequency)
 
@@ -101,7 +104,7 @@ def test_the_plane_is_found() -> None:
     found = cd.derive(swing("x"), coordinates="absolute", plane="auto")
     assert "hook.angle" in found.coordinates
     scene = swing("x")
-    scene.force("push", cd.Force(scene["hook"], (1.0, 0.0, 0.0)))
+    scene.force("push", cd.LineLoad("blade", force=(1.0, 0.0, 0.0)))
     found = cd.derive(scene, coordinates="absolute", plane="auto")
     assert "hook.px" in found.coordinates
 
@@ -113,7 +116,7 @@ def test_what_leaves_the_plane_is_named() -> None:
         DerivationError, match=r"'blade\.\d+' does not stay in the plane across 'y'"
     ):
         cd.derive(scene, coordinates="absolute", plane="y")
-    with pytest.raises(DerivationError, match="'arm' does not stay in the plane"):
+    with pytest.raises(DerivationError, match="does not stay in the plane"):
         cd.derive(swing("y"), coordinates="absolute", plane="x")
     with pytest.raises(DerivationError, match=r"plane 'xy' does not exist"):
         cd.derive(swing("y"), coordinates="absolute", plane="xy")  # type: ignore[call-overload]

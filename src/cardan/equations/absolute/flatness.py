@@ -98,8 +98,8 @@ def check(scene: Scene, groups: Sequence[Group], space: Mapping[str, Kind], norm
     for trial in range(TRIALS):
         moved = CHANGE * random.uniform(-1, 1, (2, len(values))) if trial else np.zeros(2)[:, None]
         p = values * (1 + moved[0]) + moved[1]
-        for group in groups:
-            if "balance" in group.kind.functions:
+        for group in (g for g in groups if g.kind.name in space):
+            if "balance" in space[group.kind.name].functions:
                 for member in _leaving(group, space[group.kind.name], p, random, scene):
                     raise _leaves(member, normal, "it pushes out of it, or holds it beside it")
 

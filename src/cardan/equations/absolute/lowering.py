@@ -54,8 +54,8 @@ def _lowered(scene: Scene, normal: int | None) -> Absolute:
     at = {key: k for k, key in enumerate(scene.places)}
     taken, space = set(FLEXIBLE), dict[str, Kind]()
     found = _sorted(pieces(scene), hold, taken, space)
-    # elements that do nothing are left out
-    found = [(kind, members) for kind, members in found if kind.functions]
+    # elements that do nothing are left out, not those that push out of a plane
+    found = [(kind, own) for kind, own in found if space.get(kind.name, kind).functions]
     results = _names(found, "outputs", lambda piece: piece.results)
     powers = _names(found, "power", lambda piece: piece.powers)
     beams = beamed(scene, at, hold, powers, taken)
