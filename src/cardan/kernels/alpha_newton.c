@@ -149,7 +149,7 @@ int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t)
 {
     const real *y = run->trial;
     const cardan_state at = {t, y, y + run->nq, v->udot_new, v->lam_new, y + run->nq + run->nu,
-                             run->s, run->r};
+                             run->s, run->r, NULL, NULL};
     const int status = v->mesh ? cardan_inputs_at(run, t, y) : cardan_alpha_balance(run, v, t);
 
     if (status != 0 || !v->mesh)
