@@ -97,7 +97,18 @@ class Absolute(Modeled):
         return Moment(t, place, speed, 0 * speed, lam, r, np.zeros(0), self.modes, p)
 
     def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
-        """As :meth:`Contract.consistent`: of all such speeds the smallest without units."""
+        """As :meth:`Contract.consistent`: of all such speeds the smallest without units.
+
+        Raises:
+            ModelError: nodes of beams, which no constraint takes along.
+        """
+        if self.model.manifest["beams"]:
+            beam = self.model.manifest["beams"][0]["name"]
+            raise ModelError(
+                f"u= ({', '.join(given)}): beam '{beam}' would stand still while the rest moves, "
+                "as a steady motion does not carry nodes of beams along. Simulate it, with "
+                "damping, until it is steady"
+            )
         places, nu = entries(self.model.manifest, "u"), self.model.nu
         rows, values = list[int](), list[float]()
         for name, value in given.items():

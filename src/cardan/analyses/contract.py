@@ -18,6 +18,7 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.sparse import issparse
 
 from ..errors import ModelError
 from .saddle import Saddle
@@ -72,6 +73,11 @@ class Tangents:
     M: Matrix
     R: Matrix
     G: Matrix
+
+
+def dense(matrix: Matrix) -> Array:
+    """A matrix as an array."""
+    return np.asarray(matrix.toarray() if issparse(matrix) else matrix)
 
 
 @dataclass(frozen=True, eq=False)

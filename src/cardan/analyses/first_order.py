@@ -20,10 +20,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import qr
-from scipy.sparse import issparse
 
 from ..errors import SolveError
-from .contract import Contract, Moment, Tangents
+from .contract import Contract, Moment, Tangents, dense
 from .saddle import Dense, split
 
 Array = NDArray[np.float64]
@@ -60,7 +59,7 @@ def first_order(
     """
     columns, nu, nz = system.columns, len(system.columns), len(system.internals)
     found = system.tangents(at)
-    G, R = (_dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
+    G, R = (dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
     hold = np.eye(nu)[list(held)]
     allowed, e = _choice(np.concatenate([G[system.positions], hold]))
     moving, v = _choice(np.concatenate([G, hold]))
@@ -99,8 +98,8 @@ def pushed(
 ) -> Array:
     """Accelerations (nu, k) that unit forces along speeds make, constraints kept."""
     columns, found = system.columns, tangents or system.tangents(at)
-    M = _dense(found.M) * columns * columns[:, None]
-    G = _dense(found.G) / system.rows[:, None] * columns
+    M = dense(found.M) * columns * columns[:, None]
+    G = dense(found.G) / system.rows[:, None] * columns
     push = np.eye(len(columns))[list(places)] * columns
     answer = Dense().solve(M, G, push.T, np.zeros((len(G), len(push))))[0]
     return answer * columns[:, None]
@@ -121,7 +120,3 @@ def _choice(G: Array) -> tuple[Array, NDArray[np.intp]]:
     if k == len(basis):
         return np.eye(k), chosen
     return basis @ np.linalg.inv(basis[chosen]), chosen
-
-
-def _dense(matrix: Any) -> Array:
-    return np.asarray(matrix.toarray() if issparse(matrix) else matrix)

@@ -178,7 +178,11 @@ def build_key(model: CompiledModel) -> str:
 
 def model_key(model: CompiledModel) -> str:
     """Hash of the equations and parameters of a model."""
-    texts = {name: entry["sha256"] for name, entry in model.manifest["functions"].items()}
+    manifest = model.manifest
+    if "mesh" in manifest:
+        # every function of its elements, and the tables
+        return digest(model.name, dict(manifest["sha256"]), model.parameters.vector)
+    texts = {name: entry["sha256"] for name, entry in manifest["functions"].items()}
     return digest(model.name, texts.get("rhs"), model.parameters.vector)
 
 

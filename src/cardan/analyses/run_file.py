@@ -155,7 +155,8 @@ def run_file(
     """The file of a run, closed at the end; None without a path.
 
     Raises:
-        ModelError: no path or time, no compiler, or a file of something else.
+        ModelError: no path or time, no compiler, absolute coordinates, or a file of something
+            else.
     """
     if path is None:
         yield None
@@ -164,6 +165,11 @@ def run_file(
         raise ModelError(f"checkpoint={path!r}: name a file, such as 'run.part'")
     if not (isinstance(every, int | float) and math.isfinite(every) and every >= 0):
         raise ModelError(f"every={every!r}: the time between two checkpoints [s], 0 or more")
+    if "mesh" in model.manifest:
+        raise ModelError(
+            f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "
+            "are kept in no file; leave it out, and save the motion by motion.save(path)"
+        )
     build = build_key(model)
     if build == "NumPy":
         raise ModelError(f"checkpoint= of simulate needs a C compiler: {CURE}")

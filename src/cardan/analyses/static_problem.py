@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
-from .contract import Contract, Moment, Parameters, Tangents
+from .contract import Contract, Moment, Parameters, Tangents, dense
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
@@ -113,9 +113,10 @@ class Problem:
         if load.u and len(s.rows):
             # speeds follow the position, for the given ones to stay
             rows = [s.speeds.index(n) for n in load.u if n in s.speeds]
-            kept = np.concatenate([found.G, np.eye(len(s.columns))[rows]])
-            turned = np.concatenate([found.R, np.zeros((len(rows), len(s.columns)))])
-            stiffness = stiffness - found.C @ (np.linalg.pinv(kept) @ turned)
+            kept = np.concatenate([dense(found.G), np.eye(len(s.columns))[rows]])
+            turned = np.concatenate([dense(found.R), np.zeros((len(rows), len(s.columns)))])
+            followed = found.C @ (np.linalg.pinv(kept) @ turned)
+            stiffness = stiffness - (csr_array(followed) if issparse(stiffness) else followed)
         K = scaled(stiffness, s.columns, s.columns)
         if not s.internals:
             return K, G

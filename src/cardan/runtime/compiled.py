@@ -203,6 +203,15 @@ class CompiledModel(Analyzed):
         if parameters is None:
             result: Array = self._calls[key](out, *values)
             return result
+        if "mesh" in self.manifest:
+            # its tables are filled for one set of parameters
+            vector = self._parameters.changed(parameters)
+            if vector.ndim != 1:
+                raise ArgumentError(
+                    f"{key[0]}: parameters= takes one number per name in absolute coordinates; "
+                    "ask with_parameters(...) of one set after the other"
+                )
+            return self._with(Parameters(self.manifest, vector))._evaluate(key, values, None, out)
         function = self._function(*key)
         w = function.prepared(self._parameters.changed(parameters))
         return function.caller(out, *values, w=w)

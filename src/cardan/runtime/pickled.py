@@ -23,7 +23,9 @@ ARRAYS = ("t", "x", "r", "given")
 def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
     """The fields of a motion, and their hash; its model takes along what draws the motion."""
     model = motion.model
-    if model is not None and "pose" in model.manifest["available"]:
+    drawn = model is not None and "pose" in model.manifest["available"]
+    # elements in tables take theirs along as they are
+    if model is not None and drawn and "mesh" not in model.manifest:
         for body in model.bodies:
             model._objects.symbol("pose", body)
     values = {field.name: getattr(motion, field.name) for field in fields(motion)}

@@ -15,7 +15,7 @@ from ..closed_start import closed_start
 from ..happenings import Happenings
 from ..plain import PlainRunner
 from ..run import Runner
-from ..settings import Settings, Start
+from ..settings import Settings, Start, start
 from ..signals import Signals
 from ..simulate import driven, runner_of
 from ..times import Span
@@ -45,9 +45,13 @@ def motion(
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
     constants = part.block("r")[0]
     own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
-    begin = Start(part.states()[0], ())
-    if Closing.of(model).rows:
-        named = part.named("q", 0), part.named("u", 0)
+    named = part.named("q", 0), part.named("u", 0)
+    if "mesh" in model.manifest:
+        # what is not named goes where its own parameters and what is named carry it
+        begin = start(model, None, *named, part.named("z", 0))
+    else:
+        begin = Start(part.states()[0], ())
+    if Closing.of(model).rows or "mesh" in model.manifest:
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
     return driven(runner, over, begin, False, case), runner

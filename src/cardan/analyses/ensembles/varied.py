@@ -91,9 +91,9 @@ class Varied:
         return any(column.block == "p" for column in self.columns)
 
     def named(self, letter: str, k: int) -> Any:
-        """What was given for q or u of run ``k``: by names, a whole block, or None."""
+        """What was given for q, u or z of run ``k``: by names, a whole block, or None."""
         given = {c.name: c.values[k % len(c.values)] for c in self.columns if c.block == letter}
-        return given.get(letter, given) or None
+        return given.get(letter, given or None)
 
 
 class Reader:
