@@ -351,10 +351,12 @@ class Absolute:
         # what joint coordinates offer is named with the call that gives it
         if name.startswith("_") or not hasattr(Equations, name):
             raise AttributeError(f"'Absolute' object has no attribute '{name}'")
+        cure = f" Joint coordinates have it: derive(scene, coordinates='relative').{name}"
+        if self.system.segments:
+            cure = ""  # beams have no others
         raise DerivationError(
             f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
-            f"elements have functions, see .kinds. Joint coordinates have it: "
-            f"derive(scene, coordinates='relative').{name}"
+            f"elements have functions, see .kinds.{cure}"
         )
 
     @property
