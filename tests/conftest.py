@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import signal
 from collections import defaultdict
 
 import pytest
 
 SECONDS: dict[str, float] = defaultdict(float)
+
+# a job in the background ignores Ctrl-C, and so would all programs that the tests interrupt
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
