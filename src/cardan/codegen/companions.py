@@ -18,7 +18,7 @@ RUN = (
 )
 SHIFT = ("shift.h", "shift.c", "linear.h")
 SPARSE = (
-    *("mesh.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c", "mesh_solve.c"),
+    *("mesh.h", "mesh_lanes.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c", "mesh_solve.c"),
     *("sparse.h", "sparse_dense.h", "sparse_factor.c", "sparse_quality.c"),
     *("sparse_signs.c", "sparse_solve.c"),
 )

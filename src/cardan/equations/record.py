@@ -39,7 +39,7 @@ COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", "du", "q0", "e")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Equations(Readable):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
@@ -60,13 +60,13 @@ class Equations(Readable):
     chosen: tuple[Named, ...] = ()
     reason: str = ""
     rewrites: tuple[str, ...] | None = None
-    free: System | None = field(default=None, repr=False)
+    free: System | None = None
     treatment: Treatment = field(default_factory=Multipliers)
-    _systems: dict[bool, list[Told]] = field(default_factory=dict, repr=False, compare=False)
-    _told: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False, compare=False)
-    _counts: dict[str, Counts] = field(default_factory=dict, repr=False, compare=False)
-    _made: dict[str, Function] = field(default_factory=dict, repr=False, compare=False)
-    _read: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    _systems: dict[bool, list[Told]] = field(default_factory=dict, compare=False)
+    _told: dict[str, tuple[str, ...]] = field(default_factory=dict, compare=False)
+    _counts: dict[str, Counts] = field(default_factory=dict, compare=False)
+    _made: dict[str, Function] = field(default_factory=dict, compare=False)
+    _read: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @cached_property
     def blocks(self) -> dict[str, Block]:
@@ -331,6 +331,10 @@ class Equations(Readable):
         from .mechanics import mechanics
 
         return mechanics(self)
+
+    def __repr__(self) -> str:
+        counted = f"{len(self.system.bodies)} bodies, {len(self.coordinates)} coordinates"
+        return f"Equations('{self.system.name}', {self.method}: {counted})"
 
     def _repr_latex_(self) -> str:
         """M udot + h = f + tau in notebooks; the general form where the entries are too long."""

@@ -88,13 +88,14 @@ def _structure(scene: Scene, key: Key) -> str:
 
 def _made(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
     element, count = scene.system.joints[key[1]].element, scene.line(key[1])
-    if count:
-        return _block(f"line{count}", element, {})
-    cutting = Cutting(scene)
-    cutting.joint(key[1])
-    name = base = re.sub(r"\W", "_", f"{element.kind}_{getattr(element, 'rotation', '')}")
+    told = f"line{count}" if count else f"{element.kind}_{getattr(element, 'rotation', '')}"
+    name = base = re.sub(r"\W", "_", told)
     while name in taken:
         name = f"{base}_{len(taken)}"
+    if count:
+        return _block(name, element, {})
+    cutting = Cutting(scene)
+    cutting.joint(key[1])
     return _block(name, element, _functions(cutting.made(), name))
 
 

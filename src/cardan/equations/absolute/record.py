@@ -347,6 +347,10 @@ class Absolute:
     def __str__(self) -> str:
         return overview(self)
 
+    def __repr__(self) -> str:
+        counted = f"{len(self.places)} places, {self.places.nq} coordinates"
+        return f"Absolute('{self.system.name}': {counted})"
+
     def __getattr__(self, name: str) -> NoReturn:
         # what joint coordinates offer is named with the call that gives it
         if name.startswith("_") or not hasattr(Equations, name):
