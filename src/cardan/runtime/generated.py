@@ -12,6 +12,7 @@ from .objects import Key
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
+    from .measuring import Row
 
 
 class Source(ABC):
@@ -24,6 +25,10 @@ class Source(ABC):
     @abstractmethod
     def mesh(self, model: CompiledModel) -> int:
         """Address of the tables of elements in C, 0 where functions know the whole model."""
+
+    @abstractmethod
+    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+        """Rows of a report: at random states, with errors where these can be judged."""
 
 
 @final
@@ -59,3 +64,9 @@ class Generated(Source):
     def mesh(self, model: CompiledModel) -> int:
         """None."""
         return 0
+
+    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+        """The dynamics and every other function that was written."""
+        from .report import functions
+
+        return functions(model, seed, judged)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import importlib.util
 import math
-import time
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -13,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import CompilerMissing, DerivationError, ModelError
-from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
-from . import abi, cache, samples
+from . import abi, cache, measuring, samples
 from .batch import one_by_one
 from .calling import Argument, Array
 from .loaded import LoadedFunction
+from .measuring import BATCH, Row, timed
 from .slots import ORDER
 
 if TYPE_CHECKING:
@@ -27,36 +25,8 @@ if TYPE_CHECKING:
     from ..analyses.precision import Precision
     from .compiled import CompiledModel
 
-BATCH = 1024
 JUDGED = 3
-DIGITS = 40
-ROUNDS = 5
-PATIENCE = 2e-3
 MAIN = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
-
-
-@dataclass(frozen=True)
-class Row:
-    """One function.
-
-    Attributes:
-        function: C name.
-        operations: Number of operators.
-        python_ns: One call from Python with arrays for one state.
-        call_ns: One call in a C loop at the same state again and again; NaN without a compiler.
-        state_ns: Per state in a batch of 1024.
-        lanes: States done at once in the batch.
-        error: Largest |error| / |largest entry| against 40 digits at three random states; None
-            where it could not be judged.
-    """
-
-    function: str
-    operations: int
-    python_ns: float
-    call_ns: float
-    state_ns: float
-    lanes: int
-    error: float | None
 
 
 @dataclass(frozen=True)
@@ -68,7 +38,7 @@ class Report:
         rows: One per function.
         compiler: What compiled them.
         way: How Python calls them: cython or ctypes.
-        note: What could not be measured, and how to change that.
+        note: What rows mean; what could not be measured, and how to change that.
         methods: Speed against error of the integrators, where an end time was given.
     """
 
@@ -89,10 +59,14 @@ class Report:
         for name in ("ops", "from Python", "in C", "in a batch", "lanes", "error"):
             table.add_column(name, justify="right", no_wrap=True)
         for row in self.rows:
-            times = (f"{ns:.0f} ns" for ns in (row.python_ns, row.call_ns, row.state_ns))
+            times = map(_shown, (row.python_ns, row.call_ns, row.state_ns))
             error = "-" if row.error is None else f"{row.error:.1e}"
             table.add_row(row.function, str(row.operations), *times, str(row.lanes), error)
         return table
+
+
+def _shown(ns: float) -> str:
+    return "-" if math.isnan(ns) else f"{ns:.0f} ns"
 
 
 def report(model: CompiledModel, seed: int = 1) -> Report:
@@ -103,21 +77,29 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
     """
     from rich.console import Console
 
+    judged = importlib.util.find_spec("mpmath") is not None
+    notes = [] if judged else ["errors need mpmath: pip install mpmath"]
+    if "mesh" in model.manifest:
+        notes.append("of elements, <kind>__<function>: one element")
+    rows = model._source.measured(model, seed, judged)
+    result = Report(model.name, tuple(rows), _compiler(), abi.NAME, "; ".join(notes))
+    Console().print(result.table())
+    return result
+
+
+def functions(model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+    """The dynamics and every other function that has C of its own."""
     for name in MAIN:
         # not asked for, or without meaning: udot where M of a massless tip is singular
         with suppress(DerivationError, ModelError):
             model.prepare(name)
-    saved = model._objects.saved()
-    judge, note = _judge()
-    rows = []
+    saved, rows = model._objects.saved(), []
     for function in model._load(model._written()):
         values = samples.values(model, function, np.random.default_rng(seed), BATCH)
-        data = saved.get(function.symbol)
-        error = judge(model, function, data, values) if data else None
+        data = saved.get(function.symbol) if judged else None
+        error = _error(model, function, data, values) if data else None
         rows.append(_measure(function, values, error))
-    result = Report(model.name, tuple(rows), _compiler(), abi.NAME, note)
-    Console().print(result.table())
-    return result
+    return rows
 
 
 def _compiler() -> str:
@@ -138,9 +120,9 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     return Row(
         function=function.symbol,
         operations=sum(function.entry["operations"].values()),
-        python_ns=_time(lambda: function.fast(None, *one), 1),
-        call_ns=_time(lambda: still(0, BATCH), BATCH) if function.address else math.nan,
-        state_ns=_time(lambda: way(0, BATCH), BATCH),
+        python_ns=timed(lambda: function.fast(None, *one), 1),
+        call_ns=timed(lambda: still(0, BATCH), BATCH) if function.address else math.nan,
+        state_ns=timed(lambda: way(0, BATCH), BATCH),
         lanes=lanes,
         error=error,
     )
@@ -151,37 +133,11 @@ def _first(array: Array, argument: Argument) -> Any:
     return array[0].copy() if argument.shape else float(array[0])
 
 
-def _time(run: Callable[[], Any], states: int) -> float:
-    """Best time of some rounds per state [ns]."""
-    run()
-    start = time.perf_counter()
-    run()
-    once = time.perf_counter() - start
-    repeat = max(1, int(PATIENCE / max(once, 1e-7)))
-    best = float("inf")
-    for _ in range(ROUNDS):
-        start = time.perf_counter()
-        for _ in range(repeat):
-            run()
-        best = min(best, time.perf_counter() - start)
-    return best / repeat / states * 1e9
-
-
-Judge = Callable[["CompiledModel", LoadedFunction, dict[str, Any], dict[str, Array]], float | None]
-
-
-def _judge() -> tuple[Judge, str]:
-    """What finds the error of a function, and a note where it cannot."""
-    if importlib.util.find_spec("mpmath") is None:
-        return lambda *_: None, "errors need mpmath: pip install mpmath"
-    return _error, ""
-
-
 def _error(
     model: CompiledModel, function: LoadedFunction, saved: dict[str, Any], values: dict[str, Array]
 ) -> float:
     """Largest |error| / |largest entry| of the C against 40 digits at some states."""
-    exact_function = from_dict(saved)
+    exact = from_dict(saved)
     arguments = function.caller.arguments
     worst = 0.0
     for k in range(JUDGED):
@@ -193,11 +149,6 @@ def _error(
                 argument.blocks, [*starts[1:], argument.size], strict=True
             ):
                 blocks[ORDER[slot]] = flat[first:end].tolist()
-        exact = evaluate(exact_function, blocks, "mp", DIGITS)
-        numbers = [x for o in exact_function.outputs for x in exact[o.name]]
-        found = function.caller(None, *(values[a.name][k] for a in arguments)).reshape(-1)
-        largest = max((abs(x) for x in numbers), default=0)
-        errors = [abs(x - float(y)) for x, y in zip(numbers, found, strict=True)]
-        if largest:
-            worst = max(worst, float(max(errors) / largest))
+        found = function.caller(None, *(values[a.name][k] for a in arguments))
+        worst = max(worst, measuring.error(exact, blocks, found))
     return worst

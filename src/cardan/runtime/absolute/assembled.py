@@ -21,6 +21,7 @@ from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
+    from ..measuring import Row
 
 # functions that runs call from C: closures over the mesh
 CLOSURES = (
@@ -60,6 +61,12 @@ class Assembled(Source):
             return 0
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
+
+    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+        """Functions of the whole mesh, then its elements kind by kind."""
+        from .measured import rows
+
+        return rows(model, self.results(model), seed, judged)
 
     def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
         results, arguments = self.results(model), model._layout.reads(name, of)

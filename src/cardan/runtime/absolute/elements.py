@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,6 +15,8 @@ from .records import PARTS
 from .tables import Table, Tables
 
 Array = NDArray[np.float64]
+# unknowns of its own that an element of mixed form has: its stress
+INNER = 6
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,32 @@ class Elements(ABC):
     """The tables of a model with functions and data."""
 
     tables: Tables
+    data: Sequence[Array]
     inner: int
+
+    def read(self, number: int, at: State, inner: int = 0) -> dict[str, Array]:
+        """What the functions of a group read, (n, size) each, or (size,) for all of them.
+
+        Args:
+            number, at: Which group, where.
+            inner: Where the unknowns that its elements keep themselves begin in ``at.inner``.
+        """
+        tables, group = self.tables, self.tables.groups[number]
+        n = len(group)
+        places = tables.places_of(group)
+        columns, zero = tables.columns(group), np.zeros(tables.nu)
+        given = {"q": at.q[places], "p": self.data[number]}
+        for name, block in (("u", at.u), ("udot", at.udot), ("du", at.du)):
+            given[name] = (zero if block is None else block)[columns]
+        lam = np.zeros(tables.m) if at.lam is None else at.lam
+        given["lam"] = lam[tables.lines(number)]
+        for name, which, block in (("z", group.z, at.z), ("s", group.s, at.s)):
+            given[name] = np.zeros((n, 0)) if which is None or block is None else block[which]
+        if at.inner is not None and "mixed" in group.kind.functions:
+            given["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
+        given["r"] = np.zeros(tables.nr) if at.r is None else at.r
+        given["t"] = np.array([at.t])
+        return given
 
     @abstractmethod
     def balance(self, at: State) -> tuple[Array, Array, Array]:

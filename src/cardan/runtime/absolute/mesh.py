@@ -16,7 +16,7 @@ from ..loaded import prepare
 from ..objects import Code
 from ..slots import ORDER
 from .blocks import plan_record
-from .elements import Elements, State
+from .elements import INNER, Elements, State
 from .plan import plan
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .tables import Kind, Table, Tables
@@ -24,8 +24,6 @@ from .tables import Kind, Table, Tables
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
 WORTH = 8
-# unknowns of its own that an element of mixed form has: its stress
-INNER = 6
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -67,7 +65,7 @@ class Mesh(Elements):
         self.library = library
         self._keep: list[Any] = []
         self._load = load
-        self._data = data
+        self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
         self._width = lane_builds.width()
@@ -143,7 +141,7 @@ class Mesh(Elements):
         groups = self.tables.groups
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         self._codes |= self._load([group.kind.functions[name] for group, name in having])
-        for record, group, data in zip(self._groups, groups, self._data, strict=False):
+        for record, group, data in zip(self._groups, groups, self.data, strict=False):
             for name in missing:
                 if name in group.kind.functions:
                     form = record.forms[FORMS.index(name)]

@@ -16,14 +16,13 @@ from ...errors import SolveError
 from ...ir.function import Function
 from ...ir.interpreter import evaluate
 from ..objects import Code
-from .elements import Elements, State
+from .elements import INNER, Elements, State
 from .plan import plan
 from .superlu import SuperluSolver
-from .tables import Table, Tables
+from .tables import Tables
 
 Array = NDArray[np.float64]
 LIGHT, HEAVY = 1e-6, 1e12  # as in kernels/mesh_calls.c
-INNER = 6
 
 
 @final
@@ -44,7 +43,7 @@ class PlainElements(Elements):
     ) -> None:
         self.tables = tables
         self._load = load
-        self._data = data
+        self.data = data
         self._known: dict[str, Function] = {}
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
 
@@ -64,29 +63,11 @@ class PlainElements(Elements):
             own = INNER * len(group) if "mixed" in group.kind.functions else 0
             if form in group.kind.functions:
                 function = self._function(group.kind.functions[form])
-                given = self._blocks(number, group, at, inner)
+                given = self.read(number, at, inner)
                 values = evaluate(function, given, "numpy")
                 found.append(_rows(function, values, len(group)))
             inner += own
         return found
-
-    def _blocks(self, number: int, group: Table, at: State, inner: int) -> dict[str, Any]:
-        """What the functions of a group read, (n, size) each."""
-        tables, n = self.tables, len(group)
-        places = self.tables.places_of(group)
-        columns, zero = tables.columns(group), np.zeros(tables.nu)
-        given: dict[str, Any] = {"q": at.q[places], "p": self._data[number]}
-        for name, block in (("u", at.u), ("udot", at.udot), ("du", at.du)):
-            given[name] = (zero if block is None else block)[columns]
-        lam = np.zeros(tables.m) if at.lam is None else at.lam
-        given["lam"] = lam[tables.lines(number)]
-        for name, which, block in (("z", group.z, at.z), ("s", group.s, at.s)):
-            given[name] = np.zeros((n, 0)) if which is None or block is None else block[which]
-        if at.inner is not None and "mixed" in group.kind.functions:
-            given["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
-        given["r"] = np.zeros(tables.nr) if at.r is None else at.r
-        given["t"] = np.array([at.t])
-        return given
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """As :meth:`Elements.balance`."""

@@ -1,0 +1,117 @@
+"""What elements cost, one by one and in lanes, and the functions that add them up."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...ir.serialize import from_dict
+from .. import abi, loaded, measuring
+from ..calling import Array
+from ..interpreted import Interpreted
+from ..lanes import width
+from ..measuring import Row
+from ..objects import Code
+from ..slots import ORDER, SLOT
+from .elements import State
+from .mesh import NEEDED, WORTH
+from .tables import Table
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledModel
+    from .evaluated import Results
+
+# functions of the whole mesh, and what they ask of elements
+WHOLE = {"rhs": "rhs", "forward_dynamics": "accelerations", "bias": "balance", "energy": "energy"}
+ELEMENTS = ("balance", "balance_tangent")
+JUDGED = 3
+# how far places are moved from where they start: elements are strained, not torn
+MOVED = 1e-2
+
+
+def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> list[Row]:
+    """Functions of the whole mesh, then elements kind by kind; errors are those of elements."""
+    rng, tables = np.random.default_rng(seed), results.tables
+    q, u, _ = model.parts_of(model.initial())
+    at = State(
+        q=results.mesh.move(q, MOVED * rng.uniform(-1, 1, tables.nu)),
+        u=rng.uniform(-1, 1, tables.nu),
+        udot=rng.uniform(-1, 1, tables.nu),
+        lam=rng.uniform(-1, 1, tables.m),
+        r=np.array([row["default"] for row in model.manifest["inputs"]], dtype=np.float64),
+        z=np.array([row["default"] for row in model.manifest["z"]], dtype=np.float64),
+        s=np.array([row["default"] for row in model.manifest["s"]], dtype=np.float64),
+    )
+    return [*_whole(model, results, q, u), *_elements(model, results, at, judged)]
+
+
+def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
+    """What adds up the elements, called from Python."""
+    entries = model.manifest["functions"]
+    for name, asked in WHOLE.items():
+        operations = sum(
+            len(group) * sum(entries[group.kind.functions[form]]["operations"].values())
+            for group in results.tables.groups
+            for form in NEEDED[asked]
+            if form in group.kind.functions
+        )
+        caller, given = model._function(name).caller, {"q": q, "u": u, "t": 0.0}
+        given["x"] = model.initial()
+        values = [given.get(argument.name) for argument in caller.arguments]
+        spent = measuring.timed(lambda c=caller, v=values: c(None, *v), 1)  # type: ignore[misc]
+        yield Row(name, operations, spent, math.nan, math.nan, 1, None)
+
+
+def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -> Iterator[Row]:
+    """The functions of every kind of element, for those of its largest group."""
+    groups, saved = results.tables.groups, model._objects.saved()
+    ordered = sorted(range(len(groups)), key=lambda k: -len(groups[k]))
+    largest = {groups[k].kind.name: k for k in reversed(ordered)}
+    for number in sorted(largest.values()):
+        group, given = groups[number], results.mesh.read(number, at)
+        kind = group.kind
+        for symbol in (kind.functions[form] for form in ELEMENTS if form in kind.functions):
+            code = model._objects.load([symbol])[0]
+            run, found = _ready(code, given, len(group))
+            spent = measuring.timed(run, len(found)) if code.address else math.nan
+            run()
+            operations = sum(code.entry["operations"].values())
+            several = found[: len(groups[number])]
+            error = _error(saved[symbol], given, several) if judged else None
+            yield Row(
+                symbol, operations, math.nan, spent, math.nan, _lanes(code, groups[number]), error
+            )
+
+
+def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], Any], Array]:
+    """What goes through elements one by one, and where it leaves their results."""
+    which = np.arange(measuring.BATCH) % n
+    blocks: list[Array | None] = [None] * len(ORDER)
+    strides = [0] * len(ORDER)
+    arrays = {name: x for name, x in given.items() if name != "p"}
+    for name, array in (arrays | {"w": loaded.prepare(code, given["p"])}).items():
+        rows = np.broadcast_to(array, (n, array.shape[-1]))[which]
+        blocks[SLOT[name]], strides[SLOT[name]] = rows.flatten(), rows.shape[1]
+    size, work = (int(code.entry[f"{name}_size"]) for name in ("output", "work"))
+    out = np.empty((len(which), size))
+    if code.function is not None:
+        return partial(Interpreted(code.function).run, blocks, strides, out), out
+    return partial(abi.run, code.address, blocks, strides, len(out), out, work), out
+
+
+def _lanes(code: Code, group: Table) -> int:
+    """Elements side by side where the mesh runs through them."""
+    return width() if len(group) >= WORTH and width() in code.entry["lanes"] else 1
+
+
+def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:
+    """Largest error of the first elements against 40 digits."""
+    function, worst = from_dict(saved), 0.0
+    for k in range(min(JUDGED, len(found))):
+        one = {name: (x[k] if x.ndim > 1 else x).tolist() for name, x in given.items()}
+        worst = max(worst, measuring.error(function, one, found[k]))
+    return worst
