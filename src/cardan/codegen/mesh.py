@@ -138,9 +138,10 @@ def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
     """
     layout.write_model(folder, base(absolute, available))
     layout.add_bytes(folder, FILE, numbers(absolute))
-    wanted, name = {f.name: f for f in functions(absolute)}, absolute.system.name
+    wanted = {f.name: f for f in functions(absolute)}
     missing = [wanted[each] for each in layout.missing(folder, list(wanted))]
-    made = [(generate(f, model=name, notes=[], of=None), f) for f in missing]
+    # no word of the model: what its elements share with those of others is compiled once
+    made = [(generate(f), f) for f in missing]
     if made:
         layout.add_functions(folder, made)
 

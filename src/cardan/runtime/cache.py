@@ -13,6 +13,7 @@ import fcntl
 import hashlib
 import json
 import os
+import re
 import shutil
 import tempfile
 import time
@@ -27,8 +28,9 @@ from . import folder
 from .toolchain import Compiler, compile_shared, find_compiler, processor
 
 DIGEST = 32
-VERSION = "2"
+VERSION = "3"
 NEW = ".new-"
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 
 
@@ -142,7 +144,7 @@ def key(
     """Hash of texts, headers, flags, compiler and processor."""
     parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible), *words]
     digest = hashlib.sha256("\0".join([*parts, processor()]).encode())
-    for path in [*sources, *sorted(headers)]:
+    for path in [*sources, *sorted(headers, key=lambda path: (path.name, path))]:
         content = path.read_bytes()
         digest.update(f"\0{path.name}\0{len(content)}\0".encode())
         digest.update(content)
@@ -174,7 +176,7 @@ def compiled(
 
     Args:
         sources: C files, linked together.
-        include: Directories; every header in them is part of the key.
+        include: Directories of headers; those that are included are part of the key.
         reproducible: Equal bits from every compiler.
         by: The compiler; by default the one in use.
         words: What else the compiler is told, such as ``-DCARDAN_LANES=8``.
@@ -215,11 +217,28 @@ def _name(
     words: Sequence[str],
 ) -> str:
     """File name of an object."""
-    headers = [header for place in include for header in place.glob("*.h")]
     try:
+        headers = _headers(sources, include)
         return f"{key(sources, headers, by, reproducible, words)}.so"
     except OSError as error:
         raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
+
+
+def _headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
+    """What the sources include, and what that includes: other scenes share texts that know no more.
+
+    A header counts in every directory where it stands, whichever of them the compiler takes.
+    """
+    found: set[Path] = set()
+    left = list(sources)
+    while left:
+        path = left.pop()
+        names = INCLUDE.findall(path.read_text("utf-8", "replace"))
+        places = (path.parent, *include)
+        more = {place / name for name in names for place in places if (place / name).is_file()}
+        left += more - found
+        found |= more
+    return found
 
 
 def _there(name: str) -> Object | None:

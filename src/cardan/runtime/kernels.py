@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from functools import lru_cache
 from pathlib import Path
 
@@ -11,7 +12,10 @@ from . import cache
 DIRECTORY = Path(__file__).resolve().parent.parent / "kernels"
 
 
-@lru_cache(maxsize=8)
+# threads that want the same library at once wait for the one that compiles it
+_LOCK = threading.Lock()
+
+
 def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:
     """The loaded library; calls through it release the GIL.
 
@@ -21,4 +25,10 @@ def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:
     Raises:
         CompilerMissing: no compiler. BuildError: it failed.
     """
+    with _LOCK:
+        return _library(reproducible, only)
+
+
+@lru_cache(maxsize=8)
+def _library(reproducible: bool, only: str) -> ctypes.CDLL:
     return cache.build(sorted(DIRECTORY.glob(f"{only}.c")), [DIRECTORY], reproducible).load()
