@@ -21,6 +21,7 @@ from laws.circuits import (
     start,
 )
 from mechanisms.closed_spatial import BASE, TOP
+from spread import some
 
 # legs and arms are alike: one of each is cut
 LIKE = {"stewart": ("hooke0", "slide0", "ball0"), "delta": ("shoulder0", "elbow0", "wrist0")}
@@ -34,13 +35,8 @@ def cuts_of(name: str) -> tuple[str, ...]:
 
 def cases() -> list[object]:
     """All cuts by all exact treatments; a spread of them by default."""
-    found = []
-    for name in EVERY:
-        for k, joint in enumerate(cuts_of(name)):
-            for n, treatment in enumerate(EXACT):
-                marks = [] if (k + n) % 4 == 0 else [pytest.mark.slow]
-                found.append(pytest.param(name, joint, treatment, marks=marks))
-    return found
+    every = [(name, joint, way) for name in EVERY for joint in cuts_of(name) for way in EXACT]
+    return some(every, 7)
 
 
 @pytest.mark.parametrize(("name", "joint", "treatment"), cases())

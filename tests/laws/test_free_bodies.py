@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 import numpy as np
 import pytest
 
@@ -9,18 +11,16 @@ import cardan as cd
 from laws.circuits import EVERY, EXACT, PLACES, accelerations, compiled, start
 from laws.maximal import Array, Maximal
 from mechanisms.carried import CARRIED, PLAIN
+from spread import some
 
 MEMBERS = [*CARRIED, "four_bar", "slider_crank"]
 
 
 def cases() -> list[object]:
     """All cuts, each by one of the exact treatments; a spread of them by default."""
-    found = []
-    for name in MEMBERS:
-        for k, joint in enumerate(EVERY[name].build().joints):
-            marks = [] if k % 3 == 2 else [pytest.mark.slow]
-            found.append(pytest.param(name, joint, EXACT[k % len(EXACT)], marks=marks))
-    return found
+    joints = [(name, joint) for name in MEMBERS for joint in EVERY[name].build().joints]
+    ways = cycle(EXACT)
+    return some(((name, joint, way) for (name, joint), way in zip(joints, ways, strict=False)), 4)
 
 
 def moving(model: cd.CompiledModel, bodies: Maximal, q: Array, u: Array) -> tuple[dict, Array]:

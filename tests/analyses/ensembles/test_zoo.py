@@ -11,14 +11,10 @@ import cardan as cd
 from analyses.ensembles.test_bits import lanes, same
 from cardan.runtime.closing import Closing
 from mechanisms import ZOO
-
-# every seventh by default, the others where slow tests run
-NAMES = [
-    pytest.param(name, marks=[pytest.mark.slow] * (k % 7 > 0)) for k, name in enumerate(sorted(ZOO))
-]
+from spread import some
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", some(sorted(ZOO), 7))
 def test_bits(name: str) -> None:
     model = cd.compile(ZOO[name].build())
     if Closing.of(model).rows or not model.nu:

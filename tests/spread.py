@@ -1,0 +1,21 @@
+"""Cases of which ``make test`` takes a spread; ``make slow`` runs the others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import pytest
+
+
+def some(cases: Iterable[Any], every: int, first: int = 0) -> list[Any]:
+    """One of ``every`` cases as it is, counted from ``first``; the others marked slow.
+
+    Args:
+        cases: One value each, or a tuple of several.
+    """
+    found = []
+    for k, case in enumerate(cases):
+        marks = [] if k % every == first else [pytest.mark.slow]
+        found.append(pytest.param(*(case if isinstance(case, tuple) else (case,)), marks=marks))
+    return found
