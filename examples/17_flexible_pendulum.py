@@ -16,7 +16,8 @@ scene = cd.Model("flexible_pendulum")
 rubber = cd.material(E=5e6, nu=0.45, rho=1100)
 bar = scene.beam("bar", (0, 0, 0), (1, 0, 0), cd.section.rectangle(0.02, 0.02), rubber, elements=10)
 scene.joint("pin", cd.Revolute("y"), scene.ground, bar.start)
-model = cd.compile(scene)
+equations = cd.derive(scene)
+model = cd.compile(equations)
 
 # Modes about hanging straight down: the first is nearly that of a rigid bar.
 hanging = model.equilibrium(q={"pin": np.pi / 2})
@@ -35,3 +36,7 @@ assert abs(energy[-1] - energy[0]) < 0.02 * moved
 bend = np.abs(motion.beam("bar").curvature[..., 1]).max()
 print(f"bent to a radius of {1 / bend:.2f} m at least")
 motion.animate(out / "pendulum.html")
+
+# The same as C that needs neither Python nor cardan: elements, tables, sparse solver, integrator.
+folder = equations.export(out / "c", integrators=("alpha",))
+print((folder / "example.c").read_text("utf-8").splitlines()[0])

@@ -33,6 +33,9 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.equations.counts", "Counts.__init__"): frozenset(
         {"cardan.codegen.owners", "cardan.passes"}
     ),
+    ("cardan.equations.absolute.record", "Absolute.export"): frozenset(
+        {"cardan.codegen.meshed", "cardan.runtime.absolute.planned"}
+    ),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),

@@ -194,3 +194,16 @@ def test_scenes_with_states_and_modes(command: str, capsys: pytest.CaptureFixtur
     if command == "bench":
         assert all(row["error"] < 1e-15 for row in found["rows"])
     assert status(command, "servo.yaml", *more.get(command, ())) == 0
+
+
+def test_scenes_with_beams_are_exported_as_c(capsys: pytest.CaptureFixture[str]) -> None:
+    scene = cd.Model("mast")
+    pipe, steel = cd.section.tube(outer=0.03, inner=0.025), cd.material(E=2.1e11, nu=0.3, rho=7850)
+    scene.beam("mast", scene.ground, (0, 1, 2), pipe, steel, elements=3)
+    scene.save("mast.yaml")
+    assert status("export", "mast.yaml", "-o", "c", "--integrators", "alpha", "--json") == 0
+    files = json.loads(capsys.readouterr().out)["files"]
+    assert {"tables.h", "elements.c", "alpha.c", "example.c"} <= set(files)
+    assert not any(name.endswith(".pyx") for name in files)
+    assert status("export", "mast.yaml", "-o", "c", "--language", "cython") == 1
+    assert "language='c'" in capsys.readouterr().err

@@ -26,7 +26,7 @@ LEAVES = {
     "14_bend": ("bend.png",),
     "15_flexible_slider_crank": ("slider_crank.html",),
     "16_spin_up_blade": ("spin_up.html",),
-    "17_flexible_pendulum": ("pendulum.html",),
+    "17_flexible_pendulum": ("pendulum.html", "example.c", "tables.h"),
     "18_locking_beams": ("locking.html",),
 }
 

@@ -15,6 +15,7 @@ from cardan.analyses import record
 from cardan.runtime import cache, kernels
 from kernels.sanitized import program
 from mechanisms import ZOO
+from mechanisms.flexible import folding_arm
 from mechanisms.random_trees import random_tree
 from spread import some
 
@@ -64,6 +65,18 @@ def built(place: Path, sources: list[Path], *more: str) -> subprocess.CompletedP
 def compiled(*words: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
     command = [*cache.compiler().command, *FLAGS, f"-I{kernels.DIRECTORY}", *words]
     return subprocess.run(command, capture_output=True, text=True, timeout=600, cwd=cwd)
+
+
+@pytest.mark.slow
+def test_exported_elements_are_clean(tmp_path: Path, sanitizers: None) -> None:
+    """Tables, plan and run of a beam with a body and a spring."""
+    folder = cd.derive(folding_arm(2)).export(tmp_path / "c", integrators=("alpha",))
+    sources = sorted(folder.glob("*.c"))
+    done = built(tmp_path, sources, f"-I{folder}", "-DCARDAN_EXAMPLE", "-DSTEP=1e-3")
+    assert done is not None
+    assert done.stderr == ""
+    assert done.returncode == 0
+    assert "x[0]" in done.stdout
 
 
 DRAWN = enumerate(zip(drawn(), cycle(METHODS), strict=False))

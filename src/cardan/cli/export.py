@@ -20,7 +20,9 @@ examples:
   cardan export arm.urdf -o arm_c --functions forward_dynamics pose:hand --language c
         these two and no package; a frame or joint stands behind the colon
   cardan export pendulum.yaml -o pendulum_c --integrators dop853
-        with an integrator: pendulum_c/example.c simulates one second"""
+        with an integrator: pendulum_c/example.c simulates one second
+  cardan export crane.yaml -o crane_c --integrators alpha
+        a scene with beams: C of its elements, tables of them, sparse matrices, and a run"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,10 +33,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="a new or empty directory, or an earlier export")  # fmt: skip
     what.add_argument("--functions", metavar="NAME", nargs="+", type=_function,
                       help="such as forward_dynamics or pose:hand")  # fmt: skip
-    what.add_argument("--language", choices=("cython", "c"), default="cython",
-                      help="cython adds a package for NumPy (default)")  # fmt: skip
+    what.add_argument("--language", choices=("cython", "c"),
+                      help="cython adds a package for NumPy (default, but for beams)")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
-                      help="dop853, rk45, rk4, radau, rosenbrock: C that simulates")  # fmt: skip
+                      help="such as dop853, radau or alpha: C that simulates")  # fmt: skip
     what.add_argument("--method", metavar="METHOD", default="auto",
                       help="kane, newton_euler, composite or articulated")  # fmt: skip
     what.add_argument("--reproducible", action="store_true",
@@ -56,12 +58,13 @@ def run(options: argparse.Namespace) -> int:
     scene = reading.read(options)
     with progress() as show:
         show("deriving and writing")
+        chosen = {"language": options.language} if options.language else {}
         folder = derive(scene, method=options.method).export(
             options.output,
             options.functions,
-            language=options.language,
             integrators=options.integrators,
             reproducible=options.reproducible,
+            **chosen,
         )
     files = sorted(path.name for path in folder.iterdir())
     if options.json:

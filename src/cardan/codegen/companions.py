@@ -115,10 +115,15 @@ def _fields(inputs: Sequence[str]) -> str:
     return ", ".join([*(f".{b} = {known.get(b, 'zero')}" for b in read), ".w = w"])
 
 
+def compile_line(flags: Sequence[str]) -> str:
+    """How to compile and run the example."""
+    return f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+
+
 def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
     """``README.md``: what is here, in which units, under which conventions."""
     lines = [
-        f"# {_words(manifest['name'])}",
+        f"# {words(manifest['name'])}",
         "",
         "C functions of a multibody model, written by cardan; nothing here needs cardan.",
         "",
@@ -136,7 +141,7 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
     for name, entry in manifest["functions"].items():
         shape = ", ".join(f"{o['name']} {tuple(o['shape'])}" for o in entry["outputs"])
         lines.append(
-            f"| `{name}` | {', '.join(entry['inputs'])} | {_words(entry['about'])}: {shape} |"
+            f"| `{name}` | {', '.join(entry['inputs'])} | {words(entry['about'])}: {shape} |"
         )
     if manifest.get("events"):
         lines += [
@@ -147,7 +152,7 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
             "`s` start from the defaults in `manifest.json`.",
         ]
     for title, key in (("q", "coordinates"), ("u", "speeds"), ("r", "inputs")):
-        rows = [f"{_words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]
+        rows = [f"{words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key]]
         lines += ["", f"**{title}** ({key}, {len(rows)}): {', '.join(rows) or 'none'}"]
     lines += [
         "",
@@ -170,7 +175,7 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _words(text: str) -> str:
+def words(text: str) -> str:
     """Words of the user in Markdown."""
     plain = "".join(c if c.isprintable() else " " for c in text)
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>|#&" else c for c in plain)

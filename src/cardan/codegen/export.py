@@ -52,8 +52,8 @@ def export(
         DerivationError: an unknown function.
     """
     target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
-    _check_words(language, wanted)
-    _check(target)
+    check_words(language, wanted)
+    check(target)
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
     # what keeps a closed system closed belongs to its dynamics
@@ -78,11 +78,10 @@ def export(
         data = layout.read(folder) or {}
         texts = _companions(data, language, wanted, flags)
         texts["model.c"] = header.defaults(data, _closed(equations))
-        for name, text in texts.items():
-            layout.add_file(folder, name, text)
+        layout.add_files(folder, texts)
         (folder / layout.LOCK).unlink()
 
-    _replace(target, fill)
+    replaced(target, fill)
     return target
 
 
@@ -95,7 +94,7 @@ def _closed(equations: Equations) -> list[float] | None:
     return [round(float(x), DIGITS) + 0.0 for x in found.q] if found.closes else None
 
 
-def _check_words(language: str, integrators: Sequence[str]) -> None:
+def check_words(language: str, integrators: Sequence[str]) -> None:
     if language not in LANGUAGES:
         raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
     for name in integrators:
@@ -111,7 +110,7 @@ def _companions(
     kernels = [*companions.RUN] if integrators else []
     kernels += [name for one in integrators for name in companions.INTEGRATORS[one]]
     package = cython.package(data) if language == "cython" else ""
-    line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+    line = companions.compile_line(flags)
     files = {name: layout.kernel(name) for name in kernels}
     files |= {
         "functions.h": companions.prototypes(data),
@@ -121,7 +120,7 @@ def _companions(
     return files | (cython.files(data, flags) if package else {})
 
 
-def _replace(target: Path, fill: Callable[[Path], None]) -> None:
+def replaced(target: Path, fill: Callable[[Path], None]) -> None:
     """Fill a directory beside the target, then move it there in one step."""
     target.parent.mkdir(parents=True, exist_ok=True)
     scratch = Path(tempfile.mkdtemp(prefix=".cardan-", dir=target.parent))
@@ -145,7 +144,7 @@ def _replace(target: Path, fill: Callable[[Path], None]) -> None:
         raise
 
 
-def _check(target: Path) -> None:
+def check(target: Path) -> None:
     """Refuse to replace what is not ours.
 
     Raises:

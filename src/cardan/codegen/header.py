@@ -44,12 +44,17 @@ def slots(manifest: dict[str, Any]) -> str:
     return "\n".join([*lines, "", "#endif"]) + "\n"
 
 
-def defaults(manifest: dict[str, Any], start: Sequence[float] | None = None) -> str:
+def defaults(
+    manifest: dict[str, Any],
+    start: Sequence[float] | None = None,
+    speeds: Sequence[float] | None = None,
+) -> str:
     """``model.c``: values of the parameters, coordinates and inputs that the scene names.
 
     Args:
         manifest: Of the model.
         start: Coordinates (nq,) to start from instead of those that the scene names.
+        speeds: Speeds (nu,) to start with; without them there is no such array.
     """
     lines = [
         "/*",
@@ -58,7 +63,7 @@ def defaults(manifest: dict[str, Any], start: Sequence[float] | None = None) -> 
         '#include "functions.h"',
     ]
     for block, key, meaning in BLOCKS:
-        if block == "u":
+        if block == "u" and speeds is None:
             continue
         lines += ["", f"/* {meaning} */", f"const double {array(block)} = {{"]
         # an array has at least one element in C
@@ -67,6 +72,8 @@ def defaults(manifest: dict[str, Any], start: Sequence[float] | None = None) -> 
             rows = _start(manifest)
             if start is not None:
                 rows = [{**row, "default": x} for row, x in zip(rows, start, strict=True)]
+        if block == "u" and speeds:
+            rows = [{**row, "default": x} for row, x in zip(rows, speeds, strict=True)]
         for row in rows:
             unit = f" [{row['unit']}]" if row["unit"] else ""
             lines.append(f"    {float(row['default'])!r}, /* {comment(row['name'] + unit)} */")

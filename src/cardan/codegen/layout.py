@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -116,13 +116,14 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
         _write_manifest(directory, manifest)
 
 
-def add_file(directory: Path, name: str, text: str) -> None:
-    """Write one more file that belongs to the model."""
+def add_files(directory: Path, texts: Mapping[str, str]) -> None:
+    """Write more files that belong to the model, by name."""
     with _locked(directory):
         manifest = read(directory)
         if manifest is None:
             raise CodegenError(f"directory {directory} holds no model: call write_model first")
-        manifest["sha256"][name] = _write(directory / name, text)
+        for name, text in texts.items():
+            manifest["sha256"][name] = _write(directory / name, text)
         _write_manifest(directory, manifest)
 
 

@@ -88,15 +88,19 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
 
 def saved(absolute: Absolute) -> tuple[Function, ...]:
     """Functions of the parameters that the runtime evaluates as they are."""
-    found = [
-        replace(group.common, name=_common(k, group))
+    return (*commons(absolute), absolute.frames.poses, absolute.states)
+
+
+def commons(absolute: Absolute) -> tuple[Function, ...]:
+    """What gives the data of elements by the parameters, of the groups that have such data."""
+    return tuple(
+        replace(group.common, name=common_name(k, group))
         for k, group in enumerate(absolute.groups)
         if group.common is not None
-    ]
-    return (*found, absolute.frames.poses, absolute.states)
+    )
 
 
-def _common(k: int, group: Group) -> str:
+def common_name(k: int, group: Group) -> str:
     """Name of what gives the data of group k by the parameters, "" where nothing does."""
     return f"data_{k}__{group.kind.name}" if group.common is not None else ""
 
@@ -175,11 +179,11 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
         "nz": 0 if group.z is None else group.z.shape[1],
         "ns": 0 if group.s is None else group.s.shape[1],
         "functions": {name: f.name for name, f in kind.functions.items()},
-        "parts": _parts(kind.functions),
+        "parts": parts(kind.functions),
     }
 
 
-def _parts(found: Mapping[str, Function]) -> dict[str, int]:
+def parts(found: Mapping[str, Function]) -> dict[str, int]:
     """Where the matrices of a tangent begin in its results."""
     if "balance_tangent" not in found:
         return {}
@@ -194,7 +198,7 @@ def _parts(found: Mapping[str, Function]) -> dict[str, int]:
 def _group(k: int, group: Group) -> dict[str, Any]:
     return {
         "kind": group.kind.name,
-        "common": _common(k, group),
+        "common": common_name(k, group),
         "members": list(group.members),
     }
 

@@ -158,7 +158,7 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
 static void accept(cardan_run *run, const cardan_alpha *v, real h, real error)
 {
     const int waves = v->index == 3 && v->m > 0;
-    real factor = error > 0 ? SAFETY * pow(error, -1.0 / LOCAL) : GROW;
+    real factor = error > 0 ? SAFETY * pow(error, -1.0 / (real)LOCAL) : GROW;
 
     if (!v->adaptive)
         return;
@@ -227,7 +227,7 @@ int cardan_alpha_step(cardan_run *run)
         }
         if (!v.adaptive || failed == CARDAN_INPUT)
             return failed;
-        factor = failed == 0 ? SAFETY * pow(error, -1.0 / LOCAL) : 0.25;
+        factor = failed == 0 ? SAFETY * pow(error, -1.0 / (real)LOCAL) : 0.25;
         run->rejections++;
         run->rejected++;
         run->h = h * fmin(0.9, fmax(LEAST, factor));

@@ -59,10 +59,10 @@ static real suspicion(const cardan_board *at, ptrdiff_t i)
         for (int k = cardan_samples - 1; k >= order; k--)
             d[k] -= d[k - 1];
     for (int k = 1; k < FINE; k++) {
-        real value = fitted(d, (real)k / FINE);
+        real value = fitted(d, (real)k / (real)FINE);
         if (value < lowest) {
             lowest = value;
-            where = (real)k / FINE;
+            where = (real)k / (real)FINE;
         }
     }
     return lowest < NEAR * (high - low) ? where : -1;

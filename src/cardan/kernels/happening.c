@@ -214,7 +214,7 @@ static int chatters(const cardan_run *run, const cardan_board *at, ptrdiff_t i)
         at->burst[i] = 0;
     }
     at->burst[i]++;
-    return at->close[i] > MOST_CLOSE || at->burst[i] > MOST_IN_A_BURST;
+    return at->close[i] > (real)MOST_CLOSE || at->burst[i] > (real)MOST_IN_A_BURST;
 }
 
 /* New u, z and s by the transition of the model, on the constraints. */

@@ -10,42 +10,29 @@ static const real LIGHT = 1e-6;
 /* what resists the motion of what is held, of what resists most */
 static const real HEAVY = 1e12;
 
-static const cardan_mesh *mesh_of(const cardan_in *in)
-{
-    return (const cardan_mesh *)(const void *)in->w;
-}
-
-static cardan_state state_of(const cardan_in *in)
-{
-    const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
-                             in->z, in->s, in->r, NULL, NULL};
-
-    return at;
-}
-
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
 {
-    const cardan_state at = state_of(in);
+    const cardan_state at = cardan_state_of(in);
 
-    return cardan_mesh_balance(mesh_of(in), &at, out, work);
+    return cardan_mesh_balance(cardan_mesh_of(in), &at, out, work);
 }
 
 int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work)
 {
-    return cardan_mesh_rates(mesh_of(in), in->q, in->u, out, work);
+    return cardan_mesh_rates(cardan_mesh_of(in), in->q, in->u, out, work);
 }
 
 int cardan_mesh_call_move(const cardan_in *in, real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_mesh *mesh = cardan_mesh_of(in);
 
     return cardan_mesh_move(mesh, in->q, in->du, out, out + mesh->nq, work);
 }
 
 int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
 {
-    const cardan_state at = state_of(in);
-    const int status = cardan_mesh_sum(mesh_of(in), &at, CARDAN_ENERGY, 2, out, work);
+    const cardan_state at = cardan_state_of(in);
+    const int status = cardan_mesh_sum(cardan_mesh_of(in), &at, CARDAN_ENERGY, 2, out, work);
 
     out[2] = out[0] + out[1];
     return status;
@@ -96,9 +83,9 @@ static void take_power(const cardan_mesh *mesh, const cardan_group *g, const car
 /* Of every source (powers); driven joints give that of their multipliers, which are solved for. */
 int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
+    const cardan_mesh *mesh = cardan_mesh_of(in);
     real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
-    cardan_state at = state_of(in);
+    cardan_state at = cardan_state_of(in);
     int status = 0;
 
     at.udot = at.lam = NULL;
@@ -113,8 +100,8 @@ int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
 
 int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
-    const cardan_state at = state_of(in);
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
     /* behind what is worked with */
     real *found = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
     int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
@@ -157,8 +144,8 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
 /* q (nq) a step nearer to closing all circuits, then what was open (mp). */
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
-    const cardan_state at = state_of(in);
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
     cardan_mesh_system system = {0};
     real *missing = work + cardan_mesh_lay(mesh, work, &system), *open = missing + mesh->nu;
     int status = cardan_mesh_balance(mesh, &at, missing, system.work);
@@ -174,8 +161,8 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 /* u (nu) that the constraints allow, then what the given ones missed (m). */
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 {
-    const cardan_mesh *mesh = mesh_of(in);
-    const cardan_state at = state_of(in);
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
     cardan_mesh_system system = {0};
     real *missing = work + cardan_mesh_lay(mesh, work, &system);
     real *rates = missing + mesh->nu + mesh->mp;

@@ -4,6 +4,19 @@
 
 #include "mesh_matrix.h"
 
+static inline const cardan_mesh *cardan_mesh_of(const cardan_in *in)
+{
+    return (const cardan_mesh *)(const void *)in->w;
+}
+
+static inline cardan_state cardan_state_of(const cardan_in *in)
+{
+    const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
+                             in->z, in->s, in->r, NULL, NULL};
+
+    return at;
+}
+
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work);
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
@@ -17,5 +30,12 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
+
+/* mesh_start.c: close all circuits next to x = [q, u] by moving what has least inertia along them,
+ * then make the speeds fit. quaternions (count): the first entry of each in q. Returns 0, the status
+ * of an element, or CARDAN_OPEN where no such state is near. */
+ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh);
+int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrdiff_t *quaternions,
+                      ptrdiff_t count, real *x, real *work);
 
 #endif

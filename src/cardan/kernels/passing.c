@@ -304,7 +304,9 @@ static real span(const cardan_run *run, real tau)
 /* The part of the way to a place after which a step over it may have an error of 1. */
 static real nearer(real error)
 {
-    return error < INFINITY ? fmin(0.5, fmax(0.1, 1 - 0.9 * pow(error, -1.0 / MOST_POINTS))) : 0.5;
+    const real power = -1.0 / (real)MOST_POINTS;
+
+    return error < INFINITY ? fmin(0.5, fmax(0.1, 1 - 0.9 * pow(error, power))) : 0.5;
 }
 
 /* One step of the method, or one over a place where branches meet. */

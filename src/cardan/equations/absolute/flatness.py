@@ -156,8 +156,10 @@ def _data(group: Group, p: Numbers) -> Numbers:
     """Data of the members at parameters (n, k)."""
     parts, n = [], len(group)
     if group.common is not None:
+        # one row for all of them, or one each
+        k = group.common.outputs[0].shape[-1]
         data = np.asarray(evaluate(group.common, {"p": p})["data"], dtype=np.float64)
-        parts.append(np.broadcast_to(data.reshape(-1, data.shape[-1]), (n, data.shape[-1])))
+        parts.append(np.broadcast_to(data.reshape(-1, k), (n, k)))
     if group.own is not None:
         parts.append(group.own)
     return np.hstack(parts) if parts else np.zeros((n, 0))

@@ -14,7 +14,8 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NoReturn, TypeAlias
+from pathlib import Path
+from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -362,6 +363,23 @@ class Absolute:
             f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
             f"elements have functions, see .kinds.{cure}"
         )
+
+    def export(
+        self,
+        directory: str | Path,
+        functions: Sequence[Any] | None = None,
+        language: str = "c",
+        integrators: Sequence[str] = (),
+        reproducible: bool = False,
+    ) -> Path:
+        """Write C and an example that need no cardan.
+
+        Args, Returns, Raises: as of :func:`cardan.codegen.meshed.export`, which says more.
+        """
+        from ...codegen.meshed import export
+        from ...runtime.absolute.planned import planned
+
+        return export(self, directory, planned, functions, language, integrators, reproducible)
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -41,13 +41,23 @@ class FactorsRecord(ctypes.Structure):
     ]
 
 
+def plan_numbers(plan: Plan) -> dict[str, int]:
+    """The sizes of ``cardan_sparse``."""
+    matrix = plan.pattern
+    sizes = (matrix.n, len(matrix.sizes), matrix.values, len(plan.later), plan.factors)
+    return dict(zip(NUMBERS, (*sizes, plan.widest), strict=True))
+
+
+def plan_tables(plan: Plan) -> dict[str, NDArray[np.int32]]:
+    """The tables of ``cardan_sparse``."""
+    tables = {name: getattr(plan.pattern, name) for name in MATRIX}
+    return tables | {name: getattr(plan, name) for name in ELIMINATION}
+
+
 def plan_record(plan: Plan) -> PlanRecord:
     """A plan as C sees it; the plan must outlive it."""
-    matrix = plan.pattern
-    numbers = (matrix.n, len(matrix.sizes), matrix.values, len(plan.later), plan.factors)
-    tables = [getattr(matrix, name) for name in MATRIX]
-    tables += [getattr(plan, name) for name in ELIMINATION]
-    return PlanRecord(*numbers, plan.widest, *(table.ctypes.data for table in tables))
+    tables = plan_tables(plan).values()
+    return PlanRecord(*plan_numbers(plan).values(), *(table.ctypes.data for table in tables))
 
 
 @dataclass(frozen=True)

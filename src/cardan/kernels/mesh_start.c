@@ -1,0 +1,60 @@
+/* Where a motion starts: all circuits of a mesh closed next to a state.
+ *
+ * Part of cardan. Caller owns all memory.
+ * Source: as of analyses/meshed_start.py, whose bounds these are.
+ */
+#include "mesh_calls.h"
+#include <math.h>
+
+enum { MOST = 60 };
+/* gaps against the size of the scene: sought, and good enough where nothing more is gained */
+static const real CLOSED = 1e-12, GOOD = 1e-9;
+
+static real largest(const real *x, ptrdiff_t n, real found)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        found = fmax(found, fabs(x[i]));
+    return found;
+}
+
+static void normalize(const ptrdiff_t *quaternions, ptrdiff_t count, real *q)
+{
+    for (ptrdiff_t k = 0; k < count; k++) {
+        real *e = q + quaternions[k];
+        const real length = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
+
+        for (int i = 0; i < 4; i++)
+            e[i] /= length;
+    }
+}
+
+ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh)
+{
+    return cardan_mesh_call_work(mesh) + mesh->nq + mesh->nu + mesh->m;
+}
+
+int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrdiff_t *quaternions,
+                      ptrdiff_t count, real *x, real *work)
+{
+    real *found = work + cardan_mesh_call_work(mesh), *u = x + mesh->nq;
+    const real scale = largest(x, mesh->nq, 1);
+    const cardan_in in = {.t = &t, .q = x, .u = u, .r = r, .w = (const wreal *)(const void *)mesh};
+    real gap = INFINITY, last;
+    int status = 0, closed = mesh->mp == 0;
+
+    for (int k = 0; k < MOST && !closed && status == 0; k++) {
+        status = cardan_mesh_call_close_position(&in, found, work);
+        last = gap;
+        gap = largest(found + mesh->nq, mesh->mp, 0);
+        closed = gap <= CLOSED * scale || (gap <= GOOD * scale && gap >= 0.5 * last);
+        for (ptrdiff_t i = 0; i < mesh->nq && !closed; i++)
+            x[i] = found[i];
+        if (!closed)
+            normalize(quaternions, count, x);
+    }
+    if (status == 0 && closed)
+        status = cardan_mesh_call_close_velocity(&in, found, work);
+    for (ptrdiff_t i = 0; i < mesh->nu && status == 0 && closed; i++)
+        u[i] = found[i];
+    return status != 0 ? status : closed ? 0 : CARDAN_OPEN;
+}
