@@ -102,8 +102,13 @@ class Relative(Modeled):
         """As :meth:`Contract.steady`."""
         return np.zeros(self.model.nu)
 
-    def turned(self, at: Moment) -> None:
-        """As :meth:`Contract.turned`."""
+    def turned(self, at: Moment) -> Moment | None:
+        """As :meth:`Contract.turned`: where speeds are derivatives of coordinates."""
+        largest = float(np.abs(at.u / self.columns).max(initial=0.0))
+        if largest == 0 or not self._plain:
+            return None
+        after = 1.0 / largest
+        return replace(at, t=at.t + after, q=self.integrate(at.q, after * at.u))
 
     def uniform(self, at: Moment) -> bool:
         """As :meth:`Contract.uniform`."""
