@@ -42,12 +42,3 @@ def test_behind_a_limit_load_the_path_is_kept() -> None:
     assert again.iterations <= 3
     with pytest.raises(cd.SolveError, match="gives way"):
         model.statics(P=(0, 1e5), steps=5, check=True)
-
-
-def test_a_steady_motion_does_not_leave_beams_behind() -> None:
-    scene = cd.Model("blade", gravity=(0, 0, 0))
-    hub = scene.body("hub", mass=1.0, inertia=(1, 1, 1))
-    scene.joint("spin", cd.Revolute("z"), scene.ground, hub)
-    scene.beam("blade", hub, (1, 0, 0), SECTION, elements=2)
-    with pytest.raises(cd.ModelError, match=r"u= \(spin\): beam 'blade' would stand still"):
-        cd.compile(scene).equilibrium(u={"spin": 1.0})

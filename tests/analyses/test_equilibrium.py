@@ -172,6 +172,18 @@ def test_speeds_that_are_no_steady_motion() -> None:
     assert not found.converged
 
 
+def test_weight_that_does_not_turn_along_is_told() -> None:
+    scene = cd.Model("wheel", gravity=(0, 0, -G))
+    wheel = scene.body("wheel", mass=1.0, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))
+    scene.joint("axle", cd.Revolute("y"), scene.ground, wheel)
+    model = cd.compile(scene)
+    # nothing changes the speed where the weight hangs below the axle: for an instant
+    with pytest.warns(cd.SolveWarning, match="forces do not turn along"):
+        assert not model.equilibrium(u={"axle": 3.0}).converged
+    balanced = model.equilibrium(u={"axle": 3.0}, parameters={"wheel.com.z": 0.0})
+    assert balanced.converged
+
+
 def test_what_nothing_holds_is_named() -> None:
     scene = cd.Model("trolley", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=1.0)

@@ -151,7 +151,7 @@ def spin_up(elements: int = 10) -> cd.Model:
     return scene
 
 
-def rotating_blade(elements: int = 16) -> cd.Model:
+def rotating_blade(elements: int = 16, stiff: float = STIFF) -> cd.Model:
     """A blade of length 1, EI = 1 and rhoA = 1 that turns with the speed Omega.
 
     Source: Wright, Smith, Thresher and Wang, J. Appl. Mech. 49 (1982).
@@ -160,7 +160,7 @@ def rotating_blade(elements: int = 16) -> cd.Model:
     speed = scene.parameter("Omega", 6, unit="rad/s")
     hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
     scene.joint("drive", cd.Revolute("z"), scene.ground, hub, motion=speed * cd.t)
-    section = cd.section.general(EA=STIFF, GA=STIFF, GJ=1, EI=1, rhoA=1)
+    section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
     scene.beam("blade", hub, (1, 0, 0), section, elements=elements)
     return scene
 

@@ -10,16 +10,18 @@ from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array, vstack
+from scipy.sparse import csr_array
 
-from ..errors import ModelError, near
+from ..errors import ModelError
+from ..runtime.absolute.carried import leading
 from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation
 from ..runtime.absolute.tables import Tables
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries, missing
 from .blockwise import Blockwise
+from .carriage import Carriage
+from .consistent import read
 from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
 from .meshed_start import meshed_start
 from .modeled import Modeled
@@ -27,8 +29,11 @@ from .saddle import Dense, Saddle, Sparse
 from .settings import blocks, start
 
 Array = NDArray[np.float64]
+Longs = NDArray[np.intp]
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
-STEP = 1e-5  # of central differences; their error is 1e-10 of third derivatives
+OPEN = 1e-9  # of speeds: constraints of speeds that hold
+# steps of central differences and their shares: their error is 3e-14 of fifth derivatives
+STEP, SHARES = 1e-3, ((1, 2 / 3), (-1, -2 / 3), (2, -1 / 12), (-2, 1 / 12))
 
 
 @final
@@ -96,35 +101,85 @@ class Absolute(Modeled):
         lam = np.zeros(len(self.multipliers))
         return Moment(t, place, speed, 0 * speed, lam, r, np.zeros(0), self.modes, p)
 
-    def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
-        """As :meth:`Contract.consistent`: of all such speeds the smallest without units.
+    # steady motions
+
+    @cached_property
+    def leading(self) -> NDArray[np.bool_]:
+        """As the contract has it."""
+        return leading(self.model)
+
+    @cached_property
+    def _carriage(self) -> Carriage:
+        names = [row["name"] for row in self.model.manifest["beams"]]
+        return Carriage(self.tables, names, self.leading, self.columns, self.rows, self.size)
+
+    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
+        """As :meth:`Contract.carried`: beams go along rigidly with what carries them.
 
         Raises:
-            ModelError: nodes of beams, which no constraint takes along.
+            ModelError: as there; beams about different axes.
         """
-        if self.model.manifest["beams"]:
-            beam = self.model.manifest["beams"][0]["name"]
+        found, open_by = self._moving(at, given)
+        largest = float(np.abs(found.u / self.columns).max(initial=0.0))
+        said = ", ".join(f"'{name}'" for name in given) or "prescribed motions"
+        if np.abs(open_by).max(initial=0.0) > OPEN * max(1.0, largest):
+            rows = np.abs(open_by[: len(self.rows)])
+            joint = self.model.manifest["multipliers"][int(rows.argmax())]["joint"]
             raise ModelError(
-                f"u= ({', '.join(given)}): beam '{beam}' would stand still while the rest moves, "
-                "as a steady motion does not carry nodes of beams along. Simulate it, with "
-                "damping, until it is steady"
+                f"speeds of {said} cannot hold together: joint '{joint}' would come apart at "
+                f"{rows.max():.3g}. Leave one of them out"
             )
-        places, nu = entries(self.model.manifest, "u"), self.model.nu
-        rows, values = list[int](), list[float]()
-        for name, value in given.items():
-            if name not in places:
-                words = missing(self.model.manifest, "u", name)
-                raise ModelError(f"u={{'{name}': ...}}: {words}{near(name, places)}")
-            rows += range(*places[name].indices(nu))
-            values += np.atleast_1d(np.asarray(value, dtype=np.float64)).tolist()
-        pick = csr_array((np.ones(len(rows)), (np.arange(len(rows)), rows)), (len(rows), nu))
-        mesh, state = self._asked(replace(at, u=0 * at.u))
-        right = np.concatenate([-mesh.balance(state)[2] / self.rows, values])
-        G = csr_array(self.tangents(at).G / self.rows[:, None])
-        alike = csr_array((np.ones(nu), (np.arange(nu), np.arange(nu))))
-        bound = csr_array(vstack([G * self.columns, pick * self.columns]))
-        found: Array = self.saddle.solve(alike, bound, np.zeros(nu), right)[0] * self.columns
+        apart = self._carriage.apart(at.q, found.u)
+        if apart:
+            raise ModelError(
+                f"u= ({said}): beams '{apart[0]}' and '{apart[1]}' do not turn together: no "
+                "observer sees both at rest, this is no steady motion. Simulate it"
+            )
         return found
+
+    def _moving(self, at: Moment, given: Mapping[str, Any]) -> tuple[Moment, Array]:
+        """The moment with its speeds and their rates, and what stays open."""
+        mesh, state = self._asked(replace(at, u=np.zeros(self.model.nu)))
+        drift, G = mesh.balance(state)[2], self.tangents(at).G
+        u, open_by = self._carriage.speeds(at.q, G, drift, *read("u", self.model, given))
+        moving = replace(at, u=u)
+        return replace(moving, udot=self._steady(moving, G)), open_by
+
+    def steady(self, at: Moment) -> Array:
+        """As :meth:`Contract.steady`."""
+        return self._steady(at, self.tangents(at).G) if np.any(at.u) else np.zeros(self.model.nu)
+
+    def _steady(self, at: Moment, G: Any) -> Array:
+        mesh, state = self._asked(at)
+        return self._carriage.rates(at.q, at.u, G, mesh.gamma(state))
+
+    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Any, Any]:
+        """As :meth:`Contract.following`; by central differences where axes of motion may move."""
+        if self._carriage.together(at.q, at.u):
+            return self._carriage.following(at.q, at.u, at.udot)
+
+        def moving(there: Moment) -> Array:
+            found = self._moving(there, given)[0]
+            return np.concatenate([found.u, found.udot])
+
+        both = self._differences(at, "q", moving)
+        return csr_array(both[: self.model.nu]), csr_array(both[self.model.nu :])
+
+    def turned(self, at: Moment) -> Moment | None:
+        """As :meth:`Contract.turned`."""
+        further = self._carriage.turned(at.q, at.u, at.udot)
+        if further is None:
+            return None
+        steps, u, udot, after = further
+        return replace(at, t=at.t + after, q=self.integrate(at.q, steps), u=u, udot=udot)
+
+    def uniform(self, at: Moment) -> bool:
+        """As :meth:`Contract.uniform`: all turn together, and an observer with them."""
+        return bool(self.tables.beams) and self._carriage.together(at.q, at.u)
+
+    def observer(self, at: Moment) -> tuple[Any, Any]:
+        """As :meth:`Contract.observer`: he turns along with the beams."""
+        return self._carriage.observer(at.q, at.u)
 
     # equations
 
@@ -157,7 +212,8 @@ class Absolute(Modeled):
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
         """As :meth:`Contract.rates`: by tangents, exact at rest.
 
-        In motion what constraints say of accelerations is differentiated by central differences.
+        In motion what constraints say of accelerations is differentiated by central differences,
+        along what they hold.
         """
         there = self.accelerations(at, tau)
         found, nu = self.tangents(there), self.model.nu
@@ -167,12 +223,18 @@ class Absolute(Modeled):
         for block, matrix in (("q", found.K), ("u", found.C)):
             bent = np.zeros((len(self.rows), nu))
             if np.any(at.u) or np.any(there.udot):
-                bent = self._differences(there, block, self._bent)
+                bent[:, self._held] = self._differences(there, block, self._bent, self._held)
             right = -matrix.toarray() * self.columns[:, None]
             parts.append(Dense().solve(M, G, right, -bent / self.rows[:, None])[0])
         along, by_u = (part * self.columns[:, None] for part in parts)
         by_r = self._differences(at, "r", lambda x: self.accelerations(x, tau).udot)
         return Rates(along, by_u, np.zeros((nu, 0)), by_r)
+
+    @cached_property
+    def _held(self) -> Longs:
+        """Speeds of what constraints hold."""
+        own = [self.tables.columns(g).ravel() for g in self.tables.groups if g.kind.m]
+        return np.unique(np.concatenate(own)) if own else np.zeros(0, dtype=np.intp)
 
     def _bent(self, at: Moment) -> Array:
         """G udot - gamma (m,)."""
@@ -191,24 +253,30 @@ class Absolute(Modeled):
         along, by_u, by_r = (self._differences(at, block, outputs) for block in "qur")
         return Seen(along, by_u, np.zeros((len(self.outputs), 0)), by_r)
 
-    def _differences(self, at: Moment, block: str, function: Callable[[Moment], Array]) -> Array:
-        """Derivative (k, n) of a function along increments, by speeds or by inputs."""
+    def _differences(
+        self,
+        at: Moment,
+        block: str,
+        function: Callable[[Moment], Array],
+        along: Longs | None = None,
+    ) -> Array:
+        """Derivative (k, n) of a function along increments, speeds or inputs; along some."""
         size = self.model.nr if block == "r" else self.model.nu
         unit_of = np.ones(size) if block == "r" else self.columns
         columns = []
-        for k in range(size):
-            sides = []
-            for sign in (1.0, -1.0):
+        for k in range(size) if along is None else along:
+            slope: Any = 0.0
+            for side, share in SHARES:
                 step = np.zeros(size)
-                step[k] = sign * STEP * unit_of[k]
+                step[k] = side * STEP * unit_of[k]
                 if block == "q":
                     moved = replace(at, q=self.integrate(at.q, step))
                 elif block == "u":
                     moved = replace(at, u=at.u + step)
                 else:
                     moved = replace(at, r=at.r + step)
-                sides.append(function(moved))
-            columns.append((sides[0] - sides[1]) / (2 * STEP * unit_of[k]))
+                slope = slope + share * function(moved)
+            columns.append(slope / (STEP * unit_of[k]))
         return np.stack(columns, axis=1) if columns else np.zeros((len(function(at)), 0))
 
     # coordinates
@@ -237,16 +305,6 @@ class Absolute(Modeled):
         mesh = self._mesh(at.parameters)
         basis = np.eye(self.model.nu)
         return np.stack([mesh.rates(at.q, row) for row in basis], axis=1)
-
-    def kinematics(self, at: Moment) -> Any:
-        """As :meth:`Contract.kinematics`: rotations e obey e' = v - omega x e."""
-        first, second, third = self._turning.T
-        x, y, z = at.u[first], at.u[second], at.u[third]
-        i = np.concatenate([first, first, second, second, third, third])
-        j = np.concatenate([second, third, first, third, first, second])
-        values = np.concatenate([z, -y, -z, x, y, -x])
-        nu = self.model.nu
-        return csr_array((values, (i, j)), (nu, nu)).toarray()
 
     def opened(self, at: Moment) -> Moment:
         """As :meth:`Contract.opened`: the stress of beams is an unknown of its own."""

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ArgumentError, ModelError, SolveError, near
+from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
 
@@ -28,7 +29,7 @@ def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Arr
         ModelError: an unknown name, or values that cannot hold together.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
     """
-    chosen, values = read("u", m, given)
+    chosen, values = read("u", m.model, given)
     u = rest.copy()
     u[chosen] = values
     start = m.rates(q, np.zeros_like(u))
@@ -46,7 +47,7 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
         As :func:`speeds`.
     """
     free: Array = m.model.forward_dynamics(q, u, t=m.t, r=m.r)
-    chosen, values = read("udot", m, given)
+    chosen, values = read("udot", m.model, given)
     if not len(chosen):
         return free
     # accelerations under forces fulfill the constraints: they know gamma
@@ -56,24 +57,26 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
     return _meet(m, q, udot, chosen, gamma, list(given), "udot")
 
 
-def read(what: str, m: Mechanism, given: Mapping[str, Any]) -> tuple[Array, Array]:
+def read(
+    what: str, model: CompiledModel, given: Mapping[str, Any]
+) -> tuple[NDArray[np.intp], Array]:
     """Which speeds are given, and their values.
 
     Args:
         what: ``"u"`` or ``"udot"``, for messages.
-        m: The mechanism.
+        model: Whose.
         given: Joint or speed -> value.
     """
-    places = entries(m.model.manifest, "u")
+    places = entries(model.manifest, "u")
     chosen, values = list[int](), list[float]()
     for name, value in given.items():
         where, place = f"{what}={{'{name}': ...}}", places.get(name)
         if place is None:
-            words = missing(m.model.manifest, "u", name)
+            words = missing(model.manifest, "u", name)
             raise ModelError(f"{where}: {words}{near(name, places)}")
         array = np.asarray(value, dtype=np.float64).reshape(-1)
         if array.size != place.stop - place.start:
-            names = ", ".join(m.model.speeds[place])
+            names = ", ".join(model.speeds[place])
             raise ArgumentError(f"{where}: {array.size} values, expected {names}")
         if not np.isfinite(array).all():
             raise SolveError(f"{where} is {value!r}; it must be finite")
@@ -85,7 +88,13 @@ def read(what: str, m: Mechanism, given: Mapping[str, Any]) -> tuple[Array, Arra
 
 
 def _meet(
-    m: Mechanism, q: Array, wanted: Array, held: Array, right: Array, names: list[str], what: str
+    m: Mechanism,
+    q: Array,
+    wanted: Array,
+    held: NDArray[np.intp],
+    right: Array,
+    names: list[str],
+    what: str,
 ) -> Array:
     """The vector next to a wanted one with G v = right and the held entries kept."""
     G, free = m.jacobian(q), np.setdiff1d(np.arange(len(wanted)), held)
@@ -109,7 +118,7 @@ def _meet(
     return v
 
 
-def _metric(m: Mechanism, q: Array, free: Array) -> Array:
+def _metric(m: Mechanism, q: Array, free: NDArray[np.intp]) -> Array:
     """L with L L^T the inverse mass matrix of the free speeds, without units; else the identity."""
     if "mass_matrix" not in m.model.manifest["available"]:
         return np.eye(len(free))

@@ -154,6 +154,10 @@ class Contract(Protocol):
     reach: float
     saddle: Saddle
 
+    @property
+    def leading(self) -> NDArray[np.bool_]:
+        """Whether a speed is that of a joint (nu,), rather than one that follows."""
+
     def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
         """A moment at rest next to named coordinates, with all circuits closed.
 
@@ -210,8 +214,12 @@ class Contract(Protocol):
     def turning(self, at: Moment) -> Array:
         """N (nq, nu): how coordinates change with increments."""
 
-    def kinematics(self, at: Moment) -> Array:
-        """E (nu, nu): increments change at the rate E increments + change of the speeds."""
+    def observer(self, at: Moment) -> tuple[Matrix, Matrix]:
+        """E and W (nu, nu) in axes in which small motions are told.
+
+        Increments change at the rate E increments + change v of the speeds; accelerations change
+        by v' + W v.
+        """
 
     def opened(self, at: Moment) -> Moment:
         """The moment with what elements keep themselves while one searches, if they do."""
@@ -232,8 +240,26 @@ class Contract(Protocol):
             ModelError: there is none.
         """
 
-    def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
-        """Speeds (nu,) that the constraints allow, with given ones."""
+    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
+        """The moment with speeds that the constraints allow and given ones, and their rates.
+
+        Joints keep their speeds; rates are those of a steady motion with them.
+
+        Raises:
+            ModelError: an unknown name, or speeds that cannot hold together.
+        """
+
+    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
+        """How speeds and their rates as of :meth:`carried` change along increments (nu, nu)."""
+
+    def steady(self, at: Moment) -> Array:
+        """Rates (nu,) of the speeds of a moment if its motion is steady."""
+
+    def turned(self, at: Moment) -> Moment | None:
+        """The moment a radian further in a steady motion that turns; None where that is open."""
+
+    def uniform(self, at: Moment) -> bool:
+        """Whether matrices are constant in a steady motion, not only what follows from them."""
 
 
 def contract_of(model: Any) -> Contract:

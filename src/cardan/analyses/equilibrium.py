@@ -14,7 +14,7 @@ from ..errors import ModelError, SolveError, SolveWarning, near
 from .contract import Contract, contract_of
 from .newton import Search, rest
 from .standing import Standing, stand, words
-from .static_problem import Load, Point, Problem
+from .static_problem import Load, Point, Problem, scaled
 
 Array = NDArray[np.float64]
 WAYS = ("full", "ramp", "damped", "creep")
@@ -23,6 +23,9 @@ TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
 SHOWN = 24
 STEADY = 1e-8  # accelerations below this are none
+CLOSED = 1e-9  # gaps of circuits that stay closed as parts run on
+# forces that are left in a steady motion: of momenta times speeds, of stiffnesses
+ALONG, ROUNDED = 1e-6, 1e-13
 
 
 @final
@@ -132,8 +135,9 @@ def equilibrium(
     Args:
         model: The compiled model.
         q: Coordinates to start from, by name or (nq,); the initial position if left out.
-        u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. The
-            others are 0, or follow from the constraints, and all accelerations are 0.
+        u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. Those of
+            other joints are 0, or follow from the constraints, and stay as they are; beams go
+            along with what carries them. An empty one where prescribed motions turn all of it.
         hold: Coordinate -> value it keeps; the result tells the forces that takes.
         inputs, parameters: Values by name, else those of the model.
         t: Time [s], where something is prescribed.
@@ -182,7 +186,8 @@ def read(
         raise SolveError(f"t={t!r}: it must be finite")
     p = system.changed(dict(parameters or {}))
     held = {name: float(value) for name, value in (hold or {}).items()}
-    return Load(float(t), system.given_inputs(inputs), p, held, dict(u or {}))
+    speeds = None if u is None else dict(u)
+    return Load(float(t), system.given_inputs(inputs), p, held, speeds)
 
 
 def _downhill(problem: Problem, found: Search, load: Load) -> Search:
@@ -226,7 +231,7 @@ def record(model: Any, problem: Problem, found: Search, load: Load) -> Equilibri
         least=standing.least,
         iterations=found.iterations,
         converged=found.converged,
-        message=message or told(standing, found, bool(load.u)),
+        message=message or told(standing, found, load.u is not None),
         point=point,
         load=load,
     )
@@ -247,20 +252,45 @@ def told(standing: Standing, found: Search, moving: bool) -> str:
 
 def unsteady(problem: Problem, point: Point, load: Load) -> str:
     """Why given speeds are no steady motion; "" where they are, and at rest."""
-    if not load.u:
+    if load.u is None:
         return ""
-    system, tau = problem.system, problem.held(point, load)[1]
-    moving = system.accelerations(point.at, tau)
-    left = moving.udot / system.columns
-    left[problem.held(point, load)[0]] = 0.0
-    worst = int(np.abs(left).argmax())
-    if abs(left[worst]) <= STEADY * max(1.0, float(np.abs(point.at.u / system.columns).max()) ** 2):
+    system, (held, tau) = problem.system, problem.held(point, load)
+    unit = max(1.0, float(np.abs(point.at.u / system.columns).max(initial=0.0)))
+    try:
+        moving = system.accelerations(point.at, tau).udot
+    except SolveError:
+        # parts without mass: forces balance, which is all that is known of them
+        moving = point.at.udot
+    left = moving - point.at.udot
+    left[held] = 0.0
+    # as forces balance, only constraints may make other accelerations
+    gap = np.abs(system.tangents(point.at).G @ left / system.rows)
+    if gap.max(initial=0.0) > STEADY * unit**2:
+        worst = int(np.abs(left / system.columns).argmax())
+        return (
+            f"no steady motion with these speeds: the constraints make '{system.speeds[worst]}' "
+            f"change at {moving[worst]:.3g}. Give other speeds (u=), or take the motion at an "
+            "instant: model.linearize(q=, u=)"
+        )
+    later = system.turned(point.at) if load.u else None
+    if later is None:
         return ""
-    return (
-        f"no steady motion with these speeds: the constraints make '{system.speeds[worst]}' change "
-        f"at {moving.udot[worst]:.3g}. Give other speeds (u=), or take the motion at an instant: "
-        "model.linearize(q=, u=)"
-    )
+    there = problem.supported(replace(point, at=later), replace(load, t=later.t))
+    forces, gaps = problem.residual(there, load)
+    if np.abs(gaps[: len(system.rows)]).max(initial=0.0) > CLOSED:
+        return ""
+    off = np.abs(forces[: len(left)])
+    off[held] = 0.0
+    found, worst = system.tangents(later), int(off.argmax())
+    momentum = (abs(found.M) @ np.abs(later.u)) * system.columns
+    rounding = ROUNDED * float(abs(scaled(found.K, system.columns, system.columns)).max())
+    if off[worst] > ALONG * unit * float(momentum.max(initial=0.0)) + rounding:
+        return (
+            "no steady motion: forces do not turn along (weight across the axis, a spring to the "
+            f"ground?); a radian further those on '{system.owners[worst]}' do not balance. "
+            "Simulate it"
+        )
+    return ""
 
 
 def missed(system: Contract, found: Search) -> str:

@@ -23,9 +23,10 @@ from scipy.linalg import qr
 
 from ..errors import SolveError
 from .contract import Contract, Moment, Tangents, dense
-from .saddle import Dense, split
+from .saddle import Dense, Singular, split
 
 Array = NDArray[np.float64]
+LEADING = 1e3  # times the share in motions that others need to be chosen instead
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +62,8 @@ def first_order(
     found = system.tangents(at)
     G, R = (dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
     hold = np.eye(nu)[list(held)]
-    allowed, e = _choice(np.concatenate([G[system.positions], hold]))
-    moving, v = _choice(np.concatenate([G, hold]))
+    allowed, e = _choice(np.concatenate([G[system.positions], hold]), system.leading)
+    moving, v = _choice(np.concatenate([G, hold]), system.leading)
     # speeds that keep R e + G v = 0 where increments change, with the independent ones as they are
     kept = np.concatenate([G, hold, np.eye(nu)[v]])
     gap = np.concatenate([R @ allowed, np.zeros((len(kept) - len(G), len(e)))])
@@ -79,8 +80,9 @@ def first_order(
     if len(held):
         answer = pushed(system, at, held, found)
         rates, by_r = (_kept(answer, held, x) for x in (rates, by_r))
-    turned = system.kinematics(at) @ increments + speeds
-    A = np.concatenate([turned[e], rates[:nu][v], rates[nu:]])
+    E, W = system.observer(at)
+    turned = E @ increments + speeds
+    A = np.concatenate([turned[e], (rates[:nu] - W @ speeds)[v], rates[nu:]])
     B = np.concatenate([np.zeros((len(e), by_r.shape[1])), by_r[:nu][v], by_r[nu:]])
     return FirstOrder(A, B, e, v, increments, speeds)
 
@@ -89,7 +91,7 @@ def eigenvalues(system: Contract, at: Moment, held: Sequence[int], tau: Array) -
     """How small motions grow (n,) [1/s]; None where accelerations are not determined."""
     try:
         return np.linalg.eigvals(first_order(system, at, held, tau).A)
-    except (SolveError, np.linalg.LinAlgError):
+    except (SolveError, Singular, np.linalg.LinAlgError):
         return None
 
 
@@ -112,11 +114,15 @@ def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
     return found
 
 
-def _choice(G: Array) -> tuple[Array, NDArray[np.intp]]:
-    """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen."""
+def _choice(G: Array, leading: NDArray[np.bool_]) -> tuple[Array, NDArray[np.intp]]:
+    """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen.
+
+    What leads is chosen first: coordinates of joints do not depend on who looks at them.
+    """
     basis = split(G)[2]
     k = basis.shape[1]
-    chosen = np.sort(qr(basis.T, mode="r", pivoting=True)[1][:k]) if k else np.zeros(0, np.intp)
+    weighted = basis.T * np.where(leading, LEADING, 1.0)
+    chosen = np.sort(qr(weighted, mode="r", pivoting=True)[1][:k]) if k else np.zeros(0, np.intp)
     if k == len(basis):
         return np.eye(k), chosen
     return basis @ np.linalg.inv(basis[chosen]), chosen

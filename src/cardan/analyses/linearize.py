@@ -107,7 +107,7 @@ def moment(
 
 def _left(system: Contract, at: Moment, held: list[int]) -> Array:
     """Accelerations (nu,), without units of length."""
-    found: Array = at.udot / system.columns
+    found: Array = (at.udot - system.steady(at)) / system.columns
     return np.delete(found, held)
 
 

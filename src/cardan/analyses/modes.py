@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import scipy.linalg
 from numpy.typing import ArrayLike, NDArray
-from scipy.sparse import csr_array, issparse
+from scipy.sparse import csr_array, issparse, vstack
 from scipy.sparse.linalg import ArpackError
 
 from ..errors import ModelError, SolveError, SolveWarning
@@ -88,7 +88,7 @@ def modes(
 
 def _steady(system: Contract, at: Moment, held: list[int]) -> None:
     """Warn where a state neither rests nor moves steadily."""
-    left = np.delete(at.udot / system.columns, held)
+    left = np.delete((at.udot - system.steady(at)) / system.columns, held)
     worst = float(np.abs(left).max(initial=0.0))
     if worst > RESTS * max(1.0, float(np.abs(at.u / system.columns).max(initial=0.0)) ** 2):
         name = np.delete(np.array(system.speeds), held)[int(np.abs(left).argmax())]
@@ -110,8 +110,9 @@ def _found(
     G = scaled(found.G, 1.0 / system.rows, system.columns)
     if issparse(K) and is_small(G):
         K, C, M, G = (x.toarray() for x in (K, C, M, G))
-    if held and not issparse(G):
-        G = np.concatenate([G, np.eye(len(system.columns))[held]])
+    if held:
+        kept = np.eye(len(system.columns))[held]
+        G = csr_array(vstack([G, kept])) if issparse(G) else np.concatenate([G, kept])
     by = system.saddle.factored if isinstance(system.saddle, Sparse) else factored
     values: Complex
     shapes: Any
@@ -119,10 +120,17 @@ def _found(
     try:
         if quiet and _size(K - K.T) <= ALIKE * _size(K):
             values, shapes = _real(K, M, G, count, by)
-        elif issparse(K):
-            E = csr_array(system.kinematics(at) * system.columns / system.columns[:, None])
-            turned = (K - C @ E, C - M @ E)
-            values, shapes = near_quadratic(*turned, M, G, SHIFT, 2 * (count or FEW), by)
+        elif issparse(K) and (still or system.uniform(at)):
+            E, W = (
+                csr_array(scaled(csr_array(x), 1 / system.columns, system.columns))
+                for x in system.observer(at)
+            )
+            # v = e' - E e, and M (v' + W v) + C v + K e
+            damping = C + M @ W
+            turned = (K - damping @ E, damping - M @ E)
+            # a part of the speeds: nearer to rotations that nothing holds others would be lost
+            shift = SHIFT * max(1.0, 100 * float(np.abs(at.u / system.columns).max(initial=0.0)))
+            values, shapes = near_quadratic(*turned, M, G, shift, 2 * (count or FEW), by)
         else:
             values, shapes = _first(system, at, held, tau)
     except (np.linalg.LinAlgError, Singular, ArpackError) as problem:

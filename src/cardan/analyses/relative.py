@@ -57,6 +57,7 @@ class Relative(Modeled):
         super().__init__(model, m.closing.positions, m.size)
         self.reach = REACH
         self.saddle: Saddle = Dense()
+        self.leading = np.ones(model.nu, dtype=bool)
 
     @cached_property
     def _mechanism(self) -> Mechanism:
@@ -81,9 +82,37 @@ class Relative(Modeled):
         lam = np.zeros(len(self.multipliers))
         return Moment(t, place, speed, 0 * speed, lam, r, rest, self.modes, p)
 
-    def consistent(self, at: Moment, given: Mapping[str, Any]) -> Array:
-        """As :meth:`Contract.consistent`."""
-        return speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
+    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
+        """As :meth:`Contract.carried`: all speeds are those of joints."""
+        u = speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
+        return replace(at, u=u, udot=np.zeros(self.model.nu))
+
+    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Array, Array]:
+        """As :meth:`Contract.following`."""
+        nu, found = self.model.nu, self.tangents(at)
+        still = np.zeros((nu, nu))
+        if not len(self.rows):
+            return still, still
+        rows = [self.speeds.index(name) for name in given if name in self.speeds]
+        kept = np.concatenate([found.G, np.eye(nu)[rows]])
+        turned = np.concatenate([found.R, np.zeros((len(rows), nu))])
+        return -np.linalg.pinv(kept) @ turned, still
+
+    def steady(self, at: Moment) -> Array:
+        """As :meth:`Contract.steady`."""
+        return np.zeros(self.model.nu)
+
+    def turned(self, at: Moment) -> Moment | None:
+        """As :meth:`Contract.turned`: where speeds are derivatives of coordinates."""
+        largest = float(np.abs(at.u / self.columns).max(initial=0.0))
+        if largest == 0 or not self._plain:
+            return None
+        after = 1.0 / largest
+        return replace(at, t=at.t + after, q=self.integrate(at.q, after * at.u))
+
+    def uniform(self, at: Moment) -> bool:
+        """As :meth:`Contract.uniform`."""
+        return True
 
     # equations
 
@@ -174,8 +203,12 @@ class Relative(Modeled):
             found.append(own if same else f"along {name}")
         return tuple(found)
 
-    def kinematics(self, at: Moment) -> Array:
-        """As :meth:`Contract.kinematics`: N E = d(N u + n) - dN/dt, along increments."""
+    def observer(self, at: Moment) -> tuple[Array, Array]:
+        """As :meth:`Contract.observer`: coordinates and speeds are told in their own axes."""
+        return self._kinematics(at), np.zeros((self.model.nu, self.model.nu))
+
+    def _kinematics(self, at: Moment) -> Array:
+        """N E = d(N u + n) - dN/dt, along increments."""
         nu = self.model.nu
         if self._plain:
             return np.zeros((nu, nu))

@@ -291,5 +291,8 @@ def near_quadratic(
 
     operator = LinearOperator((2 * n, 2 * n), matvec=apply, dtype=np.float64)
     start = apply(np.random.default_rng(0).normal(size=2 * n))
-    values, vectors = eigs(operator, min(count, 2 * (n - m) - 2), v0=start)
+    count = min(count, 2 * (n - m) - 2)
+    # in pairs, and with others that are infinite: room for them
+    room = min(2 * n, max(3 * count + 2, 40))
+    values, vectors = eigs(operator, count, v0=start, ncv=room)
     return shift + 1.0 / values, vectors[:n]

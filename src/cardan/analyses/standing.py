@@ -17,6 +17,7 @@ SHARE = 0.2  # entries of a motion below this part of the largest are not told
 MOST = 3
 SKEW = 1e-8  # above this forces have no potential
 GROWING = 1e-6  # real parts of eigenvalues, over the largest modulus
+MANY = 300  # speeds up to which all eigenvalues are looked at
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,11 +59,14 @@ def stand(problem: Problem, point: Point, load: Load) -> Standing:
 def _stable(problem: Problem, point: Point, load: Load, lowest: Lowest) -> bool | None:
     """By the stiffness where forces have a potential; else by how small motions grow."""
     system = problem.system
-    conservative = lowest.skew <= SKEW and not system.internals and not load.u
-    if conservative:
-        if lowest.negative:
-            return False
-        return None if lowest.loose.size else True
+    if lowest.skew <= SKEW and not system.internals:
+        # gyroscopic forces do no work: what a potential holds they leave stable
+        if not lowest.negative and not lowest.loose.size:
+            return True
+        if load.u is None:
+            return False if lowest.negative else None
+    if len(system.columns) > MANY:
+        return None
     held, tau = problem.held(point, load)
     values = eigenvalues(system, point.at, held, tau)
     if values is None:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
-from .contract import Contract, Moment, Parameters, Tangents, dense
+from .contract import Contract, Moment, Parameters, Tangents
 
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
@@ -27,7 +27,7 @@ class Load:
     Attributes:
         t, r, parameters: Time [s], inputs (nr,), values by name.
         hold: Coordinate -> the value it has.
-        u: Speed -> value, of a steady motion.
+        u: Speed -> value, of a steady motion; None at rest.
         left: Forces and gaps (nu + nz,), (m + k,) that are left over on purpose, None for none.
     """
 
@@ -35,7 +35,7 @@ class Load:
     r: Array
     parameters: Parameters = None
     hold: Mapping[str, float] = field(default_factory=dict)
-    u: Mapping[str, Any] = field(default_factory=dict)
+    u: Mapping[str, Any] | None = None
     left: tuple[Array, Array] | None = None
 
 
@@ -88,7 +88,7 @@ class Problem:
         return replace(point, at=self._steady(at, load))
 
     def _steady(self, at: Moment, load: Load) -> Moment:
-        return replace(at, u=self.system.consistent(at, load.u)) if load.u else at
+        return at if load.u is None else self.system.carried(at, load.u)
 
     def residual(self, point: Point, load: Load) -> tuple[Array, Array]:
         """Forces and rates (nu + nz,), gaps of constraints and of what is held (m + k,)."""
@@ -110,13 +110,12 @@ class Problem:
         found = s.tangents(at)
         G = self._bound(found, load)
         stiffness = found.K
-        if load.u and len(s.rows):
+        if load.u is not None:
             # speeds follow the position, for the given ones to stay
-            rows = [s.speeds.index(n) for n in load.u if n in s.speeds]
-            kept = np.concatenate([dense(found.G), np.eye(len(s.columns))[rows]])
-            turned = np.concatenate([dense(found.R), np.zeros((len(rows), len(s.columns)))])
-            followed = found.C @ (np.linalg.pinv(kept) @ turned)
-            stiffness = stiffness - (csr_array(followed) if issparse(stiffness) else followed)
+            by, rates = s.following(at, load.u)
+            stiffness = stiffness + found.C @ by + found.M @ rates
+            if issparse(stiffness):
+                stiffness = self._anchored(csr_array(stiffness), load)
         K = scaled(stiffness, s.columns, s.columns)
         if not s.internals:
             return K, G
@@ -129,6 +128,18 @@ class Problem:
             empty = csr_array((G.shape[0], len(s.internals)))
             return csr_array(block_array(blocks)), csr_array(block_array([[G, empty]]))
         return np.block(blocks), np.hstack([G, np.zeros((len(G), len(s.internals)))])
+
+    def _anchored(self, K: Matrix, load: Load) -> Matrix:
+        """A stiffness with springs on coordinates that run: where nothing pushes along, none gives.
+
+        Without them sparse matrices would be singular, as one position is as good as another.
+        """
+        s, running = self.system, np.zeros(K.shape[0])
+        for name in load.u or {}:
+            if name in s.coordinates and f"{name}.u" in s.speeds and name not in load.hold:
+                k = s.speeds.index(f"{name}.u")
+                running[k] = float(abs(K).max()) / s.columns[k] ** 2
+        return csr_array(K + diags_array(running))
 
     def moved(self, point: Point, x: Array, y: Array, load: Load) -> Point:
         """The point after a step of the unknowns, with the speeds that belong to it."""

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..calling import Array
 from . import loading
@@ -66,6 +67,21 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     kept = [name not in free for name in (*names, *model.speeds)]
     trail[: len(kept)][kept] = moved[: len(kept)][kept]
     return trail
+
+
+def leading(model: CompiledModel) -> NDArray[np.bool_]:
+    """Whether a speed is that of a joint (nu,): nodes of bodies and beams follow those."""
+    from ...ir.serialize import from_dict
+
+    made = from_dict(model._objects.saved()[SAVED])
+    told = next(set(block.entries) for block in made.inputs if block.name == "u")
+    tables = loading.tables(model.manifest, model.directory)
+    loose, found = set(model.manifest["mesh"]["loose"]), np.zeros(model.nu, dtype=bool)
+    for place, row in enumerate(model.manifest["joints"]):
+        start, count = row["u"]
+        free = f"{row['name']}.u.px" in told and place not in loose
+        found[start : start + count] = free or not tables.kinds[tables.kind[place]].node
+    return found
 
 
 def _joints(model: CompiledModel, tables: Tables, q: Array, u: Array) -> dict[str, float]:
