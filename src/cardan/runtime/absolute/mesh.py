@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, final
 
@@ -17,7 +18,7 @@ from ..objects import Code
 from ..slots import ORDER
 from .blocks import plan_record
 from .elements import Elements, State
-from .plan import plan
+from .matrices import Matrices
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .tables import Kind, Table, Tables
 
@@ -70,6 +71,7 @@ class Mesh(Elements):
         self._data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
+        self._lock = threading.Lock()
         self._width = lane_builds.width()
         self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
@@ -137,9 +139,12 @@ class Mesh(Elements):
 
     def connect(self, *forms: str) -> None:
         """Load functions of all elements that are not there yet; those of one call side by side."""
-        missing = [name for name in forms if name not in self._connected]
-        if not missing:
-            return
+        if not self._connected.issuperset(forms):
+            with self._lock:
+                self._connect([name for name in forms if name not in self._connected])
+
+    def _connect(self, missing: Sequence[str]) -> None:
+        """Load functions; alone."""
         groups = self.tables.groups
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         self._codes |= self._load([group.kind.functions[name] for group, name in having])
@@ -189,46 +194,15 @@ class Mesh(Elements):
 
     def _sparse(self) -> None:
         """Plan the matrices, and say where elements stand in them."""
-        tables, record = self.tables, self.record
-        places = len(tables.kind)
-        having = [len(g) if g.kind.m else 0 for g in tables.groups]
-        starts = places + np.concatenate(([0], np.cumsum(having)))
-        sizes = [np.diff(tables.u)]
-        cliques = []
-        for group, count, start in zip(tables.groups, having, starts, strict=False):
-            sizes.append(np.full(count, group.kind.m))
-            own = (start + np.arange(count))[:, None]
-            cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
-        total = np.concatenate(sizes)
-        poses = [kind.node for kind in tables.kinds]
-        massless = np.zeros(len(total), bool)
-        massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
-        self.plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
-        matrix, unknown = self.plan.pattern, np.empty(tables.m, dtype=np.intp)
-        for number, (group, count, start) in enumerate(
-            zip(tables.groups, having, starts, strict=False)
-        ):
-            lines = tables.lines(number)
-            if count:
-                own = matrix.first[start : start + count, None] + np.arange(group.kind.m)
-                unknown[lines] = own
-            stride = matrix.stride[cliques[number]].astype(np.intp)
-            spots = np.concatenate([matrix.places[number], stride[:, :, None]], axis=2)
-            self._groups[number].spots = self._pointer(spots.astype(np.intp))
+        found, record = self.tables.once(Matrices.of), self.record
+        self.plan = found.plan
+        for group, spots in zip(self._groups, found.spots, strict=False):
+            group.spots = self._pointer(spots)
         told = plan_record(self.plan)
         self._keep.append(told)
         record.plan = ctypes.addressof(told)
-        record.unknown, record.diagonal = self._pointer(unknown), self._pointer(self._diagonal())
-
-    def _diagonal(self) -> NDArray[np.intp]:
-        """Where the diagonal entry of every speed stands in the values of a matrix."""
-        matrix = self.plan.pattern
-        own = np.flatnonzero(matrix.rows == matrix.column)[: len(self.tables.kind)]
-        sizes = matrix.sizes[: len(self.tables.kind)].astype(np.intp)
-        inside = np.arange(self.tables.nu) - np.repeat(self.tables.u[:-1], sizes)
-        start = np.repeat(matrix.value[own].astype(np.intp), sizes)
-        step = np.repeat(matrix.stride[: len(sizes)].astype(np.intp) + 1, sizes)
-        return start + inside * step
+        record.unknown = self._pointer(found.unknown)
+        record.diagonal = self._pointer(found.diagonal)
 
     def closure(self, name: str) -> int:
         """Address of the C function of the whole mesh."""
