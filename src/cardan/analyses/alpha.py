@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from ..errors import ModelError
+from ..ir.rows import column
 from .integrator import Integrator
 
 if TYPE_CHECKING:
@@ -203,7 +204,7 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     if "mesh" in model.manifest:
         # matrices are assembled where the elements are
         method = replace(method, needs=("balance", "move", "qdot"))
-    if any(row["joint"] is None for row in model.manifest["speeds"]):
+    if None in column(model.manifest["speeds"], "joint"):
         raise ModelError(
             f"method '{method.name}' moves along the speeds of the joints, and those of model "
             f"'{model.name}' were chosen: derive without speeds="

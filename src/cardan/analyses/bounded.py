@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..ir.rows import having
+
 EVERYWHERE = "every rotation"  # how the domain of those begins that are singular nowhere
 
 
@@ -15,7 +17,9 @@ def is_bounded(joint: dict[str, Any]) -> bool:
 
 def bounded(manifest: dict[str, Any]) -> tuple[int, ...]:
     """Places in q of the coordinates of such rotations."""
-    owners = {joint["name"] for joint in manifest["joints"] if is_bounded(joint)}
+    owners = {joint["name"] for joint in having(manifest["joints"], "domain") if is_bounded(joint)}
+    if not owners:
+        return ()
     rows = enumerate(manifest["coordinates"])
     # a joint may have lengths beside
     return tuple(k for k, row in rows if row.get("joint") in owners and row.get("unit") != "m")

@@ -55,7 +55,7 @@ def meshed_start(model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Ar
 def _held(model: CompiledModel, named: Any, letter: str) -> Array:
     """1 for the speeds (nu,) along which nothing may change."""
     held = np.zeros(model.nu)
-    if not isinstance(named, Mapping):
+    if not isinstance(named, Mapping) or not named:
         return held
     places = entries(model.manifest, letter)
     sizes = {"q": model.nq, "u": model.nu}[letter]
@@ -79,8 +79,8 @@ def _closed(
 
 
 def _normalize(model: CompiledModel, q: Array) -> None:
-    for start in model.manifest["quaternions"]:
-        q[start : start + 4] /= np.linalg.norm(q[start : start + 4])
+    entries = np.array(model.manifest["quaternions"], dtype=np.intp)[:, None] + np.arange(4)
+    q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]
 
 
 def _open(model: CompiledModel, gaps: Array, q: Array) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..ir.rows import Rows
 from .naming import Names, comment, mangle
 
 BLOCKS = (
@@ -97,11 +98,21 @@ def array(block: str) -> str:
 
 
 def _entries(block: str, rows: Sequence[dict[str, Any]], names: Names) -> list[str]:
-    """Lines of an enumeration."""
+    """Lines of an enumeration; of runs of rows only the first of each kind."""
+    told = list(enumerate(rows.listed if isinstance(rows, Rows) else rows))
+    repeated: dict[int, str] = {}
+    start = len(told)
+    for run in rows.runs if isinstance(rows, Rows) else ():
+        told += [(start + k, run.row(k)) for k in range(len(run.pattern))]
+        repeated |= dict.fromkeys(
+            range(start, start + len(run.pattern)),
+            f"; {run.count} of them, {len(run.pattern)} apart",
+        )
+        start += len(run)
     lines = []
-    for k, row in enumerate(rows):
-        unit = f" [{row['unit']}]" if row["unit"] else ""
-        comma = "," if k + 1 < len(rows) else ""
+    for k, row in told:
+        about = row["name"] + (f" [{row['unit']}]" if row["unit"] else "") + repeated.get(k, "")
+        comma = "," if k != told[-1][0] else ""
         name = names.new(f"{block}_{mangle(row['name'])}")
-        lines.append(f"    {name} = {k}{comma} /* {comment(row['name'] + unit)} */")
+        lines.append(f"    {name} = {k}{comma} /* {comment(about)} */")
     return lines

@@ -19,6 +19,7 @@ from typing import Any
 from ..errors import CodegenError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
+from ..ir.rows import dumped, opened
 from ..ir.serialize import to_dict
 from . import header
 from .manifest import Base
@@ -157,13 +158,13 @@ _EMPTY: dict[str, Any] = {"functions": {}, "sha256": {}, "available": []}
 
 def _plain(data: dict[str, Any]) -> Any:
     """Data as it reads after JSON."""
-    return json.loads(json.dumps(data))
+    return opened(json.loads(dumped(data)))
 
 
 def read(directory: Path) -> dict[str, Any] | None:
     """The manifest of a directory; None where there is none of this schema."""
     try:
-        found = json.loads((directory / MANIFEST).read_text("utf-8"))
+        found = opened(json.loads((directory / MANIFEST).read_text("utf-8")))
     except FileNotFoundError:
         return None
     except ValueError as problem:
@@ -180,7 +181,7 @@ def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
     # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
     rows = max(len(ordered["frames"]), len(ordered["joints"]))
     indent = 1 if rows <= READ else None
-    text = json.dumps(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
+    text = dumped(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
     _write(directory / MANIFEST, text + "\n")
 
 

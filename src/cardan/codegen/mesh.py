@@ -15,9 +15,9 @@ from .. import __version__
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
-from ..topology.system import Joint
 from . import layout
 from .manifest import ABI, SCHEMA, Base, parameter_rows
+from .mesh_rows import plane_of, rows
 from .writing import generate
 
 FILE = "mesh.npz"
@@ -32,8 +32,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
         functions: Names that may be asked for.
     """
     system, places = absolute.system, absolute.places
-    coordinates, speeds = _entries(absolute)
-    joints = _joints(absolute)
+    coordinates, speeds, joints = rows(absolute)
     data: dict[str, Any] = {
         "abi": ABI,
         "schema": SCHEMA,
@@ -157,15 +156,8 @@ def _place(kind: BlockKind) -> dict[str, Any]:
         "nu": kind.nu,
         "quaternion": kind.quaternion,
         "functions": {name: f.name for name, f in kind.functions.items()},
-        "plane": _plane(kind),
+        "plane": plane_of(kind),
     }
-
-
-def _plane(kind: BlockKind) -> dict[str, Any] | None:
-    """How nodes of a plane stand in space."""
-    if kind.plane is None:
-        return None
-    return {"spread": kind.plane.spread.tolist(), "home": kind.plane.home.tolist()}
 
 
 def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
@@ -201,76 +193,6 @@ def _group(k: int, group: Group) -> dict[str, Any]:
         "common": common_name(k, group),
         "members": list(group.members),
     }
-
-
-def _entries(absolute: Absolute) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Rows of the coordinates and of the speeds."""
-    places, system = absolute.places, absolute.system
-    starts: dict[str, Sequence[float]] = {
-        joint.name: joint.q0 for joint in system.joints if joint.q0 is not None
-    }
-    inner = absolute.inner
-    last = places.names[len(places) - len(inner) :]
-    starts |= dict(zip(last, inner.tolist(), strict=True))
-    q: list[dict[str, Any]] = []
-    u: list[dict[str, Any]] = []
-    names = iter(absolute.coordinates), iter(absolute.speeds)
-    for owner, k in zip(places.names, places.kind, strict=True):
-        kind = places.kinds[k]
-        own = starts.get(owner) or kind.defaults
-        # where a node of a plane starts follows from the pose that was asked for
-        defaults = own if len(own) == kind.nq or kind.plane is None else kind.plane.first(own)
-        for unit, default in zip(kind.q_units, defaults, strict=True):
-            q.append({"name": next(names[0]), "unit": unit, "default": default, "joint": owner})
-        for unit in kind.u_units:
-            u.append({"name": next(names[1]), "unit": unit, "joint": owner})
-    return q, u
-
-
-def _start(kind: BlockKind, joint: Joint | None, name: str) -> list[float] | None:
-    """Where the model says that a place starts, in its own coordinates."""
-    given = None if joint is None else getattr(joint, name)
-    if given is None:
-        return None
-    if kind.plane is None:
-        return list(given)
-    return list(kind.plane.first(given) if name == "q0" else kind.plane.spread.T @ given)
-
-
-def _joints(absolute: Absolute) -> list[dict[str, Any]]:
-    """Rows of the places, which histories and initial values know by name."""
-    places = absolute.places
-    known = {joint.name: joint for joint in absolute.system.joints}
-    rows: list[dict[str, Any]] = []
-    for k, (name, kind_of) in enumerate(zip(places.names, places.kind, strict=True)):
-        kind, joint = places.kinds[kind_of], known.get(name)
-        quaternion = kind.quaternion
-        rows.append(
-            {
-                "name": name,
-                "kind": "planar"
-                if kind.plane is not None
-                else joint.element.kind
-                if joint is not None
-                else "free",
-                "parent": "ground",
-                "child": name,
-                "parent_frame": "ground",
-                "child_frame": "ground",
-                "q": [int(places.q[k]), kind.nq],
-                "u": [int(places.u[k]), kind.nu],
-                "q0": _start(kind, joint, "q0"),
-                "u0": _start(kind, joint, "u0"),
-                "limits": {},
-                "quaternion": int(places.q[k]) + quaternion if quaternion is not None else None,
-                "rotation": "quaternion" if quaternion is not None else None,
-                "domain": joint.element.domain if joint is not None else "",
-                "coupled": None,
-                "solved": None,
-                "prescribed": False,
-            }
-        )
-    return rows
 
 
 def _rest(absolute: Absolute) -> list[float]:
@@ -325,7 +247,7 @@ def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
             "end": system.frames[segment.frame_b].name,
             "q": [at, inner],
             "outline": list(segment.outline),
-            "plane": _plane(places.kinds[places.kind[line[1]]]) if inner else None,
+            "plane": plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
         }
         at += size * inner
 
@@ -337,5 +259,5 @@ def _frame(absolute: Absolute, k: int) -> dict[str, Any]:
     body = system.bodies[frame.body] if frame.body >= 0 else None
     part = body.parts[frame.part].name if body is not None and body.parts else None
     name = body.name if body is not None and body.parts else "ground"
-    plane = None if place == GROUND else _plane(places.kinds[places.kind[place]])
+    plane = None if place == GROUND else plane_of(places.kinds[places.kind[place]])
     return {"name": frame.name, "body": name, "part": part, "node": starts, "plane": plane}

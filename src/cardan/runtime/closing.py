@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..ir.rows import column
 from .calling import Array
 from .ledger import Ledger
 
@@ -103,7 +104,7 @@ def _measured(model: CompiledModel) -> float:
 
 def columns_of(model: CompiledModel, size: float) -> Array:
     """What every speed counts in (nu,): sizes of the mechanism, or radians."""
-    units = [row.get("unit", "") for row in model.manifest["speeds"]]
+    units = column(model.manifest["speeds"], "unit")
     return np.array([size if name == "m/s" else 1.0 for name in units])
 
 

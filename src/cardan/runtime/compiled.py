@@ -81,8 +81,8 @@ class CompiledModel(Analyzed):
         self._objects = Objects(Path(directory), provide, reproducible, threads)
         self._set(Parameters(self._objects.manifest))
 
-    def _set(self, parameters: Parameters) -> None:
-        self._layout = Layout(self._objects.manifest)
+    def _set(self, parameters: Parameters, layout: Layout | None = None) -> None:
+        self._layout = layout or Layout(self._objects.manifest)
         self._parameters = parameters
         self._functions: dict[Key, LoadedFunction] = {}
         self._doubted: set[str] = set()
@@ -127,7 +127,7 @@ class CompiledModel(Analyzed):
         """This model over the same loaded code with other values."""
         other = object.__new__(CompiledModel)
         other._objects = self._objects
-        other._set(parameters)
+        other._set(parameters, self._layout)
         return other
 
     # loading

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError, ModelError, SolveError, near
+from ..ir.rows import column, having
 from .calling import Array
 
 if TYPE_CHECKING:
@@ -65,20 +66,22 @@ def initial_state(
         block = _defaults(letter, rows, joints)
         named_here = _fill(letter, block, rows, manifest, named)
         values.append(block)
+        names = column(rows, "name")
         given.append(
-            [row["name"] for row, known in zip(rows, named_here, strict=True) if not known]
+            names
+            if not named_here
+            else [n for n, k in zip(names, named_here, strict=True) if not k]
         )
-    for start in manifest["quaternions"]:
-        _normalize(values[0], start, manifest["coordinates"][start]["name"])
+    _normalize(values[0], manifest)
     return np.concatenate(values), (*given[0], *given[1], *given[2])
 
 
 def _defaults(letter: str, rows: Rows, joints: Rows) -> Array:
     """q0 or u0 where a joint has them, else what the coordinates start from."""
-    block = np.array([row.get("default") or 0.0 for row in rows], dtype=np.float64)
-    for joint in joints:
+    block = np.array([x or 0.0 for x in column(rows, "default")], dtype=np.float64)
+    for joint in having(joints, f"{letter}0"):
         start, size = joint.get(letter) or (0, 0)
-        if size and joint.get(f"{letter}0") is not None:
+        if size:
             block[start : start + size] = joint[f"{letter}0"]
     return block
 
@@ -90,7 +93,9 @@ def _fill(
     manifest: Mapping[str, Any],
     named: Mapping[str, ArrayLike],
 ) -> list[bool]:
-    """Write named values into a block; which entries they cover."""
+    """Write named values into a block; which entries they cover, none where nothing is named."""
+    if not named:
+        return []
     places = _places(letter, rows, manifest["joints"])
     covered = [False] * len(rows)
     for name, value in named.items():
@@ -170,11 +175,14 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
     return array
 
 
-def _normalize(q: Array, start: int, name: str) -> None:
-    norm = float(np.linalg.norm(q[start : start + 4]))
-    if norm < 1e-6:
+def _normalize(q: Array, manifest: Mapping[str, Any]) -> None:
+    starts = np.array(manifest["quaternions"], dtype=np.intp)
+    entries = starts[:, None] + np.arange(4)
+    norms = np.linalg.norm(q[entries], axis=1)
+    for start, norm in zip(starts[norms < 1e-6], norms[norms < 1e-6], strict=True):
+        name = manifest["coordinates"][int(start)]["name"]
         raise SolveError(
             f"the quaternion at '{name}' has length {norm:g} and stands for no rotation. "
             "No rotation is (1, 0, 0, 0)"
         )
-    q[start : start + 4] /= norm
+    q[entries] /= norms[:, None]

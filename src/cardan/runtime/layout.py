@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 
 from ..ir.request import Request
+from ..ir.rows import column
 from .calling import Argument, Array
 from .slots import SLOT
 
@@ -71,13 +73,44 @@ def reads(function: str, of: str | None) -> list[str]:
     return READS[function].split()
 
 
+@final
+class Places(Mapping[str, slice]):
+    """Name -> where its entries lie; found out when somebody asks, as there may be very many.
+
+    Args:
+        names: Of the entries.
+        joints, letter: Whose names stand for all of their own, and where they say which.
+    """
+
+    def __init__(self, names: Sequence[str], joints: Sequence[Any] = (), letter: str = "") -> None:
+        self._names, self._joints, self._letter = names, joints, letter
+
+    @cached_property
+    def _found(self) -> dict[str, slice]:
+        found = {name: slice(k, k + 1) for k, name in enumerate(self._names)}
+        for joint in self._joints:
+            start, size = joint[self._letter] or (0, 0)
+            if size:
+                found.setdefault(joint["name"], slice(start, start + size))
+        return found
+
+    def __getitem__(self, name: str) -> slice:
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+
 class Layout:
     """Names, sizes and defaults of the blocks of a model."""
 
     def __init__(self, manifest: dict[str, Any]) -> None:
         self.manifest = manifest
-        self.coordinates = tuple(row["name"] for row in manifest["coordinates"])
-        self.speeds = tuple(row["name"] for row in manifest["speeds"])
+        self.coordinates: tuple[str, ...] = tuple(column(manifest["coordinates"], "name"))
+        self.speeds: tuple[str, ...] = tuple(column(manifest["speeds"], "name"))
         self.inputs = tuple(row["name"] for row in manifest["inputs"])
         self.internals = tuple(row["name"] for row in manifest["z"])
         self.modes = tuple(row["name"] for row in manifest["s"])
@@ -92,20 +125,15 @@ class Layout:
         }
 
     @cached_property
-    def places(self) -> dict[str, dict[str, slice]]:
+    def places(self) -> Mapping[str, Mapping[str, slice]]:
         """Block -> name -> where its entries lie; a joint's name stands for its whole block."""
-        q = {name: slice(k, k + 1) for k, name in enumerate(self.coordinates)}
-        u = {name: slice(k, k + 1) for k, name in enumerate(self.speeds)}
-        for joint in self.manifest["joints"]:
-            for places, letter in ((q, "q"), (u, "u")):
-                start, size = joint[letter] or (0, 0)
-                if size:
-                    places.setdefault(joint["name"], slice(start, start + size))
-        r = {name: slice(k, k + 1) for k, name in enumerate(self.inputs)}
-        own = {
-            block: {name: slice(k, k + 1) for k, name in enumerate(names)}
-            for block, names in self._own.items()
-        }
+        joints = self.manifest["joints"]
+        q, u = (
+            Places(names, joints, letter)
+            for names, letter in ((self.coordinates, "q"), (self.speeds, "u"))
+        )
+        r = Places(self.inputs)
+        own = {block: Places(names) for block, names in self._own.items()}
         return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | own
 
     def names(self, block: str) -> tuple[str, ...]:
@@ -124,9 +152,8 @@ class Layout:
         rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs", "z": "z", "s": "s"}
         if block not in rows:
             return np.zeros(len(self.names(block)))
-        return np.array(
-            [row["default"] or 0.0 for row in self.manifest[rows[block]]], dtype=np.float64
-        )
+        defaults = column(self.manifest[rows[block]], "default")
+        return np.array([x or 0.0 for x in defaults], dtype=np.float64)
 
     @cached_property
     def arguments(self) -> dict[str, Argument]:

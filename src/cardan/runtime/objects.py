@@ -15,6 +15,7 @@ from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
+from ..ir.rows import opened
 from . import bounded, cache, interpreted, schema
 from .lanes import Recipe
 
@@ -87,6 +88,7 @@ class Objects:
         self.reproducible = reproducible
         self.threads = threads
         self.batches: dict[str, Batch] = {}
+        self.tables: Any = None  # of elements: what no parameter changes
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
         self._provide = provide
         self.lock = threading.RLock()
@@ -98,7 +100,7 @@ class Objects:
     def _read(self) -> dict[str, Any]:
         path = self.directory / "manifest.json"
         try:
-            manifest: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+            manifest: dict[str, Any] = opened(json.loads(path.read_text(encoding="utf-8")))
         except FileNotFoundError:
             raise ModelError(
                 f"{self.directory} holds no compiled model: {path} is missing"

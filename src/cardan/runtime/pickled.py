@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError
+from ..ir.rows import dumped
 from . import schema
 from .conduct import Conduct
 from .dense import Dense
@@ -37,7 +37,7 @@ def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
 
 def digest(values: Mapping[str, Any]) -> str:
     """Hash of the numbers and names of a motion."""
-    found = hashlib.sha256(json.dumps(values["manifest"], sort_keys=True).encode())
+    found = hashlib.sha256(dumped(values["manifest"], sort_keys=True).encode())
     found.update(repr((values["sources"], values["conduct"], values["ledger"])).encode())
     known = values["happened"]
     found.update(repr([sorted(row.items()) for row in known.rows]).encode())

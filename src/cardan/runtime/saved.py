@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import BuildError, ModelError
+from ..ir.rows import opened
 from . import cache, folder, schema
 from .parameters import Parameters
 
@@ -122,7 +123,7 @@ def _checked(files: Any, stated: Any) -> dict[str, Any]:
     if digest(files) != stated:
         raise _damaged("its texts are not those it was made of")
     try:
-        manifest = json.loads(files.get(MANIFEST, "null"))
+        manifest = opened(json.loads(files.get(MANIFEST, "null")))
         saved = json.loads(files.get("functions.json", "{}"))
     except (ValueError, RecursionError) as error:
         raise _damaged(f"a file is no JSON: {error}") from None

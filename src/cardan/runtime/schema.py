@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import ModelError
+from ..ir.rows import Rows
 from .slots import ORDER
 
 ABI = 1
@@ -44,9 +45,12 @@ def check(manifest: Any, where: str) -> None:
                 f"reads {known}. Compile the model again"
             )
     for key, kind in (*((k, list) for k in ROWS), *((k, dict) for k in TABLES), ("name", str)):
-        _require(isinstance(manifest.get(key), kind), where, f"'{key}' is no {kind.__name__}")
+        right = isinstance(manifest.get(key), (kind, Rows) if kind is list else kind)
+        _require(right, where, f"'{key}' is no {kind.__name__}")
     for key in NAMED:
-        named = all(isinstance(r, dict) and isinstance(r.get("name"), str) for r in manifest[key])
+        rows = manifest[key]
+        rows = rows.kinds if isinstance(rows, Rows) else rows
+        named = all(isinstance(r, dict) and isinstance(r.get("name"), str) for r in rows)
         _require(named, where, f"a row of '{key}' has no name")
     for name, stated in manifest["sha256"].items():
         good = Path(name).name == name and isinstance(stated, str) and HASH.match(stated)

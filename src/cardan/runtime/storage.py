@@ -21,6 +21,7 @@ import numpy as np
 
 from .. import __version__
 from ..errors import CardanError, ModelError
+from ..ir.rows import dumped, opened
 from . import balance
 from .calling import Array
 from .conduct import Conduct
@@ -163,7 +164,7 @@ def _attributes(file: Any, motion: Trajectory) -> None:
     file.title = f"motion of {motion.manifest['name']}".encode("ascii", "replace")
     file.source = f"cardan {__version__}".encode()
     file.cardan_run = FORMAT
-    file.manifest = json.dumps(kept).encode("ascii")
+    file.manifest = dumped(kept).encode("ascii")
     file.conduct = json.dumps(asdict(motion.conduct)).encode("ascii")
     scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
     file.scene = json.dumps(scene).encode("ascii")
@@ -192,7 +193,7 @@ def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
         ModelError: not a run of cardan, a newer format, or a model with other coordinates.
     """
     values, notes, poses = _read(path)
-    manifest = json.loads(notes["manifest"])
+    manifest = opened(json.loads(notes["manifest"]))
     for key in ("available", "z", "s"):
         manifest.setdefault(key, [])
     if model is not None:

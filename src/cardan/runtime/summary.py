@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from itertools import islice
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -37,11 +38,12 @@ def summary(motion: Trajectory) -> str:
         lines[2:2] = wrap(
             conduct.reason, 100, initial_indent="  note      ", subsequent_indent=" " * 12
         )
-    given = {n: v for n, v in conduct.initial.items() if n not in conduct.defaulted}
+    defaulted = set(conduct.defaulted)
+    given = {n: v for n, v in conduct.initial.items() if n not in defaulted}
     if count.get("passed"):
         lines.append(f"            over {count['passed']:.0f} singular positions")
     lines += _values("start", "given", given)
-    rest = {n: v for n, v in conduct.initial.items() if n in conduct.defaulted}
+    rest = {n: v for n, v in conduct.initial.items() if n in defaulted}
     inputs = {row["name"] for row in motion.manifest["inputs"]}
     if any(not row.get("switched") for row in motion.manifest.get("multipliers", ())):
         # circuits determine coordinates and speeds; inputs keep what the scene says
@@ -59,9 +61,8 @@ def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
     """Named values, a few lines at most; equal zeros are counted rather than listed."""
     if not values:
         return []
-    texts = [f"{name} = {value:.6g}" for name, value in values.items()]
-    shown = texts[:LISTED]
-    if len(texts) > LISTED:
+    shown = [f"{name} = {value:.6g}" for name, value in islice(values.items(), LISTED)]
+    if len(values) > LISTED:
         rest = list(values.values())[LISTED:]
         zeros = "all 0" if not any(rest) else f"{sum(v != 0 for v in rest)} of them not 0"
         shown.append(f"and {len(rest)} more ({zeros})")

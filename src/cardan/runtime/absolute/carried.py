@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from itertools import islice
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,8 +36,8 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     made = from_dict(model._objects.saved()[SAVED])
     blocks = {block.name: block.entries for block in made.inputs}
     q, u = model.split(x)[:2]
-    tables = loading.tables(model.manifest, model.directory)
-    told = _joints(model, tables, q, u)
+    tables = loading.tables_of(model)
+    told = _joints(model, tables, q, u, {*blocks["q"], *blocks["u"]})
     inputs = np.array([row["default"] or 0.0 for row in model.manifest["inputs"]])
 
     def nodes(q: Array, u: Array) -> Mapping[str, Array]:
@@ -75,7 +76,7 @@ def leading(model: CompiledModel) -> NDArray[np.bool_]:
 
     made = from_dict(model._objects.saved()[SAVED])
     told = next(set(block.entries) for block in made.inputs if block.name == "u")
-    tables = loading.tables(model.manifest, model.directory)
+    tables = loading.tables_of(model)
     loose, found = set(model.manifest["mesh"]["loose"]), np.zeros(model.nu, dtype=bool)
     for place, row in enumerate(model.manifest["joints"]):
         start, count = row["u"]
@@ -84,11 +85,20 @@ def leading(model: CompiledModel) -> NDArray[np.bool_]:
     return found
 
 
-def _joints(model: CompiledModel, tables: Tables, q: Array, u: Array) -> dict[str, float]:
+def _joints(
+    model: CompiledModel, tables: Tables, q: Array, u: Array, wanted: Collection[str]
+) -> dict[str, float]:
     """Coordinates and speeds of the joints by name; of nodes of a plane those in space too."""
-    told = dict(zip(model.coordinates, q.tolist(), strict=True))
-    told |= dict(zip(model.speeds, u.tolist(), strict=True))
-    for place, row in enumerate(model.manifest["joints"]):
+    pairs = ((model.coordinates, q), (model.speeds, u))
+    told = {
+        name: float(x)
+        for names, values in pairs
+        for name, x in zip(names, values, strict=False)
+        if name in wanted
+    }
+    # nodes inside of beams are the last places and no joints
+    named = len(tables.kind) - sum(len(line) - 2 for line in tables.beams)
+    for place, row in enumerate(islice(model.manifest["joints"], named)):
         if tables.kinds[tables.kind[place]].plane is not None:
             pose, speeds = tables.pose(q, place), tables.speeds(u, place)
             told |= {f"{row['name']}.{x}": v for x, v in zip(POSE, pose, strict=True)}

@@ -66,6 +66,16 @@ def _whole(array: Any) -> Any:
     return None if array is None else array.astype(np.intp)
 
 
+def tables_of(model: CompiledModel) -> Tables:
+    """The tables of a model, read once for all of its sets of parameters."""
+    objects = model._objects
+    with objects.lock:
+        if objects.tables is None:
+            objects.tables = tables(model.manifest, model.directory)
+        found: Tables = objects.tables
+        return found
+
+
 def data_of(model: CompiledModel, group: Table) -> Array:
     """Data (n, k) of the elements of a group at the parameters of a model."""
     n, parts = len(group), []
@@ -81,7 +91,7 @@ def data_of(model: CompiledModel, group: Table) -> Array:
 
 def load(model: CompiledModel) -> Elements:
     """The elements of a model at its parameters, ready to be asked."""
-    found = tables(model.manifest, model.directory)
+    found = tables_of(model)
     objects = model._objects
 
     def codes(symbols: Sequence[str]) -> dict[str, Code]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, final
 
@@ -68,6 +69,7 @@ class Mesh(Elements):
         self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
+        self._lock = threading.Lock()
         self._width = lane_builds.width()
         self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
@@ -135,9 +137,12 @@ class Mesh(Elements):
 
     def connect(self, *forms: str) -> None:
         """Load functions of all elements that are not there yet; those of one call side by side."""
-        missing = [name for name in forms if name not in self._connected]
-        if not missing:
-            return
+        if not self._connected.issuperset(forms):
+            with self._lock:
+                self._connect([name for name in forms if name not in self._connected])
+
+    def _connect(self, missing: Sequence[str]) -> None:
+        """Load functions; alone."""
         groups = self.tables.groups
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         self._codes |= self._load([group.kind.functions[name] for group, name in having])
@@ -187,7 +192,7 @@ class Mesh(Elements):
 
     def _sparse(self) -> None:
         """Plan the matrices, and say where elements stand in them."""
-        found, record = Matrices.of(self.tables), self.record
+        found, record = self.tables.once(Matrices.of), self.record
         self.plan = found.plan
         for group, spots in zip(self._groups, found.spots, strict=False):
             group.spots = self._pointer(spots)

@@ -30,28 +30,29 @@ class Plane:
         return None if told is None else Plane(*(np.array(told[x]) for x in ("spread", "home")))
 
     def pose(self, q: Array) -> Array:
-        """Unit quaternion and position (7,)."""
+        """Unit quaternions and positions (..., 7) of coordinates (..., 3)."""
         w, v, n = self.home[0], self.home[1:], self.spread[:3, 2]
-        c, s = np.cos(0.5 * q[2]), np.sin(0.5 * q[2])
+        c, s = np.cos(0.5 * q[..., 2:]), np.sin(0.5 * q[..., 2:])
         turned = c * v + s * (w * n + np.cross(v, n))
-        return np.concatenate([[c * w - s * (n @ v)], turned, self.spread[3:, :2] @ q[:2]])
+        places = q[..., :2] @ self.spread[3:, :2].T
+        return np.concatenate([c * w - s * (n @ v), turned, places], axis=-1)
 
-    def told(self, pose: Array, near: float) -> Array:
-        """x, y, angle (3,) of a pose (7,); of equal angles the nearest to ``near``."""
+    def told(self, pose: Array, near: Array) -> Array:
+        """x, y, angle (..., 3) of poses (..., 7); of equal angles the nearest to ``near``."""
         w, v, n = self.home[0], self.home[1:], self.spread[:3, 2]
-        cosine = pose[0] * w + pose[1:4] @ v
-        sine = (pose[1:4] * w - pose[0] * v - np.cross(v, pose[1:4])) @ n
+        cosine = pose[..., 0] * w + pose[..., 1:4] @ v
+        sine = (pose[..., 1:4] * w - pose[..., :1] * v - np.cross(v, pose[..., 1:4])) @ n
         angle = 2 * np.arctan2(sine, cosine)
         angle -= 2 * np.pi * np.round((angle - near) / (2 * np.pi))
-        return np.array([*(pose[4:] @ self.spread[3:, :2]), angle])
+        return np.concatenate([pose[..., 4:] @ self.spread[3:, :2], angle[..., None]], axis=-1)
 
 
 def pose(plane: Plane | None, q: Sequence[float] | Array) -> Array:
-    """Unit quaternion and position (7,) of a node by its coordinates."""
+    """Unit quaternions and positions (..., 7) of nodes by their coordinates."""
     found = np.asarray(q, dtype=np.float64)
     return found if plane is None else plane.pose(found)
 
 
 def speeds(plane: Plane | None, u: Array) -> Array:
-    """Speeds of a node in space (6,) by its own."""
-    return u if plane is None else plane.spread @ u
+    """Speeds of nodes in space (..., 6) by their own."""
+    return u if plane is None else u @ plane.spread.T

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from .standing import Plane, pose, speeds
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.intp]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -117,6 +119,13 @@ class Tables:
     stations: tuple[Array, ...] = ()
     powers: tuple[str, ...] = ()
 
+    def once(self, make: Callable[[Tables], T]) -> T:
+        """What follows from the tables alone, made when it is first asked for."""
+        made: dict[Any, T] = self.__dict__.setdefault("_made", {})
+        if make not in made:
+            made[make] = make(self)
+        return made[make]
+
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
         return np.concatenate(([0], np.cumsum(each))).astype(np.intp)
@@ -197,12 +206,31 @@ class Tables:
         """Angular velocity in its axes and velocity in those of the ground (6,) of a node."""
         return speeds(self.kinds[self.kind[place]].plane, u[self.u[place] : self.u[place + 1]])
 
-    def put(self, x: Array, place: int, pose: Array, speeds: Array) -> None:
-        """Write a pose (7,) and speeds (6,) of a node into a state."""
-        plane = self.kinds[self.kind[place]].plane
-        q, u = (slice(*start[place : place + 2]) for start in (self.q, self.nq + self.u))
-        x[q] = pose if plane is None else plane.told(pose, x[q][2])
-        x[u] = speeds if plane is None else plane.spread.T @ speeds
+    def poses(self, q: Array, places: Integers) -> Array:
+        """Unit quaternions and positions (n, 7) of nodes at coordinates of the model."""
+        found = np.empty((len(places), 7))
+        for kind, some in self._alike(places):
+            found[some] = pose(kind.plane, q[self._entries(self.q, places[some], kind.nq)])
+        return found
+
+    def put(self, x: Array, places: Integers, poses: Array, speeds: Array) -> None:
+        """Write poses (n, 7) and speeds (n, 6) of nodes into a state."""
+        for kind, some in self._alike(places):
+            plane, here, u = kind.plane, poses[some], speeds[some]
+            at = self._entries(self.q, places[some], kind.nq)
+            x[at] = here if plane is None else plane.told(here, x[at[:, 2]])
+            at = self.nq + self._entries(self.u, places[some], kind.nu)
+            x[at] = u if plane is None else u @ plane.spread
+
+    def _alike(self, places: Integers) -> Iterator[tuple[PlaceKind, Integers]]:
+        """Kinds of places, and which of these are of that kind."""
+        kind = self.kind[places]
+        for k in np.unique(kind):
+            yield self.kinds[k], np.flatnonzero(kind == k)
+
+    @staticmethod
+    def _entries(starts: Integers, places: Integers, size: int) -> Integers:
+        return starts[places, None] + np.arange(size)
 
 
 def _spread(starts: Integers, place: Integers) -> Integers:

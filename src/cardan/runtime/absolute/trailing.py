@@ -109,23 +109,20 @@ def _carry(
     tables: Tables, reference: Array, x: Array, line: Integers, one: _Motion, other: _Motion
 ) -> None:
     """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
-    share = np.linspace(0.0, 1.0, len(line))
+    nodes = line != GROUND
+    places, s = line[nodes], np.linspace(0.0, 1.0, len(line))[nodes, None]
     arc = (other.turn * one.turn.inv()).as_rotvec()
-    for k, place in enumerate(line):
-        if place == GROUND:
-            continue
-        s = share[k]
-        turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
-        home = tables.pose(reference, int(place))
-        positions = [m.turn.apply(home[4:]) + m.shift for m in (one, other)]
-        position = (1 - s) * positions[0] + s * positions[1]
-        now = turn * _rotation(home[:4])
-        a, b, c, w = now.as_quat()
-        omega = (1 - s) * one.omega + s * other.omega
-        velocity = (1 - s) * one.velocity + s * other.velocity + np.cross(omega, position)
-        pose = np.array([w, a, b, c, *position])
-        tables.put(x, int(place), pose, np.concatenate([now.inv().apply(omega), velocity]))
+    turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
+    home = tables.poses(reference, places)
+    positions = [m.turn.apply(home[:, 4:]) + m.shift for m in (one, other)]
+    position = (1 - s) * positions[0] + s * positions[1]
+    now = turn * _rotation(home[:, :4])
+    omega = (1 - s) * one.omega + s * other.omega
+    velocity = (1 - s) * one.velocity + s * other.velocity + np.cross(omega, position)
+    poses = np.hstack([np.roll(now.as_quat(), 1, axis=1), position])
+    tables.put(x, places, poses, np.hstack([now.inv().apply(omega), velocity]))
 
 
 def _rotation(q: Array) -> Rotation:
-    return Rotation.from_quat([q[1], q[2], q[3], q[0]])
+    """Of unit quaternions (..., 4)."""
+    return Rotation.from_quat(np.roll(q, -1, axis=-1))
