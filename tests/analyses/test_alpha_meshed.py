@@ -69,16 +69,6 @@ def test_condition_does_not_depend_on_the_step(model: cd.CompiledModel) -> None:
     assert max(small) < 1.05 * min(small)
 
 
-@pytest.mark.parametrize(("index", "step"), [(2, 0.0025), (3, 0.005)])
-def test_long_rotations(model: cd.CompiledModel, index: int, step: float) -> None:
-    """The tangent operator stands in the matrix; of index 2 positions are brought back on their
-    own, which takes more corrections from a third of a radian on."""
-    method = cd.GeneralizedAlpha(0.8, index=index)
-    motion = model.simulate(1.0, x0=spinning(model), method=method, step=step)
-    assert motion.success
-    assert motion.statistics["evaluations"] <= 12 * motion.statistics["steps"]
-
-
 def test_damping_is_capped(model: cd.CompiledModel) -> None:
     method = cd.GeneralizedAlpha(rho_inf=1.0)
     motion = model.simulate(0.1, x0=spinning(model), method=method, step=1e-3)

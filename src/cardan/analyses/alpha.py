@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 # constraints are oscillators of infinite frequency: what does not damp them lets errors grow
 MOST = 0.95
 RHO, HHT, INDEX = 0.8, -0.1, 2
+MODIFIED = "modified"
+NEWTON = (MODIFIED, "full")
 
 
 @dataclass(frozen=True)
@@ -127,6 +129,9 @@ class GeneralizedAlpha:
         index: How constraints of positions are kept: 2, positions and velocities (stabilized);
             3, positions alone.
         coefficients: Others than those of Chung and Hulbert: ``cd.Alpha.hht(-0.05)``.
+        newton: When the tangent is taken and factored anew: ``"modified"``, once corrections no
+            longer shrink well with it or the step has changed by a quarter, over as many steps as
+            that takes; ``"full"``, at every correction.
 
     Raises:
         ModelError: a number outside its range.
@@ -135,6 +140,7 @@ class GeneralizedAlpha:
     rho_inf: float = RHO
     index: int = INDEX
     coefficients: Alpha | None = None
+    newton: str = MODIFIED
 
     def __post_init__(self) -> None:
         Alpha.chung_hulbert(self.rho_inf)
@@ -143,6 +149,11 @@ class GeneralizedAlpha:
                 f"GeneralizedAlpha: index={self.index!r} is 2 (positions and velocities) or 3 "
                 "(positions alone)"
             )
+        if self.newton not in NEWTON:
+            raise ModelError(
+                f"GeneralizedAlpha: newton={self.newton!r} is 'modified' (one tangent for as many "
+                "corrections and steps as it serves) or 'full' (a new one at every correction)"
+            )
 
     @property
     def alpha(self) -> Alpha:
@@ -150,7 +161,9 @@ class GeneralizedAlpha:
         return self.coefficients or Alpha.chung_hulbert(self.rho_inf)
 
 
-def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) -> Integrator:
+def record(
+    name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False, newton: str = MODIFIED
+) -> Integrator:
     """The method of some coefficients.
 
     Args:
@@ -158,7 +171,9 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
         alpha: Coefficients.
         index: 3 or 2.
         chosen: Whether they are those of Chung and Hulbert, which may be capped.
+        newton: When the tangent is renewed, one of NEWTON.
     """
+    renewed = float(NEWTON.index(newton))
     return Integrator(
         name=name,
         kernel="alpha",
@@ -173,7 +188,7 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
         needs=("balance", "balance_tangent", "move", "qdot"),
         differenced=("balance_tangent",),
         multipliers=True,
-        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index)),
+        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index), renewed),
         given_step=True,
         suited=_capped if chosen else _suited,
     )
@@ -181,7 +196,8 @@ def record(name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False) ->
 
 def method_of(given: GeneralizedAlpha) -> Integrator:
     """The integrator of what a user chose."""
-    return record("GeneralizedAlpha", given.alpha, given.index, given.coefficients is None)
+    chosen = given.coefficients is None
+    return record("GeneralizedAlpha", given.alpha, given.index, chosen, given.newton)
 
 
 def _capped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
@@ -189,7 +205,8 @@ def _capped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     alpha, index = Alpha(*method.options[:4]), int(method.options[4])
     if model.nlam and alpha.rho_inf > MOST:
         capped = record(method.name, Alpha.chung_hulbert(MOST), index, True)
-        method = replace(method, options=capped.options)
+        # the coefficients alone are others
+        method = replace(method, options=(*capped.options[:4], *method.options[4:]))
         return _suited(model, method)[0], f"rho_inf {MOST:g} as constraints ask for damping"
     return _suited(model, method)
 
@@ -215,8 +232,9 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
             f"method '{method.name}' takes no internal states, and model '{model.name}' has "
             f"{names}: take method='auto'"
         )
+    newton = ", full Newton steps" if method.options[5] else ""
     if not model.nlam:
-        return method, f"rho_inf {alpha.rho_inf:.3g}"
+        return method, f"rho_inf {alpha.rho_inf:.3g}{newton}"
     if not model.manifest.get("projected", True):
         treatment = model.manifest["scene"]["treatment"]["name"]
         raise ModelError(
@@ -229,4 +247,4 @@ def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
             f"constraints of model '{model.name}' in every step: it needs damping, at most "
             f"{MOST:g}, such as cd.GeneralizedAlpha(rho_inf=0.8) or cd.Alpha.hht(-0.1)"
         )
-    return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}"
+    return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}{newton}"

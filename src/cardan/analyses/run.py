@@ -110,6 +110,8 @@ class Runner:
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
         run.columns = self._pointer(columns_of(model, run.size))
+        method = self.settings.method
+        run.options = self._pointer(np.array([*method.options, method.adaptive], dtype=np.float64))
         if "mesh" in model.manifest:
             run.mesh = model._source.mesh(model)
 
@@ -166,8 +168,6 @@ class Runner:
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
         limited = np.array(bounded(model.manifest), dtype=np.intp)
         run.bounded, run.bounded_count = self._pointer(limited), len(limited)
-        options = np.array([*settings.method.options, settings.method.adaptive], dtype=np.float64)
-        run.options = self._pointer(options)
         run.rtol, run.atol = settings.rtol, settings.atol
         run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1

@@ -14,7 +14,7 @@ from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import start_of
-from .alpha import GeneralizedAlpha, method_of
+from .alpha import Alpha, GeneralizedAlpha, method_of
 from .integrators import INTEGRATORS, Integrator
 
 Array = NDArray[np.float64]
@@ -119,6 +119,10 @@ def integrator(name: str | GeneralizedAlpha) -> Integrator:
     """
     if isinstance(name, GeneralizedAlpha):
         return method_of(name)
+    if isinstance(name, Alpha):
+        raise ModelError(
+            f"method={name} are coefficients: method=cd.GeneralizedAlpha(coefficients=...) has them"
+        )
     if name == "auto":
         return INTEGRATORS[DEFAULT]
     if name not in INTEGRATORS:

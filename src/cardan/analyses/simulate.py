@@ -78,8 +78,8 @@ def simulate(
             ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
             ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
             takes what the scene and the first steps ask for, and says why.
-        rtol, atol: Tolerances for the error of a step: rtol |x| + atol in every entry of the
-            state, root mean square over them.
+        rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
+            generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
         step: Step of a fixed method, first step of an adaptive one [s].
         max_step: Largest step of an adaptive method [s].
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a

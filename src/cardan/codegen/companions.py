@@ -30,7 +30,8 @@ INTEGRATORS = {
     "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
         *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
-        *("alpha_memory.c", "alpha_newton.c", "alpha_sparse.c", "linear.h", *SPARSE),
+        *("alpha_extent.c", "alpha_memory.c", "alpha_newton.c", "alpha_sparse.c", "linear.h"),
+        *SPARSE,
     ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
 }

@@ -235,7 +235,7 @@ def _multipliers(absolute: Absolute) -> list[dict[str, Any]]:
 
 
 def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
-    """Rows of the segments: their ends, first of the q of the nodes between, their number."""
+    """Rows of the segments: ends, first of the q of the nodes between, their number, length."""
     system, places = absolute.system, absolute.places
     # the nodes inside of beams are the last places, in the order of the segments
     at, size = absolute.places.nq - absolute.reference.size, absolute.inner.shape[1]
@@ -247,6 +247,7 @@ def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
             "end": system.frames[segment.frame_b].name,
             "q": [at, inner],
             "outline": list(segment.outline),
+            "length": float(segment.line.stations[-1] - segment.line.stations[0]),
             "plane": plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
         }
         at += size * inner

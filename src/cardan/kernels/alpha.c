@@ -22,8 +22,9 @@ int cardan_alpha_init(cardan_run *run)
     int status = 0;
 
     run->lam = v.lam_old;
+    cardan_alpha_extent(run, &v, 1);
     if (v.adaptive)
-        status = cardan_first_step(run, LOCAL);
+        status = cardan_alpha_first_step(run, &v, LOCAL);
     else
         run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
     /* the first row shows multipliers too */
@@ -144,12 +145,14 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
     }
     for (ptrdiff_t i = 0; i < v->nq; i++)
         v->amplitude[i] = fmax(v->amplitude[i], fabs(run->y[i]));
+    cardan_alpha_extent(run, v, 0);
     run->t_old = run->t;
     run->t = t;
     run->fresh = 1;
     run->is_dense = 0;
     run->steps++;
     v->now[ALPHA_SINCE]++;
+    v->now[ALPHA_AGE]++;
     run->in_segment++;
     return 0;
 }

@@ -13,14 +13,21 @@ enum {
     ALPHA_STEP,    /* for which a stands */
     ALPHA_MATRIX,  /* step of the factored matrix, 0: there is none */
     ALPHA_RATE,    /* by which the corrections of the last iteration shrank */
+    ALPHA_AGE,     /* steps since the matrix was factored */
+    ALPHA_HASTE,   /* steps that are to begin with a new one */
     ALPHA_SINCE,   /* steps since their size was last changed */
     ALPHA_WEAK,    /* pivots of the factored matrix that were replaced: of a mesh */
-    ALPHA_NOW
+    ALPHA_APART,   /* 1: positions and speeds of a mesh are bound by a matrix each */
+    ALPHA_LAME,    /* pivots of the one for speeds that were replaced */
+    ALPHA_EXTENT,  /* of a mesh: the amplitude against which lengths count */
+    ALPHA_MIDDLE,  /* (3) of its nodes at the start */
+    ALPHA_NOW = ALPHA_MIDDLE + 3
 };
 
 typedef struct cardan_alpha {
     real am, af, beta, gamma;
     ptrdiff_t index;    /* 3, or 2: stabilized */
+    ptrdiff_t full;     /* 1: a new matrix at every correction; 0: while corrections shrink well */
     ptrdiff_t adaptive;
     ptrdiff_t nq, nu, mp, m, size; /* size: of the largest system */
     const cardan_mesh *mesh; /* elements in tables with a sparse matrix; NULL: a full one */
@@ -53,7 +60,9 @@ typedef struct cardan_alpha {
     real *dx;        /* (nu) */
     real *probe;     /* speeds (nu), balances (2, size), q (nq), T (nu, nu): of differences */
 
-    cardan_mesh_system system; /* of a mesh, in place of these */
+    /* of a mesh, in place of these */
+    cardan_mesh_system system;
+    cardan_mesh_system settling; /* of speeds, where they are bound apart */
 } cardan_alpha;
 
 /* alpha_memory.c */
@@ -74,8 +83,15 @@ ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *own, cardan_alp
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam);
 int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
+real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real h);
+int cardan_alpha_sparse_settle(cardan_run *run, const cardan_alpha *v, real h, real t, real *dx);
+
+/* alpha_extent.c */
+void cardan_alpha_extent(const cardan_run *run, const cardan_alpha *v, int first);
+real cardan_alpha_rounding(const cardan_run *run, const cardan_alpha *v);
 real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
                               real atol);
+int cardan_alpha_first_step(cardan_run *run, const cardan_alpha *v, int order);
 
 /* alpha_newton.c */
 int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h);

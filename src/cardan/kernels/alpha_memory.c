@@ -50,13 +50,14 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     return used;
 }
 
-/* The method with its coefficients, over the memory of a run.
+/* The method with its coefficients.
  *
- * Without options: those of Chung and Hulbert for rho_inf = 0.8, stabilized index 2, adaptive.
+ * Without options: those of Chung and Hulbert for rho_inf = 0.8, stabilized index 2, modified
+ * Newton steps, adaptive.
  */
-cardan_alpha cardan_alpha_at(const cardan_run *run)
+static cardan_alpha method_of(const cardan_run *run)
 {
-    static const real usual[6] = {1.0 / 3, 4.0 / 9, 100.0 / 324, 11.0 / 18, 2, 1};
+    static const real usual[7] = {1.0 / 3, 4.0 / 9, 100.0 / 324, 11.0 / 18, 2, 0, 1};
     const real *options = run->options ? run->options : usual;
     cardan_alpha v = {0};
 
@@ -65,7 +66,16 @@ cardan_alpha cardan_alpha_at(const cardan_run *run)
     v.beta = options[2];
     v.gamma = options[3];
     v.index = (ptrdiff_t)options[4];
-    v.adaptive = (ptrdiff_t)options[5];
+    v.full = (ptrdiff_t)options[5];
+    v.adaptive = (ptrdiff_t)options[6];
+    return v;
+}
+
+/* The same over the memory of a run. */
+cardan_alpha cardan_alpha_at(const cardan_run *run)
+{
+    cardan_alpha v = method_of(run);
+
     (void)lay(run, &v);
     return v;
 }
@@ -73,7 +83,7 @@ cardan_alpha cardan_alpha_at(const cardan_run *run)
 ptrdiff_t cardan_alpha_length(const cardan_run *run)
 {
     cardan_run measured = *run;
-    cardan_alpha v = {0};
+    cardan_alpha v = method_of(run);
 
     measured.own = NULL;
     return lay(&measured, &v);

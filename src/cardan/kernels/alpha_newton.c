@@ -14,12 +14,18 @@
 #include <math.h>
 
 enum { MOST_CORRECTIONS = 20, MOST_TANGENTS = 6 };
+/* steps that begin with a new tangent once one did not serve two of them */
+static const real HASTE = 8;
 /* corrections that shrink by less ask for a new tangent, and so do those that need more than FEW */
 static const real SLOW = 0.3, FEW = 4;
 /* corrections of a step may be so large: of the error it may have; of coordinates, at a given step;
  * of those of a mesh, where every correction counts, at most */
 static const real SHARE = 0.005, SOUGHT = 1e-13, LOOSE = 1e-11;
 static const real TRUST = 0.8;
+/* corrections that coordinates far from the origin show, in what they are rounded by */
+static const real ROUNDED = 32;
+/* a turn in one step, in radians, for which speeds and positions may need a matrix each */
+static const real FAR = 0.25;
 /* what rounding may leave, in units of that */
 static const real NOISE = 1e3;
 /* a step whose matrix serves another one: at most so much larger or smaller */
@@ -76,7 +82,8 @@ static real leaves(cardan_run *run, const cardan_alpha *v, real h, int *status)
     for (ptrdiff_t i = 0; i < v->nu; i++)
         v->dx[i] = h * h * constant * (v->a_new[i] - v->a[i]);
     error = part_of_motion(run, v, v->dx, status);
-    return fmin(LOOSE, fmax(SOUGHT, SHARE * error * cbrt(error)));
+    error = fmin(LOOSE, SHARE * error * cbrt(error));
+    return fmax(fmax(SOUGHT, ROUNDED * cardan_alpha_rounding(run, v)), error);
 }
 
 /* The size of a correction in units of that. */
@@ -175,32 +182,58 @@ static int enough(real norm, real rate, real last, int is_new)
     return is_new && norm <= NOISE && norm > 0.5 * last;
 }
 
+/* Correct the trial by what is missing there; the change of the increment into dx. */
+static int correct(cardan_run *run, const cardan_alpha *v, real h, real t)
+{
+    int status = cardan_alpha_balance(run, v, t);
+
+    if (status == 0)
+        status = cardan_alpha_correct(run, v, h, v->dx);
+    if (status == 0)
+        status = place(run, v, h);
+    if (status != 0 || v->now[ALPHA_APART] == 0)
+        return status;
+    status = cardan_alpha_sparse_settle(run, v, h, t, v->dx);
+    return status != 0 ? status : place(run, v, h);
+}
+
 /* The accelerations and multipliers of a step h to t_new; its end in `trial`.
+ *
+ * Full: with a new matrix at every correction. Modified: one serves corrections and steps for as
+ * long as they shrink well with it and steps are about as long.
  *
  * Returns 0, CARDAN_UNSOLVED, CARDAN_MODEL or CARDAN_INPUT.
  */
 int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_new)
 {
     const real other = v->now[ALPHA_MATRIX] / h - 1;
-    real *dx = v->dx, last = INFINITY;
-    int tangents = 0, status = predict(run, v, h, 0);
+    const int shares = v->mesh && v->index == 2 && v->mp > 0;
+    real last = INFINITY;
+    int tangents = 0, stale = 0, status = predict(run, v, h, 0);
     const real most = status == 0 ? leaves(run, v, h, &status) : 0;
 
-    if (status == 0 && !(fabs(other) < ALIKE)) {
-        status = renew(run, v, h, t_new);
-        tangents++;
+    if (!(fabs(other) < ALIKE)) {
+        v->now[ALPHA_APART] = 0;
+        stale = 1;
     }
+    /* it would not serve this step either: no correction is tried with it */
+    if (v->now[ALPHA_HASTE] > 0) {
+        v->now[ALPHA_HASTE]--;
+        stale = 1;
+    }
+    if (v->full && shares)
+        v->now[ALPHA_APART] = 1;
     for (int k = 0; k < MOST_CORRECTIONS && status == 0; k++) {
         real norm, rate;
 
-        status = cardan_alpha_balance(run, v, t_new);
-        if (status != 0)
-            return status;
-        status = cardan_alpha_correct(run, v, h, dx);
-        if (status != 0)
-            return status;
-        status = place(run, v, h);
-        norm = status == 0 ? left_by(run, v, dx, most, &status) : 0;
+        if (stale || v->full) {
+            status = renew(run, v, h, t_new);
+            v->now[ALPHA_AGE] = 0;
+            stale = 0;
+            tangents++;
+        }
+        status = status != 0 ? status : correct(run, v, h, t_new);
+        norm = status == 0 ? left_by(run, v, v->dx, most, &status) : 0;
         if (status != 0)
             return status;
         /* what was measured in an earlier step is trusted less every time, if at all */
@@ -212,13 +245,18 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
             return 0;
         }
         if (!(norm < INFINITY) || (last < INFINITY && !(rate < SLOW && norm * pow(rate, FEW) < 1))) {
-            if (tangents++ == MOST_TANGENTS)
+            /* what a new matrix does not mend either: speeds and positions share it */
+            if (tangents > 0 && shares && cardan_alpha_sparse_turn(run, v, h) > FAR)
+                v->now[ALPHA_APART] = 1;
+            if (tangents >= MOST_TANGENTS && !v->full)
                 break;
+            if (tangents == 0 && v->now[ALPHA_AGE] <= 1)
+                v->now[ALPHA_HASTE] = HASTE;
             /* away from the solution: from the beginning, with the tangent there */
             if (!(rate < 1))
                 status = predict(run, v, h, 1);
-            status = status != 0 ? status : renew(run, v, h, t_new);
-            norm = INFINITY;
+            stale = 1;
+            norm = v->full && rate < 1 ? norm : INFINITY;
         }
         last = norm;
     }
@@ -273,6 +311,7 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
             v->lam_old[k] = v->lam[k] = v->lam_new[k];
     }
     v->now[ALPHA_MATRIX] = 0;
+    v->now[ALPHA_APART] = v->now[ALPHA_HASTE] = 0;
     v->now[ALPHA_STEP] = h;
     status = later(run, v, part, slope);
     for (ptrdiff_t i = 0; i < v->nu; i++) {

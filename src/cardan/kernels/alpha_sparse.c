@@ -6,25 +6,38 @@
  * step size shows in the matrix. Of index 2 rows bind the speeds; positions are brought back by a
  * second solution with the same matrix, [S Gᵀ; G 0] (shift, eta) = (0, g): the stabilization in the
  * metric of the step, which costs no larger matrix.
- * Source: as of alpha_matrix.c; M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001),
- * chapter 11 (sizes against which corrections count).
+ *
+ * One matrix for both takes G for G T. Where bodies turn far in a step that is not so, and they are
+ * bound apart: positions by [S Gᵀ; G T 0], as of index 3, then speeds by [M + C Gᵀ; G 0]. What this
+ * adds to speeds is taken off the increment, and its inertia is balanced by multipliers, so that the
+ * first solution stays one.
+ * Source: as of alpha_matrix.c.
  */
 #include "alpha.h"
 #include "mesh_matrix.h"
 #include <math.h>
 
-/* of the size of the mechanism, below which the spread of its nodes is rounding */
-static const real LEAST = 1e-9;
+/* Whether positions are bound beside speeds. */
+static int stabilized(const cardan_alpha *v)
+{
+    return v->index == 2 && v->mp > 0;
+}
 
 /* Point into the memory of a run. Returns how many numbers that takes. */
 ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *own, cardan_alpha *v)
 {
     const ptrdiff_t moved = mesh->nq + 9 * mesh->places;
+    ptrdiff_t used;
 
     v->size = mesh->plan->n;
     v->moved = own;
     v->room = own ? own + moved : own;
-    return moved + v->nu + cardan_mesh_lay(mesh, own ? own + moved + v->nu : own, &v->system);
+    used = moved + v->nu;
+    used += cardan_mesh_lay(mesh, own ? own + used : own, &v->system);
+    /* what is not written to takes no memory */
+    if (stabilized(v))
+        used += cardan_mesh_lay(mesh, own ? own + used : own, &v->settling);
+    return used;
 }
 
 /* A new matrix of a step h at t, y, udot, lam. */
@@ -34,11 +47,13 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     const real part = (1 - v->af) / (1 - v->am);
     const cardan_state at = {t, y, y + run->nq, udot, lam, y + run->nq + run->nu, run->s, run->r,
                              NULL, NULL};
+    const int apart = h != 0 && v->now[ALPHA_APART] != 0;
     const cardan_assembly parts = {{h * h * v->beta * part, h * v->gamma * part, 1},
                                    h * v->beta / v->gamma,
-                                   v->index == 2,
+                                   v->index == 2 && !apart,
                                    h == 0 ? NULL : v->moved + run->nq};
-    cardan_mesh_system system = v->system;
+    const cardan_assembly speeds = {{0, h * v->gamma * part, 1}, 0, 1, NULL};
+    cardan_mesh_system system = v->system, settling = v->settling;
     int assembled, status = cardan_inputs_at(run, t, y);
 
     if (status != 0)
@@ -48,6 +63,11 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     run->jacobians++;
     run->factorizations++;
     status = cardan_mesh_factor(v->mesh, &at, &parts, &system, &assembled);
+    if (status == 0 && apart) {
+        run->factorizations++;
+        status = cardan_mesh_factor(v->mesh, &at, &speeds, &settling, &assembled);
+        v->now[ALPHA_LAME] = (real)settling.factors.weak;
+    }
     v->now[ALPHA_MATRIX] = status == 0 ? h : 0;
     v->now[ALPHA_RATE] = 1;
     v->now[ALPHA_WEAK] = (real)system.factors.weak;
@@ -67,7 +87,7 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     const real *g = v->residual + nu, *rates = g + v->mp;
     const real scale = h == 0 ? 1 : h * h * v->beta * (1 - v->af) / (1 - v->am);
     const real lever = h * v->beta / v->gamma;
-    const int stabilized = v->index == 2 && h != 0 && v->mp > 0;
+    const int together = h != 0 && stabilized(v) && v->now[ALPHA_APART] == 0;
     cardan_mesh_system system = v->system;
     int status;
 
@@ -76,7 +96,7 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     for (ptrdiff_t i = 0; i < nu; i++)
         system.right[i] = -scale * v->residual[i];
     for (ptrdiff_t k = 0; k < v->m; k++)
-        system.right[unknown[k]] = h == 0 ? 0 : k < v->mp && !stabilized ? -g[k] : -lever * rates[k];
+        system.right[unknown[k]] = h == 0 ? 0 : k < v->mp && !together ? -g[k] : -lever * rates[k];
     status = cardan_mesh_solve(v->mesh, &system);
     for (ptrdiff_t i = 0; i < nu; i++) {
         dx[i] = system.found[i];
@@ -85,7 +105,7 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     }
     for (ptrdiff_t k = 0; k < v->m; k++)
         v->lam_new[k] -= system.found[unknown[k]] / scale;
-    if (!stabilized || status != 0)
+    if (!together || status != 0)
         return status;
     /* positions: the gap at the present trial less what its speeds are about to move */
     for (ptrdiff_t i = 0; i < nu; i++)
@@ -100,70 +120,48 @@ int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, 
     return status;
 }
 
-/* Where node k is, those of a plane after the others, and in how many directions. */
-static const real *at(const cardan_mesh *mesh, ptrdiff_t k, const real *q)
-{
-    if (k < mesh->nodes)
-        return q + mesh->q[mesh->node[k]] + 4;
-    return q + mesh->q[mesh->flat[k - mesh->nodes]];
-}
-
-static int wide(const cardan_mesh *mesh, ptrdiff_t k)
-{
-    return k < mesh->nodes ? 3 : 2;
-}
-
-/* Largest distance of nodes from their middle, or from where they were: the size of the scene. */
-static real span_of(const cardan_alpha *v, const real *q)
+/* The largest angle by which a node turns in a step h. */
+real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real h)
 {
     const cardan_mesh *mesh = v->mesh;
-    const ptrdiff_t count = mesh->nodes + mesh->flats;
-    real middle[3] = {0}, largest = 0, span;
+    real largest = 0;
 
-    for (ptrdiff_t k = 0; k < count; k++)
-        for (int i = 0; i < wide(mesh, k); i++)
-            middle[i] += at(mesh, k, q)[i];
-    for (int i = 0; i < 3; i++)
-        middle[i] /= (real)(count > 0 ? count : 1);
-    for (ptrdiff_t k = 0; k < count; k++) {
-        real square = 0;
-        for (int i = 0; i < wide(mesh, k); i++)
-            square += (at(mesh, k, q)[i] - middle[i]) * (at(mesh, k, q)[i] - middle[i]);
-        largest = square > largest ? square : largest;
+    for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
+        const real *omega = run->y + v->nq + mesh->u[mesh->node[k]];
+        largest = fmax(largest, omega[0] * omega[0] + omega[1] * omega[1] + omega[2] * omega[2]);
     }
-    span = sqrt(largest);
-    for (int i = 0; i < 3; i++)
-        span = fmax(span, count > 0 ? fabs(middle[i]) : 0);
-    return span;
+    for (ptrdiff_t k = 0; k < mesh->flats; k++)
+        largest = fmax(largest, pow(run->y[v->nq + mesh->u[mesh->flat[k]] + 2], 2));
+    return fabs(h) * sqrt(largest);
 }
 
-/* Mean size of an increment dx (nu): angles against 1, lengths against the size of the scene. */
-real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
-                              real atol)
+/* Speeds that fit, after positions have been corrected by dx (nu), to which it adds.
+ *
+ * Coordinates stay, as what speeds gain is taken off the increment. Returns 0, CARDAN_UNSOLVED,
+ * CARDAN_MODEL or CARDAN_INPUT.
+ */
+int cardan_alpha_sparse_settle(cardan_run *run, const cardan_alpha *v, real h, real t, real *dx)
 {
-    const cardan_mesh *mesh = v->mesh;
-    const real span = span_of(v, run->y), size = run->size > 0 ? run->size : 1;
-    /* one body that turns about its origin has no size but what rounding leaves */
-    const real length = 1 / (atol + rtol * (span > LEAST * size ? span : size));
-    const real angle = 1 / (atol + rtol);
-    real sum = 0, largest = 0;
+    const ptrdiff_t nu = v->nu, *unknown = v->mesh->unknown;
+    const real *rates = v->residual + nu + v->mp;
+    const real scale = h * h * v->beta * (1 - v->af) / (1 - v->am);
+    cardan_mesh_system system = v->settling;
+    int status = cardan_alpha_gaps(run, v, t);
 
-    for (ptrdiff_t k = 0, j = 0, place = 0; place < mesh->places; place++) {
-        const int pose = k < mesh->nodes && mesh->node[k] == place;
-        const int flat = j < mesh->flats && mesh->flat[j] == place;
-        const ptrdiff_t start = mesh->u[place], n = mesh->u[place + 1] - start;
-
-        for (ptrdiff_t i = 0; i < n; i++) {
-            const int moves = (pose && i >= 3) || (flat && i < 2);
-            const real part = dx[start + i] * (moves ? length : angle);
-            sum += part * part;
-            if (!(part * part <= largest)) {
-                largest = part * part;
-                run->culprit = mesh->q[place] + (pose ? 1 + i : i);
-            }
-        }
-        k += pose;
-        j += flat;
+    if (status != 0)
+        return status;
+    system.factors.weak = (int32_t)v->now[ALPHA_LAME];
+    for (ptrdiff_t i = 0; i < nu; i++)
+        system.right[i] = 0;
+    for (ptrdiff_t k = 0; k < v->m; k++)
+        system.right[unknown[k]] = -h * v->beta / v->gamma * rates[k];
+    status = cardan_mesh_solve(v->mesh, &system);
+    for (ptrdiff_t i = 0; i < nu; i++) {
+        v->a_new[i] += system.found[i] / (v->beta * h * h);
+        v->shift[i] += system.found[i];
+        dx[i] += system.found[i];
     }
-    return sqrt(sum / (real)(v->nu > 0 ? v->nu : 1));
+    for (ptrdiff_t k = 0; k < v->m; k++)
+        v->lam_new[k] -= system.found[unknown[k]] / scale;
+    return status;
 }

@@ -24,6 +24,17 @@ static ptrdiff_t place_of(const cardan_mesh *mesh, const cardan_group *g,
     return own[1] - own[0];
 }
 
+/* Whether any of these is another matrix than the unit one: slides and nodes of a plane have that. */
+static int turns(const real *T, ptrdiff_t lanes)
+{
+    int other = 0;
+
+    for (ptrdiff_t i = 0; i < 9; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            other |= T[i * lanes + lane] != (i % 4 == 0 ? 1 : 0);
+    return other;
+}
+
 /* Turn the columns of `height` rows (nu) from increments of rotations to motions. */
 static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
                  const real *turned, ptrdiff_t height, real *rows)
@@ -34,11 +45,13 @@ static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_ab
     for (ptrdiff_t k = 0; k < g->places && turned; k++) {
         const ptrdiff_t n = place_of(mesh, g, some, k);
 
-        if (n == 6) {
+        if (n == 3 || n == 6) {
+            int does;
             for (ptrdiff_t lane = 0; lane < some->lanes; lane++)
                 from[lane] = turned + 9 * g->place[some->element[lane] * g->places + k];
             (void)cardan_fetch(from, 9, T, some->lanes);
-            for (ptrdiff_t i = 0; i < height; i++)
+            does = n == 6 || turns(T, some->lanes);
+            for (ptrdiff_t i = 0; i < height && does; i++)
                 cardan_turn_three(T, some->lanes, rows + i * g->nu * some->lanes);
         }
         rows += n * some->lanes;

@@ -198,7 +198,7 @@ int cardan_mesh_move(const cardan_mesh *mesh, const real *q, const real *du, rea
             if (!movers->move) {
                 for (ptrdiff_t i = 0; i < movers->nq; i++)
                     moved[mesh->q[place] + i] = q[mesh->q[place] + i] + du[mesh->u[place] + i];
-                if (turned && movers->nu == 6)
+                if (turned && (movers->nu == 3 || movers->nu == 6))
                     for (ptrdiff_t i = 0; i < 9; i++)
                         turned[9 * place + i] = i % 4 == 0;
                 continue;
@@ -206,14 +206,14 @@ int cardan_mesh_move(const cardan_mesh *mesh, const real *q, const real *du, rea
             in.q = q + mesh->q[place];
             in.du = du + mesh->u[place];
             in.w = movers->w_move;
-            /* q and T, which is wanted of free joints only: the matrices of others turn little */
+            /* q and T, whose rotation is that of a free joint or all there is */
             status = movers->move(&in, room, room + movers->nq + movers->nu * movers->nu);
             for (ptrdiff_t i = 0; i < movers->nq; i++)
                 moved[mesh->q[place] + i] = room[i];
-            if (turned && movers->nu == 6)
+            if (turned && (movers->nu == 3 || movers->nu == 6))
                 for (ptrdiff_t i = 0; i < 3; i++)
                     for (ptrdiff_t j = 0; j < 3; j++)
-                        turned[9 * place + 3 * i + j] = room[movers->nq + 6 * i + j];
+                        turned[9 * place + 3 * i + j] = room[movers->nq + movers->nu * i + j];
         }
     }
     return status;

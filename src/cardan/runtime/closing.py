@@ -43,7 +43,8 @@ class Closing:
         rows = tuple(model.manifest.get("multipliers", ()))
         if not model.manifest.get("projected", True):
             rows = ()
-        return cls(rows, size_of(model) if rows else 1.0, "mesh" not in model.manifest)
+        meshed = "mesh" in model.manifest
+        return cls(rows, size_of(model) if rows or meshed else 1.0, not meshed)
 
     def loosened(self, slack: float) -> Closing:
         """The same where residuals up to a slack, without units, count as none."""
@@ -79,7 +80,8 @@ class Closing:
 
 
 def size_of(model: CompiledModel) -> float:
-    """Size of a mechanism [m]: the longest way between two joints of a body; 1 without any."""
+    """Size of a mechanism [m]: the longest way between two joints of a body, or along a beam; 1
+    without any."""
     if model._size is None:
         model._size = _measured(model)
     return model._size
@@ -87,15 +89,23 @@ def size_of(model: CompiledModel) -> float:
 
 def _measured(model: CompiledModel) -> float:
     """The size from the saved scene."""
-    if "scene" not in model.saved:
+    told = "scene" if "mesh" not in model.manifest else str(model.manifest["mesh"]["frames"])
+    if told not in model.saved:
         return 1.0
     known, vector = model._objects.sizes, model.parameters.vector
     size = known.get(vector.tobytes())
     if size is None:
-        scene = model._evaluate_saved("scene", p=vector)
-        places = np.concatenate([np.ravel(scene[key]) for key in ("position", "frame_position")])
-        lengths = np.linalg.norm(places.reshape(-1, 3), axis=1)
-        size = float(lengths.max(initial=0.0)) or 1.0
+        found = model._evaluate_saved(told, p=vector)
+        if "mesh" in model.manifest:
+            # where the ground has frames says nothing
+            carried = [row["node"] is not None for row in model.manifest["frames"]]
+            places = np.asarray(found["position"], dtype=np.float64).reshape(-1, 3)[carried]
+        else:
+            parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
+            places = np.concatenate(parts).reshape(-1, 3)
+        lengths = [float(np.linalg.norm(places, axis=1).max(initial=0.0))]
+        lengths += [float(beam["length"]) for beam in model.manifest.get("beams", ())]
+        size = max(lengths) or 1.0
         if len(known) >= MOST_SIZES:
             known.clear()
         known[vector.tobytes()] = size

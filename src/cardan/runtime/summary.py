@@ -79,7 +79,8 @@ def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
 def _factors(count: Mapping[str, float]) -> str:
     """What implicit methods do besides evaluations."""
     made = count.get("factorizations", 0)
-    return f", {made:.0f} factorizations" if made else ""
+    jacobians = count.get("jacobians", 0)
+    return f", {jacobians:.0f} Jacobians, {made:.0f} factorizations" if made else ""
 
 
 def _own(motion: Trajectory) -> str:

@@ -1,0 +1,144 @@
+/* Against what increments of a mesh count: an amplitude of the whole motion, and the first step.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Coordinates of nodes tell where they are, not how far they move: a tolerance relative to each
+ * would be loose far from the origin and tight beside it, and would weigh metres against parts of
+ * quaternions. So every length counts against one amplitude: the size of the model, or what nodes
+ * have spread about their middle or their middle has moved where that was more; angles against 1.
+ * Where the origin is and what a metre is called makes no difference then.
+ * Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 11 (step size control).
+ */
+#include "alpha.h"
+#include <float.h>
+#include <math.h>
+
+/* error of the first step, of the tolerance; the step that probes, of the time in which something
+ * happens */
+static const real CAREFUL = 0.1, PROBE = 1e-3;
+enum { FARTHER = 100 /* times the probe, at most */ };
+
+/* Where node k is, those of a plane after the others, and in how many directions. */
+static const real *at(const cardan_mesh *mesh, ptrdiff_t k, const real *q)
+{
+    if (k < mesh->nodes)
+        return q + mesh->q[mesh->node[k]] + 4;
+    return q + mesh->q[mesh->flat[k - mesh->nodes]];
+}
+
+static int wide(const cardan_mesh *mesh, ptrdiff_t k)
+{
+    return k < mesh->nodes ? 3 : 2;
+}
+
+/* The middle (3) of all nodes. */
+static void middle_of(const cardan_mesh *mesh, const real *q, real *middle)
+{
+    const ptrdiff_t count = mesh->nodes + mesh->flats;
+
+    for (int i = 0; i < 3; i++)
+        middle[i] = 0;
+    for (ptrdiff_t k = 0; k < count; k++)
+        for (int i = 0; i < wide(mesh, k); i++)
+            middle[i] += at(mesh, k, q)[i] / (real)count;
+}
+
+/* Take the present state into account; first: nothing was before it. */
+void cardan_alpha_extent(const cardan_run *run, const cardan_alpha *v, int first)
+{
+    const cardan_mesh *mesh = v->mesh;
+    real middle[3], largest = 0, moved = 0;
+
+    if (!mesh)
+        return;
+    middle_of(mesh, run->y, middle);
+    for (ptrdiff_t k = 0; k < mesh->nodes + mesh->flats; k++) {
+        real square = 0;
+        for (int i = 0; i < wide(mesh, k); i++)
+            square += (at(mesh, k, run->y)[i] - middle[i]) * (at(mesh, k, run->y)[i] - middle[i]);
+        largest = square > largest ? square : largest;
+    }
+    for (int i = 0; i < 3; i++) {
+        real *before = v->now + ALPHA_MIDDLE + i;
+        *before = first ? middle[i] : *before;
+        moved += (middle[i] - *before) * (middle[i] - *before);
+    }
+    if (first)
+        v->now[ALPHA_EXTENT] = run->size > 0 ? run->size : 1;
+    v->now[ALPHA_EXTENT] = fmax(v->now[ALPHA_EXTENT], sqrt(fmax(largest, moved)));
+}
+
+/* What coordinates so far from the origin are rounded by, of the amplitude. */
+real cardan_alpha_rounding(const cardan_run *run, const cardan_alpha *v)
+{
+    const cardan_mesh *mesh = v->mesh;
+    real far = 0;
+
+    for (ptrdiff_t k = 0; k < mesh->nodes + mesh->flats; k++)
+        for (int i = 0; i < wide(mesh, k); i++)
+            far = fmax(far, fabs(at(mesh, k, run->y)[i]));
+    return DBL_EPSILON * far / v->now[ALPHA_EXTENT];
+}
+
+/* Root mean square of an increment dx (nu): angles against 1, lengths against the amplitude, each
+ * times rtol + atol. */
+real cardan_alpha_sparse_norm(cardan_run *run, const cardan_alpha *v, const real *dx, real rtol,
+                              real atol)
+{
+    const cardan_mesh *mesh = v->mesh;
+    const real angle = 1 / (atol + rtol), length = angle / v->now[ALPHA_EXTENT];
+    real sum = 0, largest = 0;
+
+    for (ptrdiff_t k = 0, j = 0, place = 0; place < mesh->places; place++) {
+        const int pose = k < mesh->nodes && mesh->node[k] == place;
+        const int flat = j < mesh->flats && mesh->flat[j] == place;
+        const ptrdiff_t start = mesh->u[place], n = mesh->u[place + 1] - start;
+
+        for (ptrdiff_t i = 0; i < n; i++) {
+            const int slides = run->columns && run->columns[start + i] != 1;
+            const int moves = (pose && i >= 3) || (flat && i < 2) || slides;
+            const real part = dx[start + i] * (moves ? length : angle);
+            sum += part * part;
+            if (!(part * part <= largest)) {
+                largest = part * part;
+                run->culprit = mesh->q[place] + (pose ? 1 + i : i);
+            }
+        }
+        k += pose;
+        j += flat;
+    }
+    return sqrt(sum / (real)(v->nu > 0 ? v->nu : 1));
+}
+
+/* Choose the first step unless the caller gave one (h > 0): such that what the accelerations leave
+ * out, from how they change over a small part of it, is some of the tolerance. */
+int cardan_alpha_first_step(cardan_run *run, const cardan_alpha *v, int order)
+{
+    const real constant = fabs(v->beta + (v->am - v->af) / 2 - 1.0 / 6);
+    const real left = run->stops[run->stop_count - 1] - run->t, sign = copysign(1, left);
+    const real longest = fmin(run->max_step, fabs(left));
+    real fastest, probe, jerk;
+    int status = 0;
+
+    if (run->h > 0 || !v->mesh)
+        return cardan_first_step(run, order);
+    status = cardan_refresh(run);
+    if (status != 0)
+        return status;
+    fastest = fmax(cardan_alpha_sparse_norm(run, v, run->y + v->nq, 1, 0),
+                   sqrt(cardan_alpha_sparse_norm(run, v, run->f + v->nq, 1, 0)));
+    probe = PROBE * fmin(longest, fastest > 0 ? 1 / fastest : INFINITY);
+    for (ptrdiff_t i = 0; i < run->n; i++)
+        run->trial[i] = run->y[i] + sign * probe * run->f[i];
+    status = cardan_derivative(run, run->t + sign * probe, run->trial, run->k);
+    if (status == CARDAN_INPUT)
+        return status;
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        v->dx[i] = (run->k[v->nq + i] - run->f[v->nq + i]) / probe;
+    jerk = constant * cardan_alpha_sparse_norm(run, v, v->dx, run->rtol, run->atol);
+    /* where the probe fails, the first trial step is the probe's; it may shrink from there */
+    if (status == 0 && isfinite(jerk))
+        probe = fmin(FARTHER * probe, jerk > 0 ? cbrt(CAREFUL / jerk) : INFINITY);
+    run->h = sign * fmin(probe, longest);
+    return 0;
+}
