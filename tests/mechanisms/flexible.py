@@ -76,17 +76,20 @@ def two_loads(elements: int = 16) -> cd.Model:
     return scene
 
 
-def column(elements: int = 10, imperfection: float = 1e-4, stiff: float = STIFF) -> cd.Model:
+def column(
+    elements: int = 10, imperfection: float = 1e-4, stiff: float = STIFF, shear: float | None = None
+) -> cd.Model:
     """A pinned column of length 1 and EI = 1 under P in units of the load of Euler.
 
     It is bent beforehand by a part of a sine, so that it buckles to one side; or a force F in
-    the middle pushes it there.
+    the middle pushes it there. EA is ``stiff``, GA is ``shear``, the same if left out: then it
+    bends as if it neither stretched nor sheared, and is shorter by P / EA, exactly.
 
     Source: Timoshenko and Gere, Theory of Elastic Stability (elastica).
     """
     scene = cd.Model("column", gravity=(0, 0, 0))
     load, aside = scene.parameter("P", 1.1), scene.parameter("F", 0, unit="N")
-    section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
+    section = cd.section.general(EA=stiff, GA=shear or stiff, GJ=1, EI=1, rhoA=1)
     xs = [k / 40 for k in range(41)]
     points = [(x, 0, imperfection * math.sin(math.pi * x)) for x in xs]
     points[-1] = (1, 0, 0)

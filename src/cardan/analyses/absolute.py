@@ -64,7 +64,8 @@ class Absolute(Modeled):
         rows = model.manifest.get("multipliers", ())
         self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
         self.reach = REACH
-        self.saddle: Saddle = Sparse(_blocks(self.tables))
+        blockwise = _blocks(self.tables)
+        self.saddle: Saddle = Sparse(blockwise, blockwise.counted)
 
     def _mesh(self, parameters: Parameters) -> Elements:
         """The elements with values of parameters; the first and the last ones are kept."""

@@ -12,11 +12,15 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 
 from ..errors import SolveError
+from ..runtime.absolute.blocks import BlockSolver
 from ..runtime.absolute.plan import Plan, plan
 from ..runtime.absolute.solver import Solver, balanced, solution, solver
+from ..runtime.absolute.superlu import SuperluSolver
 from .saddle import Array, Matrix, Singular
 
 Longs = NDArray[np.int64]
+KEPT = 4  # patterns: of searches and of eigenvalues
+SPARED = 600  # unknowns up to which eigenvalues are counted without a compiler
 MOTION = 1e-3  # of a direction without units: below this part nothing moves along it
 
 
@@ -39,7 +43,7 @@ class _Seen:
 @final
 @dataclass(eq=False)
 class Blockwise:
-    """Factors [K Gᵀ; G 0] block by block; the plan of the last pattern is kept.
+    """Factors [K Gᵀ; G 0] block by block; plans of the last patterns are kept.
 
     Attributes:
         places: First speed of every place, and how many there are (places + 1,). What comes behind
@@ -52,6 +56,7 @@ class Blockwise:
     massless: NDArray[np.bool_]
     elements: NDArray[np.integer]
     _seen: dict[bytes, _Seen] = field(default_factory=dict)
+    _plans: dict[bytes, Plan] = field(default_factory=dict)
 
     def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
         """Solver of [K Gᵀ; G 0] for a right-hand side (n + m,), or several (n + m, k).
@@ -59,21 +64,8 @@ class Blockwise:
         Raises:
             Singular: nothing holds an unknown; the solver, where no solution exists.
         """
-        K, G = csr_array(K), csr_array(G)
-        parts = (K.indptr, K.indices, G.indptr, G.indices)
-        key = sha256(b"".join(part.tobytes() for part in parts)).digest()
-        if key not in self._seen:
-            self._seen.clear()
-            self._seen[key] = self._look(K, G)
-        seen, n = self._seen[key], K.shape[0]
-        values = np.bincount(
-            seen.at, np.concatenate([K.data, G.data, G.data]), seen.plan.pattern.values
-        ).astype(np.float64)
-        by = solver(seen.plan)
-        try:
-            by.factor(values, *balanced(seen.plan, values))
-        except SolveError:
-            raise Singular from None
+        seen, by = self._factors(csr_array(K), csr_array(G), False)
+        n = K.shape[0]
 
         def solve(right: Array) -> Array:
             sides = np.asarray(right, float)[seen.order].reshape(len(seen.order), -1)
@@ -84,6 +76,52 @@ class Blockwise:
             return np.stack(found, axis=1)[seen.place].reshape(np.shape(right))
 
         return solve
+
+    def counted(self, K: Matrix, G: Matrix, symmetric: bool) -> tuple[int | None, float]:
+        """Eigenvalues below 0 of K on what G allows, and the sign of its determinant there.
+
+        By Sylvester's law the rows of G add as many eigenvalues below 0 as above, and their part of
+        the determinant has the sign (-1)^m.
+
+        Returns:
+            Their number, None where it is not known; 1, -1, or 0 where that is not known.
+        """
+        try:
+            seen, by = self._factors(csr_array(K), csr_array(G), symmetric)
+        except Singular:
+            return None, 0.0
+        m, shifts = G.shape[0], by.shifts
+        # as long as the matrix is further from a singular one than from the one that was factored
+        if len(shifts) and not by.smallest()[0] > 2 * np.abs(shifts).max():
+            return None, 0.0
+        sign = by.determinant()[0]
+        if not symmetric or (isinstance(by, SuperluSolver) and seen.plan.pattern.n > SPARED):
+            return None, sign * (-1) ** m
+        _, negative, zero = by.inertia()
+        if isinstance(by, BlockSolver):
+            # pivots that were replaced count as zero
+            negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
+        sure = zero == 0 and (-1) ** negative == sign
+        return (negative - m if sure else None), sign * (-1) ** m
+
+    def _factors(self, K: csr_array, G: csr_array, symmetric: bool) -> tuple[_Seen, Solver]:
+        """How the pattern of K and G was planned, and the factors."""
+        parts = (K.indptr, K.indices, G.indptr, G.indices)
+        key = sha256(b"".join(part.tobytes() for part in parts)).digest()
+        if key not in self._seen:
+            if len(self._seen) == KEPT:
+                self._seen.clear()
+            self._seen[key] = self._look(K, G)
+        seen = self._seen[key]
+        values = np.bincount(
+            seen.at, np.concatenate([K.data, G.data, G.data]), seen.plan.pattern.values
+        ).astype(np.float64)
+        by = solver(seen.plan)
+        try:
+            by.factor(values, *balanced(seen.plan, values), symmetric=symmetric)
+        except SolveError:
+            raise Singular from None
+        return seen, by
 
     def _blocks(self, n: int, m: int) -> Longs:
         """The block of every unknown (n + m,)."""
@@ -112,7 +150,12 @@ class Blockwise:
         multiplier, massless = np.cumsum(sizes) > n, np.zeros(nb, bool)
         massless[: len(self.massless)] = self.massless
         coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
-        made = plan(sizes, [coupled, _through_rows(coupled, multiplier)], multiplier, massless)
+        key = pairs.tobytes() + sizes.tobytes()
+        if key not in self._plans:
+            through = _through_rows(coupled, multiplier)
+            self._plans.clear()
+            self._plans[key] = plan(sizes, [coupled, through], multiplier, massless)
+        made = self._plans[key]
         matrix = made.pattern
         known = matrix.rows.astype(np.int64) * nb + matrix.column
         start = matrix.value[np.searchsorted(known, pairs)][pair]

@@ -209,13 +209,15 @@ def _downhill(problem: Problem, found: Search, load: Load) -> Search:
     return replace(found, iterations=spent)
 
 
-def record(model: Any, problem: Problem, found: Search, load: Load) -> Equilibrium:
-    """What was found, as users see it."""
+def record(
+    model: Any, problem: Problem, found: Search, load: Load, known: Standing | None = None
+) -> Equilibrium:
+    """What was found, as users see it; ``known``: how it stands, if that was looked at."""
     point, system = found.point, problem.system
     nothing = Standing(None, 0, np.nan, np.zeros(0), ())
     message = unsteady(problem, point, load) if found.converged else missed(system, found)
     found = replace(found, converged=not message)
-    standing = stand(problem, point, load) if found.converged else nothing
+    standing = (known or stand(problem, point, load)) if found.converged else nothing
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
     tau = problem.held(point, load)[1]
     return Equilibrium(

@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg.lapack import dgecon, dgetrf, dgetrs
 from scipy.sparse import block_array, csc_array, csr_array, diags_array
 from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, eigsh, splu
 
@@ -21,11 +22,14 @@ Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Factored: TypeAlias = Callable[[Array], Array]
 Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
+Count: TypeAlias = Callable[[Matrix, Matrix, bool], tuple[int | None, float]]
 RANK, ROUGH = 1e-9, 1e-2  # singular values of G below this part of the largest hold nothing
 FULL = 300  # unknowns up to which full matrices are quick, and show what is singular
 WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
+REGULAR = 1e-10  # reciprocal condition numbers above which nothing is loose
+SKEW = 1e-8  # above this forces have no potential
 LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 
 
@@ -50,16 +54,23 @@ class Lowest:
         vectors: Their directions (n, k).
         largest: Against which they are small or not.
         skew: Largest entry of its skew part, over ``largest``.
+        below: Eigenvalues below 0, counted by signs of pivots; None where they were not.
+        sign: Of the determinant of the stiffness on what constraints allow, skew part included;
+            0 where that is not known.
     """
 
     values: Array
     vectors: Array
     largest: float
     skew: float = 0.0
+    below: int | None = None
+    sign: float = 0.0
 
     @property
     def negative(self) -> int:
         """Directions in which it pushes away."""
+        if self.below is not None and not self.loose.size:
+            return self.below
         return int(np.sum(self.values < -LOOSE * self.largest))
 
     @property
@@ -118,7 +129,7 @@ class Dense:
         values, vectors = np.linalg.eigh(0.5 * (inner + inner.T))
         largest = float(np.abs(K).max())
         skew = float(np.abs(inner - inner.T).max()) / max(largest, 1e-300)
-        return Lowest(values, Z @ vectors, largest, skew)
+        return Lowest(values, Z @ vectors, largest, skew, sign=float(np.linalg.slogdet(inner)[0]))
 
 
 def split(G: Array, part: float = RANK) -> tuple[Array, Array, Array, Array]:
@@ -137,6 +148,8 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     """The smallest solution of a system; refused where it is singular and has none."""
     if not (np.isfinite(inner).all() and np.isfinite(right).all()):
         raise Singular
+    if (found := _quick(inner, right)) is not None:
+        return found
     U, s, Vt = np.linalg.svd(inner)
     firm = s > LOOSE * max(float(s[0]), 1e-300)
     found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
@@ -146,6 +159,15 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
         push = Vt[~firm].T @ (Vt[~firm] @ right.reshape(len(right), -1)[:, 0])
         raise Singular(Z @ (push if np.any(push) else Vt[-1]))
     return np.asarray(found)
+
+
+def _quick(inner: Array, right: Array) -> Array | None:
+    """The solution by LU; None of a matrix that is close to a singular one."""
+    lu, swaps, status = dgetrf(inner)
+    if status or dgecon(lu, np.abs(inner).sum(axis=0).max())[0] < REGULAR:
+        return None
+    found: Array = dgetrs(lu, swaps, right)[0]
+    return found.reshape(right.shape)
 
 
 def joined(K: Matrix, G: Matrix) -> Matrix:
@@ -176,6 +198,11 @@ def _giving_way(K: Matrix, G: Matrix) -> Factored:
     return factored(K, G, WEAK)
 
 
+def uncounted(K: Matrix, G: Matrix, symmetric: bool) -> tuple[int | None, float]:
+    """Nothing of what signs of pivots tell."""
+    return None, 0.0
+
+
 @final
 @dataclass(frozen=True)
 class Sparse:
@@ -183,10 +210,12 @@ class Sparse:
 
     Attributes:
         factored: ``factored(K, G)`` gives a solver of [K Gᵀ; G 0] for one right-hand side.
+        counted: ``counted(K, G, symmetric)`` gives ``below`` and ``sign`` of :class:`Lowest`.
     """
 
     COUNT: ClassVar = 6
     factored: Factor = factored
+    counted: Count = uncounted
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
         """As :meth:`Saddle.solve`; redundant constraints share their forces."""
@@ -219,7 +248,9 @@ class Sparse:
             raise Singular from None
         order = np.argsort(values)
         skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
-        return Lowest(values[order], vectors[:, order], largest, skew)
+        symmetric = skew <= SKEW
+        below, sign = self.counted(half if symmetric else K, G, symmetric)
+        return Lowest(values[order], vectors[:, order], largest, skew, below, sign)
 
 
 def is_small(G: Any) -> bool:

@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 
 from .contract import Contract
 from .first_order import eigenvalues
-from .saddle import Lowest, Singular
+from .saddle import SKEW, Lowest, Singular
 from .static_problem import Load, Point, Problem
 
 Array = NDArray[np.float64]
 SHARE = 0.2  # entries of a motion below this part of the largest are not told
 MOST = 3
-SKEW = 1e-8  # above this forces have no potential
 GROWING = 1e-6  # real parts of eigenvalues, over the largest modulus
 MANY = 300  # speeds up to which all eigenvalues are looked at
 
@@ -31,6 +30,9 @@ class Standing:
             length: an energy [J]. It passes 0 where stability changes.
         direction: Its direction (nu,), without units.
         loose: Where it moves freely, in words.
+        side: A number that is another one beyond a critical load: eigenvalues below 0, down to
+            rounding; where forces have no potential 0 or 1 by the sign of the determinant. None
+            where it is not known.
     """
 
     stable: bool | None
@@ -38,6 +40,7 @@ class Standing:
     least: float
     direction: Array
     loose: tuple[str, ...]
+    side: int | None = None
 
 
 def stand(problem: Problem, point: Point, load: Load) -> Standing:
@@ -53,7 +56,13 @@ def stand(problem: Problem, point: Point, load: Load) -> Standing:
     least = float(lowest.values[0]) if len(lowest.values) else np.inf
     direction = lowest.vectors[:, 0] if len(lowest.values) else np.zeros(nu)
     stable = _stable(problem, point, load, lowest)
-    return Standing(stable, lowest.negative, least, direction, loose)
+    return Standing(stable, lowest.negative, least, direction, loose, _side(lowest))
+
+
+def _side(lowest: Lowest) -> int | None:
+    if lowest.skew <= SKEW:
+        return int(np.sum(lowest.values < 0)) if lowest.loose.size else lowest.negative
+    return int(lowest.sign < 0) if lowest.sign else None
 
 
 def _stable(problem: Problem, point: Point, load: Load, lowest: Lowest) -> bool | None:

@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from ..errors import ModelError, near
 from ..runtime.conduct import FINISHED
 from .equilibrium import DIRECT, Equilibrium
+from .following import Crossing
 from .loading import Loading
 from .newton import rest
 from .standing import stand
 from .static_problem import Problem
 
 Array = NDArray[np.float64]
-BISECTIONS = 48
+CLOSE = 1e-14  # of the path: two places that are one
 SHOWN = 12
 
 
@@ -35,6 +36,8 @@ class StaticPath:
         rows: The equilibria (n,).
         status: ``"finished"``, or ``"singular"`` where the end was not reached.
         message: The same as a sentence.
+        crossings: Where stability changed, in their order.
+        values: What was swept, by name (n,).
     """
 
     loading: Loading
@@ -42,15 +45,23 @@ class StaticPath:
     rows: Sequence[Equilibrium]
     status: str
     message: str
+    crossings: Sequence[Crossing] = ()
     values: Mapping[str, Array] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, way: Loading, rows: list[tuple[float, Equilibrium]], failure: str) -> StaticPath:
+    def of(
+        cls,
+        way: Loading,
+        rows: list[tuple[float, Equilibrium]],
+        crossed: Sequence[Crossing],
+        failure: str,
+    ) -> StaticPath:
         """The record of a path that was followed."""
         s = np.array([place for place, _ in rows])
         values = {name: np.array([way.values(place)[name] for place in s]) for name in way.swept}
         status = "singular" if failure else FINISHED
-        return cls(way, s, tuple(e for _, e in rows), status, failure or "reached the end", values)
+        message = failure or "reached the end"
+        return cls(way, s, tuple(e for _, e in rows), status, message, tuple(crossed), values)
 
     @property
     def success(self) -> bool:
@@ -123,25 +134,21 @@ class StaticPath:
         return np.array([row.pose(frame) for row in self.rows])
 
     def critical(self) -> list[dict[str, float]]:
-        """Swept values at which the number of unstable directions changes, by bisection."""
-        found = []
-        for k in np.flatnonzero(np.diff(self.negative)).tolist():
-            s = self._changed(k)
-            found.append(self.loading.values(s))
-        return found
+        """Swept values at which stability changes, by bisection."""
+        return [self.loading.values(self._between(crossing)) for crossing in self.crossings]
 
-    def _changed(self, k: int) -> float:
-        """Where the number of unstable directions changes between rows k and k + 1."""
-        problem = Problem(self.loading.system)
-        low, high, point = float(self.s[k]), float(self.s[k + 1]), self.rows[k].point
-        for _ in range(BISECTIONS):
+    def _between(self, crossing: Crossing) -> float:
+        """Where exactly stability changes."""
+        problem, point = Problem(self.loading.system), crossing.before.point
+        low, high = crossing.before.s, crossing.after.s
+        while high - low > CLOSE:
             middle = 0.5 * (low + high)
             load = self.loading.at(middle)
             search = rest(problem, problem.under(point, load), load, DIRECT)
             if not search.converged:
                 high = middle
                 continue
-            if stand(problem, search.point, load).negative == self.rows[k].negative:
+            if stand(problem, search.point, load).side == crossing.before.side:
                 low, point = middle, search.point
             else:
                 high = middle
@@ -157,8 +164,9 @@ class StaticPath:
         last = self.rows[-1]
         names = list(last.named)[: min(last.model.nq, SHOWN)]
         lines += [f"  {n} = {first.named[n]:.6g} ... {last.named[n]:.6g}" for n in names]
-        for k in np.flatnonzero(np.diff(self.negative)).tolist():
-            span = ", ".join(f"{n} = {v[k]:.6g} ... {v[k + 1]:.6g}" for n, v in self.values.items())
+        for crossing in self.crossings:
+            low, high = (self.loading.values(p.s) for p in (crossing.before, crossing.after))
+            span = ", ".join(f"{n} = {low[n]:.6g} ... {high[n]:.6g}" for n in self.values)
             lines.append(f"  stability changes between {span}")
         return "\n".join(lines)
 

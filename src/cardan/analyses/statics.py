@@ -1,7 +1,8 @@
 """Static loading: a system followed through loads that change, in steps that suit it.
 
-Each step starts where the last ones lead, and is halved where Newton's method does not get there.
-What stops it is a limit point or a bifurcation, and is told so: the last position is kept.
+Each step starts where the tangent leads, and is halved where Newton's method does not get there or
+ends on another branch. What stops it is a limit point or a bifurcation, and is told so: the last
+position is kept. Where the path goes on though it is no longer stable, that is told too.
 
 Source: M. A. Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991),
 section 9.5 (automatic increments).
@@ -14,24 +15,22 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..errors import ModelError, SolveError, SolveWarning
 from .contract import Contract, contract_of
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
+from .following import Crossing, Place, Step, ahead, first
 from .loading import TIME, Loading, loading
 from .newton import Search, rest
-from .saddle import Singular
-from .standing import words
+from .standing import stand, words
 from .static_path import StaticPath
-from .static_problem import Load, Point, Problem
+from .static_problem import Problem
 
-Array = NDArray[np.float64]
 STEPS = 10
 GOOD = 5  # iterations after which the next step may be longer
-SMALLEST = 2.0**-14
-# corrections above this part of the reach and this multiple of the step lead to another branch
-JUMP, AHEAD = 0.1, 2.0
+SMALLEST = 2.0**-20
+SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are asked for
 
 
 def statics(
@@ -61,7 +60,8 @@ def statics(
         check: Raise where the end is not reached, instead of warning.
 
     Returns:
-        The path as far as it goes.
+        The path as far as it goes. Where it became unstable a warning says so, between which
+        loads; ``crossings`` and ``critical()`` tell the places.
 
     Raises:
         ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
@@ -76,12 +76,13 @@ def statics(
     still = {n: v for n, v in (hold or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
     way = loading(system, _known(model), base, {**(swept or {}), **named}, moved)
-    rows, failure = _follow(model, Problem(system), way, q, steps)
-    found = StaticPath.of(way, rows, failure)
-    if failure:
-        if check:
-            raise SolveError(failure)
-        warnings.warn(failure, SolveWarning, stacklevel=3)
+    rows, crossed, failure = _follow(model, Problem(system), way, q, steps)
+    lost = _lost(system, way, crossed)
+    found = StaticPath.of(way, rows, crossed, failure)
+    if failure and check:
+        raise SolveError(failure)
+    for said in filter(None, (lost, failure)):
+        warnings.warn(said, SolveWarning, stacklevel=3)
     return found
 
 
@@ -96,33 +97,53 @@ def _known(model: Any) -> dict[str, str]:
 
 def _follow(
     model: Any, problem: Problem, way: Loading, q: Any, steps: int
-) -> tuple[list[tuple[float, Equilibrium]], str]:
-    """Places of the path and equilibria there, and why it ended early."""
+) -> tuple[list[tuple[float, Equilibrium]], list[Crossing], str]:
+    """Places of the path and equilibria there, critical loads, and why it ended early."""
     load = way.at(0.0)
     start = rest(problem, problem.begin(load, q), load, WAYS)
     if not start.converged:
         raise SolveError(
             f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start)}"
         )
-    rows = [(0.0, record(model, problem, start, load))]
-    track = [(0.0, start.point)]
+    here = first(problem, start, load)
+    rows, crossed = [(0.0, record(model, problem, start, load, here.standing))], list[Crossing]()
     for goal in _goals(way, steps):
-        length = goal - track[-1][0]
-        while track[-1][0] < goal:
-            s = min(goal, track[-1][0] + length)
+        length = goal - here.s
+        while here.s < goal:
+            s = min(goal, here.s + length)
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
-            found = rest(problem, _ahead(problem, way, track, s), load, DIRECT)
-            if found.converged and not _jumped(problem, track, s, load, found):
-                track.append((s, found.point))
+            step = ahead(problem, here, load)
+            found = rest(problem, step.point, load, DIRECT)
+            shortest = 0.5 * length < SMALLEST / steps
+            there = _reached(step, found, way, s, length * steps <= SHORT, shortest)
+            if there is not None:
+                if step.crosses(there.standing):
+                    crossed.append(Crossing(here, there))
+                here = there
                 length *= 1.5 if found.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
-                    rows.append((s, record(model, problem, found, load)))
+                    rows.append((s, record(model, problem, found, load, there.standing)))
                 continue
             length *= 0.5
-            if length < SMALLEST / steps:
-                return rows, _stopped(problem.system, way, rows, found)
-    return rows, ""
+            if shortest:
+                return rows, crossed, _stopped(problem.system, way, here, found)
+    return rows, crossed, ""
+
+
+def _reached(
+    step: Step, found: Search, way: Loading, s: float, short: bool, shortest: bool
+) -> Place | None:
+    """The place that was found; None where it is none of the path, or the step is too long."""
+    if not found.converged or not step.follows(found.point):
+        return None
+    there = step.reached(s, found, stand(step.problem, found.point, way.at(s)))
+    if shortest:
+        return there
+    # critical loads are passed in short steps, for other branches not to be taken for this one
+    if step.crosses(there.standing) and not (short and step.surely(found.point)):
+        return None
+    return there if step.returns(there, way.at(step.start.s)) else None
 
 
 def _goals(way: Loading, steps: int) -> Iterator[float]:
@@ -131,63 +152,39 @@ def _goals(way: Loading, steps: int) -> Iterator[float]:
     yield from places[1:].tolist()
 
 
-def _ahead(problem: Problem, way: Loading, track: list[tuple[float, Point]], s: float) -> Point:
-    """Where the last two positions lead."""
-    (s1, last), load = track[-1], way.at(s)
-    if len(track) < 2:
-        return problem.under(last, load)
-    s0, before = track[-2]
-    x, y = problem.step(before, last)
-    share = (s - s1) / (s1 - s0)
-    return problem.under(problem.moved(last, share * x, share * y, load), load)
-
-
-def _jumped(
-    problem: Problem, track: list[tuple[float, Point]], s: float, load: Load, found: Search
-) -> bool:
-    """Whether the search ended on another branch than the one followed."""
-    s1, last = track[-1]
-    if len(track) > 1:
-        s0, before = track[-2]
-        way = problem.step(before, last)[0] * ((s - s1) / (s1 - s0))
-    else:
-        way = _tangent(problem, last, load)
-    off = float(np.abs(problem.step(last, found.point)[0] - way).max(initial=0.0))
-    return off > JUMP * problem.system.reach + AHEAD * float(np.abs(way).max(initial=0.0))
-
-
-def _tangent(problem: Problem, last: Point, load: Load) -> Array:
-    """Where the stiffness leads under another load; nowhere where it leads everywhere."""
-    point = problem.under(last, load)
-    force, gap = problem.residual(point, load)
-    try:
-        way = problem.system.saddle.solve(*problem.tangent(point, load), -force, -gap)[0]
-    except Singular:
-        return np.zeros(1)
-    return way if np.abs(way).max(initial=0.0) <= problem.system.reach else np.zeros(1)
-
-
 def _said(way: Loading, s: float) -> str:
     return ", ".join(f"{name} = {value:.6g}" for name, value in way.values(s).items())
 
 
-def _stopped(
-    system: Contract, way: Loading, rows: list[tuple[float, Equilibrium]], found: Search
-) -> str:
+def _stopped(system: Contract, way: Loading, last: Place, found: Search) -> str:
     """Where and why a path ended, and what to do."""
-    s, last = rows[-1]
-    asked = _said(way, 1.0)
     moving = words(system, found.motion)
     where = f", along {moving}" if moving else ""
-    ended = f"no equilibrium next to the last one beyond {_said(way, s)} (asked: {asked})"
-    if last.loose:
-        free = " and ".join(last.loose)
+    beyond, asked = _said(way, last.s), _said(way, 1.0)
+    ended = f"no equilibrium next to the last one beyond {beyond} (asked: {asked})"
+    if last.standing.loose:
+        free = " and ".join(last.standing.loose)
         return (
             f"{ended}: nothing holds {free} there. Begin where loads or springs hold it, or "
             "hold it: hold={'...': value}"
         )
     return (
-        f"{ended}: the stiffness gives way there{where} (lowest eigenvalue {last.least:.3g} J): a "
-        "limit point, a bifurcation, or the end of what the mechanism can reach. The path up to "
-        "there is kept; go on with prescribed displacements (hold={'...': (start, end)})"
+        f"{ended}: the stiffness gives way there{where} (lowest eigenvalue "
+        f"{last.standing.least:.3g} J): a limit point, a bifurcation, or the "
+        "end of what the mechanism can reach. The path up to there is kept; go on "
+        "with prescribed displacements (hold={'...': (start, end)})"
+    )
+
+
+def _lost(system: Contract, way: Loading, crossed: list[Crossing]) -> str:
+    """Where a path that goes on became unstable, and what to do; "" where it did not."""
+    lost = next((crossing for crossing in crossed if crossing.lost), None)
+    if lost is None:
+        return ""
+    moving = words(system, lost.direction)
+    return (
+        f"unstable from a load between {_said(way, lost.before.s)} and {_said(way, lost.after.s)} "
+        f"on: the stiffness gives way along {moving}. The path goes on as it began, where the "
+        "system would leave it. path.critical() finds the load; a small load aside, or a shape "
+        "that is not perfect, leads onto the branch that it takes"
     )

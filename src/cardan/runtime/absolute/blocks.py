@@ -163,6 +163,12 @@ class BlockSolver:
         self._ready()
         return self.plan.order[self._memory.replaced[: self._factors.weak]]
 
+    @property
+    def shifts(self) -> Reals:
+        """See :attr:`Solver.shifts`."""
+        self._ready()
+        return self._memory.shift[: self._factors.weak]
+
     def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
         """See :meth:`Solver.carried`."""
         self._ready()

@@ -67,6 +67,10 @@ class Solver(Protocol):
     def weak(self) -> NDArray[np.int32]:
         """The unknowns whose pivots were lost in rounding and replaced."""
 
+    @property
+    def shifts(self) -> Reals:
+        """What was added to those pivots, in units."""
+
     def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
         """How much of b replaced pivots carry, and the unknown; see ``cardan_sparse_carried``."""
 

@@ -172,6 +172,11 @@ class SuperluSolver:
         self._ready()
         return np.flatnonzero(self._shift).astype(np.int32)
 
+    @property
+    def shifts(self) -> Reals:
+        """See :attr:`Solver.shifts`."""
+        return self._shift[self.weak]
+
     def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
         """See :meth:`Solver.carried`."""
         n = self.plan.pattern.n
