@@ -91,7 +91,7 @@ MAIN = """\
 int main(void)
 {
     static cardan_model model;
-    static real x[cardan_nq + cardan_nu], out[energy_out_size];
+    static real x[cardan_nq + cardan_nu + 1], out[energy_out_size];
     const real t = 0;
     const cardan_in in = {.t = &t, .q = x, .u = x + cardan_nq, .r = cardan_default_r,
                           .s = cardan_default_s, .w = model_w(&model)};
