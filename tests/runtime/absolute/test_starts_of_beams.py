@@ -37,3 +37,26 @@ def test_speeds_go_over_from_one_end_of_a_beam_to_the_other() -> None:
     start, middle = (model.velocity(name, q, u)[4] for name in ("rod.start", "rod.at1"))
     assert start == pytest.approx(150 * 0.15)
     assert middle == pytest.approx(150 * 0.3 / 2)
+
+
+def test_bodies_on_the_ends_of_beams_go_along_and_carry_the_next() -> None:
+    scene = cd.Model("boom", gravity=(0, 0, -9.81))
+    section = cd.section.general(EA=1e5, GA=1e5, GJ=100, EI=100, rhoA=1, rhoI=1e-3)
+    hub, bob = (scene.body(name, mass=1, inertia=(0.1, 0.1, 0.1)) for name in ("hub", "bob"))
+    scene.joint("root", cd.Revolute("y"), scene.ground, hub, q0=0.3, u0=2.0)
+    boom = scene.beam("boom", hub, (1, 0, 0), section=section, elements=3)
+    scene.joint("pin", cd.Revolute("y"), boom.end, bob, q0=0.2, u0=0.5)
+    scene.beam("jib", bob.at(0.1, 0, 0), (1, 0, 0.5), section=section, elements=2)
+    model = cd.compile(scene)
+    q, u = model.split(model.initial())
+    assert np.abs(model.constraints(q)).max() < 1e-14
+    assert np.abs(model.constraint_rates(q, u)).max() < 1e-13
+    y, w = (q[model.coordinates.index(f"bob.{c}")] for c in "yw")
+    assert 2 * np.arctan2(y, w) == pytest.approx(0.3 + 0.2)
+    for name in ("boom", "jib"):
+        assert np.abs(model.beam(name, q).force).max() < 1e-9, name
+    # turning with the root, and with the pin besides
+    assert model.velocity("bob", q, u)[:3] == pytest.approx([0, 2.5, 0])
+    assert model.velocity("boom.end", q, u)[3:] == pytest.approx(
+        np.cross([0, 2.0, 0], model.pose("boom.end", q)[:3, 3])
+    )

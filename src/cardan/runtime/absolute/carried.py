@@ -35,9 +35,7 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     # coordinates of the tree have the same names here
     made = from_dict(model._objects.saved()[SAVED])
     blocks = {block.name: block.entries for block in made.inputs}
-    q, u = model.split(x)[:2]
-    tables = loading.tables_of(model)
-    told = _joints(model, tables, q, u, {*blocks["q"], *blocks["u"]})
+    tables, names, free = loading.tables_of(model), model.coordinates, set(rest)
     inputs = np.array([row["default"] or 0.0 for row in model.manifest["inputs"]])
 
     def nodes(q: Array, u: Array) -> Mapping[str, Array]:
@@ -45,13 +43,17 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
         found: Mapping[str, Array] = model._evaluate_saved(SAVED, t=np.zeros(1), q=q, u=u, r=r, p=p)
         return found
 
-    tree = [np.array([told[name] for name in blocks[letter]]) for letter in "qu"]
-    found = nodes(*tree)
-    free, moved, names = set(rest), x.copy(), model.coordinates
-    for entries, first, values in ((names, 0, found["q"]), (model.speeds, model.nq, found["u"])):
-        for k, value in enumerate(values):
-            if entries[k] in free:
-                moved[first + k] = value
+    def by_joints(x: Array) -> Array:
+        q, u = model.split(x)[:2]
+        told = _joints(model, tables, q, u, {*blocks["q"], *blocks["u"]})
+        found, moved = nodes(*(np.array([told[n] for n in blocks[b]]) for b in "qu")), x.copy()
+        for entries, first, values in ((names, 0, found["q"]), (model.speeds, len(q), found["u"])):
+            for k, value in enumerate(values):
+                if entries[k] in free:
+                    moved[first + k] = value
+        return moved
+
+    moved = by_joints(x)
     if not tables.beams:
         return moved
     # nodes that only beams hold go along, unless somebody says where they are
@@ -61,13 +63,18 @@ def carried(model: CompiledModel, x: Array, rest: Collection[str]) -> Array:
     # beams are without stress where all joints are at their own defaults
     rest_of = np.array(model.manifest["mesh"]["rest"], dtype=np.float64)
     reference = model._layout.start("q").copy()
-    placed = nodes(rest_of, 0 * tree[1])["q"]
+    placed = nodes(rest_of, np.zeros(len(blocks["u"])))["q"]
     reference[: len(placed)] = placed
-    trail = trailed(tables, tables.beams, reference, moved, held)
     # what was given stays as it is, nodes between others too
-    kept = [name not in free for name in (*names, *model.speeds)]
-    trail[: len(kept)][kept] = moved[: len(kept)][kept]
-    return trail
+    kept = np.array([name not in free for name in (*names, *model.speeds)])
+    # bodies that joints hold on the end of a beam follow it, and carry the next beam
+    for _ in range(len(loose) + 1):
+        trail = trailed(tables, tables.beams, reference, moved, held)
+        trail[: len(kept)][kept] = moved[: len(kept)][kept]
+        moved = by_joints(trail)
+        if np.array_equal(moved, trail):
+            break
+    return moved
 
 
 def leading(model: CompiledModel) -> NDArray[np.bool_]:
