@@ -28,7 +28,7 @@ def swing(elements: int = 2) -> cd.Model:
     scene = cd.Model("swing")
     rubber = cd.material(E=5e6, nu=0.3, rho=1100)
     section = cd.section.rectangle(0.02, 0.02)
-    bar = scene.beam("bar", (0, 0, 0), (1, 0, 0), section, rubber, elements=elements)
+    bar = scene.beam("bar", (0, 0, 0), (0.8, 0, 0), section, rubber, elements=elements)
     scene.joint("pin", cd.Revolute("y"), scene.ground, bar.start)
     stiffness = scene.parameter("stiffness", 0.4, unit="N*m/rad")
     bob = scene.body("bob", mass=0.3, com=(0.05, 0, 0), inertia=(1e-3, 1e-3, 1e-3))
@@ -118,6 +118,16 @@ def test_a_flexible_scene_simulates_without_python(swinging: Path, builder: Buil
     # other flags round differently
     assert numbers(lines, "x") == pytest.approx(motion.x[-1], rel=1e-9, abs=1e-9)
     assert np.abs(motion.x[-1] - motion.x[0]).max() > 1
+
+
+def test_steps_that_tolerances_ask_for_are_those_of_python(
+    swinging: Path, builder: Builder
+) -> None:
+    lines = builder.run(swinging, "-DCARDAN_EXAMPLE")
+    model = cd.load_model(swinging)
+    motion = model.simulate(1.0, method=cd.GeneralizedAlpha(0.8))
+    # other steps would be off by some of the tolerance, 1e-6 of the size
+    assert numbers(lines, "x") == pytest.approx(motion.x[-1], rel=1e-8, abs=1e-8)
 
 
 @pytest.mark.parametrize("plane", [pytest.param(None, marks=pytest.mark.slow), "z"])

@@ -11,6 +11,7 @@ from . import header, tables
 from .naming import comment
 
 KERNEL = "cardan_mesh_call_"
+COLUMNS = "cardan_columns[cardan_nu + (cardan_nu == 0)]"
 QUATERNIONS = "cardan_quaternions[cardan_nquaternions + (cardan_nquaternions == 0)]"
 
 
@@ -159,6 +160,8 @@ def prototypes(
         f"extern const double {header.array('s')};",
         "/* first entry of every unit quaternion in q */",
         f"extern const ptrdiff_t {QUATERNIONS};",
+        "/* of the scene: what lengths count against [m]; what speeds count in: that, or 1 */",
+        f"extern const double cardan_size, {COLUMNS};",
         "",
         "/* The elements with their numbers. It points into itself: prepare another, copy none. */",
         "typedef struct cardan_model {",

@@ -65,7 +65,7 @@ def export(
         flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")
         texts = _texts(absolute, data, planned, names)
         line = companions.compile_line(flags)
-        texts["example.c"] = meshed_example.example(data, wanted, line)
+        texts["example.c"] = meshed_example.example(wanted, line)
         texts["README.md"] = meshed_example.readme(data, names, line)
         kernels = (*KERNELS, *(name for one in wanted for name in companions.INTEGRATORS[one]))
         for name in dict.fromkeys(kernels):
@@ -146,16 +146,20 @@ def _texts(
         "functions.h": elements.prototypes(absolute, data, planned, names),
         "elements.c": elements.elements(absolute, names),
         "tables.h": tables.tables(absolute, data["functions"], planned),
-        "model.c": header.defaults(data, start[:nq], start[nq : nq + nu]) + _others(data),
+        "model.c": header.defaults(data, start[:nq], start[nq : nq + nu]) + _others(data, planned),
     }
 
 
-def _others(data: dict[str, Any]) -> str:
-    """Modes and quaternions for ``model.c``."""
+def _others(data: dict[str, Any], planned: tables.Planned) -> str:
+    """Modes, quaternions and units for ``model.c``."""
     modes = ", ".join(repr(float(row["default"])) for row in data["s"])
     quaternions = ", ".join(map(str, data["quaternions"]))
+    columns = "\n".join(tables.wrapped(map(repr, planned.columns.tolist() or [1.0])))
     return (
         f"\n/* modes */\nconst double {header.array('s')} = {{{modes or 0.0}}};\n"
         "\n/* first entry of every unit quaternion in q */\n"
         f"const ptrdiff_t {elements.QUATERNIONS} = {{{quaternions or 0}}};\n"
+        "\n/* what lengths count against [m]; what speeds count in: that, or 1 */\n"
+        f"const double cardan_size = {planned.size!r};\n"
+        f"const double {elements.COLUMNS} = {{\n{columns}\n}};\n"
     )

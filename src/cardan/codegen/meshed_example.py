@@ -23,7 +23,7 @@ ALPHA = """\
     const real am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
     const real beta = (1 - am + af) * (1 - am + af) / 4, gamma = 0.5 - am + af;
     /* 2: constraints hold for positions and for speeds; 3: for positions alone */
-    const real options[] = {am, af, beta, gamma, 2, !(step > 0)};
+    const real options[] = {am, af, beta, gamma, 2, 0, !(step > 0)};
 """
 GIVEN = """\
     run.options = options, run.on_grid = step > 0, run.h = step;
@@ -57,7 +57,8 @@ static int simulate(const cardan_model *model, const real *x)
     run.close_position.function = cardan_npositions > 0 ? close_position : NULL;
     run.close_velocity.function = cardan_nlam > 0 ? close_velocity : NULL;
     run.close_position.w = run.close_velocity.w = w;
-    run.positions = cardan_npositions, run.rates = cardan_nlam, run.size = 1.0;
+    run.positions = cardan_npositions, run.rates = cardan_nlam, run.size = cardan_size;
+    run.columns = cardan_columns;
     run.mesh = &model->mesh;
     run.quaternions = cardan_quaternions, run.quaternion_count = cardan_nquaternions;
 {settings}\
@@ -112,7 +113,7 @@ int main(void)
 """
 
 
-def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
+def example(integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the energy at the start, and one second of motion if it can."""
     lines = [
         f"/* Try it:  {compile_line} */",

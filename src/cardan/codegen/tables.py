@@ -67,6 +67,14 @@ class Planned(Protocol):
     def start(self) -> Any:
         """(nx,) state that the scene names."""
 
+    @property
+    def size(self) -> float:
+        """Of the model [m], against which lengths count."""
+
+    @property
+    def columns(self) -> Any:
+        """(nu,) what speeds count in: that, or 1."""
+
 
 @dataclass(frozen=True)
 class Form:
@@ -361,10 +369,15 @@ def array(name: str, table: Any, kind: str = "") -> Iterator[str]:
         numbers: Iterable[str] = (f"{{{', '.join(map(str, row))}}}" for row in table.tolist())
     else:
         numbers = map(repr, table.ravel().tolist())
+    yield from wrapped(numbers)
+    yield "};"
+
+
+def wrapped(numbers: Iterable[str]) -> Iterator[str]:
+    """Numbers of a table, some to a line."""
     listed = list(numbers)
     for k in range(0, len(listed), PER_LINE):
         yield "    " + ", ".join(listed[k : k + PER_LINE]) + ","
-    yield "};"
 
 
 def _pointer(name: str, table: Any) -> str:

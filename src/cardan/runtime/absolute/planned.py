@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..calling import Array
+from ..closing import columns_of, size_of
 from ..compiled import CompiledModel
 from ..initial import start_of
 from . import loading
@@ -27,6 +28,8 @@ class Planned:
         spots, unknown, diagonal: As :class:`.Matrices` has them.
         start: State (nx,) that the scene names, its nodes where the joints carry them; circuits may
             be open.
+        size: Of the model [m], against which lengths count.
+        columns: What speeds count in (nu,): that, or 1.
     """
 
     numbers: Mapping[str, int]
@@ -35,6 +38,8 @@ class Planned:
     unknown: Integers
     diagonal: Integers
     start: Array
+    size: float
+    columns: Array
 
 
 def planned(folder: Path) -> Planned:
@@ -44,8 +49,9 @@ def planned(folder: Path) -> Planned:
         folder: Of the model.
     """
     model = CompiledModel(folder)
-    found = Matrices.of(loading.tables(model.manifest, folder))
+    found = loading.tables_of(model).once(Matrices.of)
     start, _ = start_of(model, {}, {}, {})
+    size = size_of(model)
     return Planned(
         plan_numbers(found.plan),
         plan_tables(found.plan),
@@ -53,4 +59,6 @@ def planned(folder: Path) -> Planned:
         found.unknown,
         found.diagonal,
         start,
+        size,
+        columns_of(model, size),
     )
