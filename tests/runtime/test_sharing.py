@@ -20,7 +20,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import layout
-from cardan.runtime import cache, pickled
+from cardan.runtime import cache, kernels, pickled
 
 START = {"q": {"elbow": 0.4}}
 
@@ -64,6 +64,15 @@ def test_threads_share_a_model_from_its_first_use(double):
         found = [task.result(120) for task in [pool.submit(run) for _ in range(16)]]
     known = work(double)
     assert all(same(one, known) for one in found)
+
+
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_a_forked_process_does_not_wait_for_threads_of_its_parent():
+    with kernels._LOCK:
+        child = os.fork()
+        if child == 0:
+            os._exit(0 if kernels._LOCK.acquire(blocking=False) else 1)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
 
 
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
@@ -281,3 +290,26 @@ def test_ctrl_c_stops_a_long_loop_in_c(double, what):
         assert int(said[1]) > 100
         assert said[2] == "True"
     print(f"{what}: stopped {float(ended) - sent:.3f} s after the signal")
+
+
+def test_threads_that_load_elements_do_not_wait_for_each_other() -> None:
+    scene = cd.Model("hung", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1.0, com=(0, 0, -0.25), inertia=(0.1, 0.1, 0.1))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, rod)
+    model = cd.compile(scene, coordinates="absolute")
+    model._source.results(model)
+    other = threading.Thread(target=model._source.mesh, args=(model,), daemon=True)
+
+    def prepare() -> None:
+        with model._objects.lock:
+            other.start()
+            # it is on its way now
+            time.sleep(0.2)
+            model.prepare("rhs")
+
+    first = threading.Thread(target=prepare, daemon=True)
+    first.start()
+    first.join(60)
+    other.join(60)
+    assert not first.is_alive()
+    assert not other.is_alive()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import threading
 from functools import lru_cache
 from pathlib import Path
@@ -11,9 +12,17 @@ from . import cache
 
 DIRECTORY = Path(__file__).resolve().parent.parent / "kernels"
 
-
 # threads that want the same library at once wait for the one that compiles it
 _LOCK = threading.Lock()
+
+
+def _unlocked() -> None:
+    """A new lock: the thread that held the old one is not part of a forked process."""
+    global _LOCK
+    _LOCK = threading.Lock()
+
+
+os.register_at_fork(after_in_child=_unlocked)
 
 
 def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:

@@ -104,4 +104,6 @@ def load(model: CompiledModel) -> Elements:
     some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
     if any(code.function is not None for code in codes(some).values()):
         return PlainElements(found, codes, data)
-    return Mesh(found, model.manifest["functions"], codes, data, model._kernels())
+    # of the model: whoever loads its functions holds it already
+    lock = objects.lock
+    return Mesh(found, model.manifest["functions"], codes, data, model._kernels(), lock)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-import threading
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from typing import Any, final
 
 import numpy as np
@@ -52,6 +52,7 @@ class Mesh(Elements):
         load: C names -> loaded functions.
         data: Of every group (n, k).
         library: The kernels.
+        lock: Held while functions are loaded; one that may be taken again by who has it.
     """
 
     def __init__(
@@ -61,6 +62,7 @@ class Mesh(Elements):
         load: Callable[[Sequence[str]], Mapping[str, Code]],
         data: Sequence[Array],
         library: ctypes.CDLL,
+        lock: AbstractContextManager[Any],
     ) -> None:
         self.tables = tables
         self.library = library
@@ -69,7 +71,7 @@ class Mesh(Elements):
         self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
-        self._lock = threading.Lock()
+        self._lock = lock
         self._width = lane_builds.width()
         self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
