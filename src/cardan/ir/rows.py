@@ -93,13 +93,17 @@ class Run:
         """From JSON.
 
         Raises:
-            ValueError, KeyError, TypeError: it is damaged.
+            ValueError, KeyError, TypeError, AttributeError, IndexError: it is damaged.
         """
         count = int(told["count"])
         values = np.frombuffer(base64.b64decode(told["values"]), "<f8").astype(np.float64)
         if count <= 0 or not told["pattern"]:
             raise ValueError("a run of rows without rows")
-        return Run(count, tuple(told["pattern"]), values.reshape(count, -1))
+        made = Run(count, tuple(told["pattern"]), values.reshape(count, -1))
+        # a pattern that cannot be read is found now, not when somebody asks for a row
+        for k in range(len(made.pattern)):
+            made.row(k)
+        return made
 
 
 @final
@@ -197,7 +201,7 @@ def opened(data: Any) -> Any:
         return data
     try:
         return {key: _opened(entry) for key, entry in data.items()}
-    except (KeyError, TypeError) as error:
+    except (KeyError, TypeError, AttributeError, IndexError) as error:
         raise ValueError(f"a run of rows is damaged: {error!r}") from error
 
 
