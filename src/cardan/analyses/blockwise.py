@@ -150,7 +150,7 @@ class Blockwise:
         multiplier, massless = np.cumsum(sizes) > n, np.zeros(nb, bool)
         massless[: len(self.massless)] = self.massless
         coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
-        key = pairs.tobytes() + sizes.tobytes()
+        key = pairs.tobytes() + sizes.tobytes() + n.to_bytes(8, "little")
         if key not in self._plans:
             through = _through_rows(coupled, multiplier)
             self._plans.clear()

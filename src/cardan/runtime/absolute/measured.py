@@ -42,9 +42,9 @@ def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> lis
         u=rng.uniform(-1, 1, tables.nu),
         udot=rng.uniform(-1, 1, tables.nu),
         lam=rng.uniform(-1, 1, tables.m),
-        r=np.array([row["default"] for row in model.manifest["inputs"]], dtype=np.float64),
-        z=np.array([row["default"] for row in model.manifest["z"]], dtype=np.float64),
-        s=np.array([row["default"] for row in model.manifest["s"]], dtype=np.float64),
+        r=model._layout.start("r"),
+        z=model._layout.start("z"),
+        s=model._layout.start("s"),
     )
     return [*_whole(model, results, q, u), *_elements(model, results, at, judged)]
 
