@@ -305,6 +305,15 @@ def test_beams_about_two_axes_are_told() -> None:
         model.equilibrium(u={"spin_a": 1.0})
 
 
+def test_beams_without_nodes_of_their_own_stand() -> None:
+    scene = cd.Model("beside", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=1, inertia=(0.1, 0.1, 0.1))
+    scene.joint("spin", cd.Revolute("z"), scene.ground, hub)
+    scene.beam("blade", hub, (1, 0, 0), SECTION, elements=2)
+    scene.beam("bar", scene.ground.at(0, 0, 2), scene.ground.at(1, 0, 2), SECTION, elements=1)
+    assert cd.compile(scene).equilibrium(u={"spin": 3.0}, check=True).converged
+
+
 def test_speeds_that_contradict_are_told(blades: cd.CompiledModel) -> None:
     with pytest.raises(
         cd.ModelError, match=r"'spin', 'hub.u.z' cannot hold together: joint 'spin'"

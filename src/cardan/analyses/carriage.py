@@ -194,13 +194,15 @@ class Carriage:
 
     def apart(self, q: Array, u: Array) -> tuple[str, str] | None:
         """Names of two beams that do not share one twist, None where all do."""
-        if len(self.names) < 2:
+        # the first node of every cluster; beams from ground to ground may have none
+        known, first = np.unique(self.cluster[self.nodes], return_index=True)
+        known, first = known[known >= 0], first[known >= 0]
+        if len(known) < 2:
             return None
-        moved, nodes = self.motion(q, u), self.nodes
-        first = [int(np.flatnonzero(self.cluster[nodes] == k)[0]) for k in range(len(self.names))]
-        twists = self._told(moved)[first]
+        twists = self._told(self.motion(q, u))[first]
         off = np.abs(twists - twists[0]).max(axis=1) > ALIKE * np.abs(twists).max()
-        return (self.names[0], self.names[int(np.argmax(off))]) if off.any() else None
+        worst = known[int(np.argmax(off))]
+        return (self.names[known[0]], self.names[worst]) if off.any() else None
 
     def together(self, q: Array, u: Array) -> bool:
         """Whether all nodes share one twist."""
