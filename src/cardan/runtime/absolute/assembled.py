@@ -38,10 +38,11 @@ class Assembled(Source):
         self._results: Results | None = None
 
     def results(self, model: CompiledModel) -> Results:
-        """What evaluates them; made on first use."""
-        if self._results is None:
-            self._results = Results(load(model), model)
-        return self._results
+        """What evaluates them; made on first use, once for all threads: runs keep its address."""
+        with model._objects.lock:
+            if self._results is None:
+                self._results = Results(load(model), model)
+            return self._results
 
     def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
         """Make functions callable."""

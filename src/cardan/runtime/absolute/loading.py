@@ -97,8 +97,10 @@ def load(model: CompiledModel) -> Elements:
     def codes(symbols: Sequence[str]) -> dict[str, Code]:
         """Functions of elements, several compiled at once."""
         wanted = list(dict.fromkeys(symbols))
-        loaded = zip(wanted, objects.load(wanted), strict=True)
-        return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
+        # no other thread keeps what this one is about to
+        with objects.lock:
+            loaded = zip(wanted, objects.load(wanted), strict=True)
+            return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
 
     data = [data_of(model, group) for group in found.groups]
     some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
