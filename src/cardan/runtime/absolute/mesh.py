@@ -141,7 +141,9 @@ class Mesh(Elements):
         """Load functions of all elements that are not there yet; those of one call side by side."""
         if not self._connected.issuperset(forms):
             with self._lock:
-                self._connect([name for name in forms if name not in self._connected])
+                missing = [name for name in forms if name not in self._connected]
+                if missing:
+                    self._connect(missing)
 
     def _connect(self, missing: Sequence[str]) -> None:
         """Load functions; alone."""
