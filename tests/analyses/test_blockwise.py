@@ -11,6 +11,7 @@ from scipy.sparse import block_array, csr_array, diags_array
 from cardan.analyses import blockwise
 from cardan.analyses.blockwise import Blockwise
 from cardan.analyses.saddle import Dense, Singular, Sparse, near, near_quadratic
+from cardan.errors import CardanError
 from cardan.runtime.absolute.plan import Plan
 from cardan.runtime.absolute.solver import Solver, solver
 from equations.absolute.test_circuits import circuit
@@ -167,3 +168,7 @@ def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     assert np.abs(found[: len(M)] - udot).max() <= 1e2 * condition * np.abs(udot).max()
     assert np.abs(found[len(M) :]).max() <= 2 * np.abs(lam).max()
     assert len(used[0].weak) == REDUNDANT[name]
+
+
+def test_what_has_no_solution_is_an_error_of_the_program() -> None:
+    assert issubclass(Singular, CardanError)

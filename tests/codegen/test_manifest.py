@@ -9,14 +9,12 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import flat, generate, layout, manifest, mesh, mesh_rows
+from cardan.codegen import flat, generate, layout, manifest
 from cardan.equations.record import Equations
 from cardan.ir.interpreter import evaluate
-from cardan.ir.rows import dumped, opened
 from cardan.ir.serialize import from_dict
 from codegen.models import arm
 from mechanisms import ZOO
-from mechanisms.flexible import folding_arm
 
 SCHEMA = json.loads(
     (Path(__file__).parents[2] / "docs" / "manifest.schema.json").read_text("utf-8")
@@ -57,19 +55,6 @@ def test_zoo_is_valid_and_documented(mechanism: Any, tmp_path: Path) -> None:
     jsonschema.validate(data, SCHEMA)
     # shapes may say more: their measures depend on the kind
     assert undocumented({k: v for k, v in data.items() if k != "shapes"}, SCHEMA) == []
-
-
-def test_rows_of_many_nodes_are_valid_and_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where nodes are many their rows stand there as patterns."""
-    equations = cd.derive(folding_arm(4))
-    listed = mesh.base(equations, ()).data
-    monkeypatch.setattr(mesh_rows, "LISTED", 0)
-    told = json.loads(dumped(mesh.base(equations, ()).data))
-    assert told["coordinates"]["runs"]
-    jsonschema.validate(told, SCHEMA)
-    for key in ("coordinates", "speeds", "joints"):
-        assert undocumented(told[key], SCHEMA["properties"][key]) == []
-        assert list(opened(told)[key]) == listed[key]
 
 
 def test_names_stand_in_the_order_of_the_arrays(tmp_path: Path) -> None:

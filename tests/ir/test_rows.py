@@ -1,9 +1,8 @@
-"""Rows that are told by their pattern read like those that are written out."""
+"""Rows that repeat a pattern read like rows that are there."""
 
 from __future__ import annotations
 
 import json
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,49 +12,56 @@ from cardan.ir.rows import SOME, Rows, Run, column, dumped, having, opened
 COUNT = SOME + 3
 
 
-def pattern() -> tuple[dict[str, Any], ...]:
-    x: dict[str, Any] = {"name": {"text": ["n", 1, ".x"]}, "q": {"integer": [5, 2, 2]}}
-    return (
-        x | {"default": {"value": 1}, "limits": {}},
-        {"name": {"text": ["n", 1, ".y"]}, "at": {"integer": [7, 3]}, "default": {"value": 0}},
+def rows() -> Rows:
+    pattern = (
+        {"name": {"text": ["node", 4, ".x"]}, "at": {"integer": [7, 2]}, "default": {"value": 0}},
+        {"name": {"text": ["node", 4, ".y"]}, "at": {"integer": [8, 2, 3]}, "limits": {}},
     )
+    values = np.arange(COUNT, dtype=float)[:, None] / 3
+    return Rows([{"name": "first", "limits": {"lower": 1.0}}], [Run(COUNT, pattern, values)])
 
 
-def both() -> tuple[Rows, list[dict[str, Any]]]:
-    """Rows, and the same written out."""
-    values = np.random.default_rng(3).normal(size=(COUNT, 2))
-    first = [{"name": "a", "default": 0.5, "q0": 2.0}]
-    plain = list(first)
+def expanded() -> list[dict[str, object]]:
+    found: list[dict[str, object]] = [{"name": "first", "limits": {"lower": 1.0}}]
     for k in range(COUNT):
-        q = [5 + 2 * k, 2]
-        plain.append({"name": f"n{1 + k}.x", "q": q, "default": values[k, 1], "limits": {}})
-        plain.append({"name": f"n{1 + k}.y", "at": 7 + 3 * k, "default": values[k, 0]})
-    return Rows(first, [Run(COUNT, pattern(), values)]), plain
+        found.append({"name": f"node{4 + k}.x", "at": 7 + 2 * k, "default": k / 3})
+        found.append({"name": f"node{4 + k}.y", "at": [8 + 2 * k, 3], "limits": {}})
+    return found
 
 
-def test_they_are_those_that_are_written_out() -> None:
-    rows, plain = both()
-    assert len(rows) == len(plain)
-    assert list(rows) == plain
-    assert [rows[k] for k in range(len(rows))] == plain
-    assert rows[-1] == plain[-1]
-    assert rows[3:9:2] == plain[3:9:2]
-    for key in ("name", "default", "q", "at", "q0"):
-        assert column(rows, key) == column(plain, key)
-        assert list(having(rows, key)) == list(having(plain, key))
-    assert rows.kinds == plain[:3]
+def test_rows_are_those_of_the_pattern() -> None:
+    made, wanted = rows(), expanded()
+    assert len(made) == len(wanted)
+    assert list(made) == wanted
+    some = (0, 1, 2, 2 * SOME, -1)
+    assert [made[k] for k in some] == [wanted[k] for k in some]
+    assert made[1:5] == wanted[1:5]
+    assert made[-2:] == wanted[-2:]
     with pytest.raises(IndexError):
-        rows[len(plain)]
+        made[len(wanted)]
 
 
-def test_json_keeps_them() -> None:
-    rows, plain = both()
-    text = dumped({"coordinates": rows, "name": "m"})
-    assert len(text) < 0.5 * len(json.dumps(plain))
-    again = opened(json.loads(text))
-    assert again["name"] == "m"
-    assert again["coordinates"] == rows
-    assert list(again["coordinates"]) == plain
+def test_columns() -> None:
+    for key in ("name", "at", "default", "limits", "absent"):
+        assert column(rows(), key) == column(expanded(), key)
+    assert list(having(rows(), "limits")) == list(having(expanded(), "limits")) == [rows()[0]]
+
+
+def test_json_gives_them_back_to_the_bit() -> None:
+    data = {"rows": rows(), "plain": [1, {"a": 2}], "table": {"listed": 1}}
+    again = opened(json.loads(dumped(data)))
+    assert again == data
+    assert list(again["rows"]) == expanded()
+
+
+def test_a_damaged_run_is_refused() -> None:
+    told = json.loads(dumped({"rows": rows()}))
+    told["rows"]["runs"][0]["values"] = "AAAA"
+    with pytest.raises(ValueError):
+        opened(told)
+    del told["rows"]["runs"][0]["values"]
+    with pytest.raises(ValueError, match="damaged"):
+        opened(told)
 
 
 @pytest.mark.parametrize(
@@ -63,15 +69,14 @@ def test_json_keeps_them() -> None:
     [
         {"count": 0},
         {"pattern": []},
-        {"pattern": ["n"]},
-        {"pattern": [{"name": {"text": ["n"]}}]},
-        {"pattern": [{"default": {"value": 2}}]},
-        {"values": "AAAA"},
+        {"pattern": ["node"]},
+        {"pattern": [{"name": {"text": ["node"]}}]},
+        {"pattern": [{"default": {"value": 1}}]},
         {"values": None},
     ],
 )
-def test_damage_is_told(harm: dict[str, Any]) -> None:
-    told = json.loads(dumped({"speeds": both()[0]}))
-    told["speeds"]["runs"][0] |= harm
-    with pytest.raises(ValueError, match=r"damaged|rows|buffer|reshape|unpack"):
+def test_what_cannot_be_read_is_refused_at_once(harm: dict[str, object]) -> None:
+    told = json.loads(dumped({"rows": rows()}))
+    told["rows"]["runs"][0] |= harm
+    with pytest.raises(ValueError, match=r"damaged|without rows|unpack"):
         opened(told)

@@ -192,6 +192,17 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
     "beam 'b': the name is taken": lambda s: (beam()(s), beam()(s)),
     "neither|give force=": lambda s: cd.LineLoad("b"),
     "force has 2 entries": lambda s: cd.LineLoad("b", force=(0, 1)),
+    r"force is 3.0; give 3 numbers": lambda s: cd.LineLoad("b", force=3.0),
+    r"moment\[1\] is nan": lambda s: cd.LineLoad("b", moment=(0, math.nan, 0)),
+    r"force\[2\] is inf": lambda s: cd.LineLoad("b", force=(0, 0, math.inf)),
+    r"force\[0\] is \[0.0, 0.0": lambda s: cd.LineLoad("b", force=[[0.0, 0.0, 0.0]] * 3),
+    r"force\[0\] is 'a'": lambda s: cd.LineLoad("b", force=("a", 0, 0)),
+    r"Body\('o'\) is no beam: give": lambda s: cd.LineLoad(s.body("o"), force=(0, 0, 1)),
+    "beam 'b' belongs to model 'other', not to 'm'": lambda s: s.force(
+        "load", cd.LineLoad(beam()(cd.Model("other")), force=(0, 0, 1))
+    ),
+    "None is no beam": lambda s: cd.LineLoad(None, force=(0, 0, 1)),
+    "follower is True or False, not 1": lambda s: cd.LineLoad("b", force=(0, 0, 1), follower=1),
 }
 
 

@@ -122,19 +122,6 @@ def test_text_header_flags_and_processor_are_in_the_key(source, tmp_path, monkey
     assert len(keys) == 8
 
 
-def test_headers_count_where_they_are_included(source, tmp_path):
-    inner, outer, other = (tmp_path / f"{name}.h" for name in ("inner", "outer", "other"))
-    for header in (inner, other):
-        header.write_text("#define A 1\n")
-    outer.write_text('#include "inner.h"\n')
-    source.write_text('#include "outer.h"\n' + source.read_text())
-    first = cache.build([source], [tmp_path])
-    other.write_text("#define A 2\n")
-    assert cache.build([source], [tmp_path]).path == first.path
-    inner.write_text("#define A 2\n")
-    assert cache.build([source], [tmp_path]).path != first.path
-
-
 @pytest.mark.parametrize("harm", ["flip", "cut", "empty"])
 def test_corrupted_object_is_detected_and_rebuilt(source, harm):
     built = cache.build([source])

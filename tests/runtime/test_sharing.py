@@ -313,3 +313,15 @@ def test_threads_that_load_elements_do_not_wait_for_each_other() -> None:
     other.join(60)
     assert not first.is_alive()
     assert not other.is_alive()
+
+
+def test_headers_count_where_they_are_included(tmp_path: Path) -> None:
+    """Scenes share the code of elements that know no more than these do."""
+    source, inner, other = (tmp_path / name for name in ("a.c", "inner.h", "other.h"))
+    source.write_text('#include "outer.h"\nint a(void)\n{\n    return A;\n}\n')
+    (tmp_path / "outer.h").write_text('#include "inner.h"\n')
+    paths = []
+    for number, header in enumerate((inner, other, inner)):
+        header.write_text(f"#define A {number}\n")
+        paths.append(cache.build([source], [tmp_path]).path)
+    assert paths[0] == paths[1] != paths[2]

@@ -376,6 +376,8 @@ WRONG: dict[str, Any] = {
         s.beam("b", (1.5, 0, 0), (2, 0, 0), GENERAL).start,
     ),
     "there is no beam 'c'": lambda s: s.force("f", cd.LineLoad("c", force=(0, 0, 1))),
+    "'o' is a body, and there is no such beam": lambda s: (s.joint("j", cd.Free(), s.ground,
+        s.body("o", mass=1)), s.force("f", cd.LineLoad("o", force=(0, 0, 1)))),
     "may depend on parameters only": lambda s: s.force(
         "f", cd.LineLoad(s.beam("b", s.ground, (1, 0, 0), GENERAL), force=(0, 0, cd.t))
     ),

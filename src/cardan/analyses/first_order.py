@@ -21,12 +21,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import qr
 
-from ..errors import SolveError
+from ..errors import ModelError, SolveError
 from .contract import Contract, Moment, Tangents, dense
 from .saddle import Dense, Singular, split
 
 Array = NDArray[np.float64]
 LEADING = 1e3  # times the share in motions that others need to be chosen instead
+# speeds up to which full matrices are made: a few dozen of 70 MB each
+FULL = 3000
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,8 +59,17 @@ def first_order(
         at: A state on the constraints; accelerations are those of the motion.
         held: Speeds (places) that are held.
         tau: Forces along the speeds (nu,) that act besides those of the scene, such as hold.
+
+    Raises:
+        ModelError: so many speeds that full matrices are out of the question.
     """
     columns, nu, nz = system.columns, len(system.columns), len(system.internals)
+    if nu > FULL:
+        raise ModelError(
+            f"model '{system.name}' has {nu} speeds: the matrices of its first-order form are "
+            f"full, and more than {FULL} speeds are too many. model.modes() and "
+            "model.equilibrium() take sparse ones; or let beams have fewer elements"
+        )
     found = system.tangents(at)
     G, R = (dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
     hold = np.eye(nu)[list(held)]

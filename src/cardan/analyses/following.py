@@ -17,8 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import SolveError
 from .newton import Search
-from .saddle import Singular
 from .standing import Standing, stand
 from .static_problem import Load, Point, Problem
 
@@ -132,10 +132,10 @@ def first(problem: Problem, found: Search, load: Load) -> Place:
 def ahead(problem: Problem, start: Place, load: Load) -> Step:
     """The step from a place to another load, along the tangent."""
     point = problem.under(start.point, load)
-    force, gap = problem.residual(point, load)
     try:
+        force, gap = problem.residual(point, load)
         x, y = problem.system.saddle.solve(*problem.tangent(point, load), -force, -gap)
-    except Singular:
+    except SolveError:
         return Step(problem, start, None, point)
     if not _size(x) <= problem.system.reach:
         return Step(problem, start, None, point)

@@ -88,10 +88,16 @@ class Modeled:
             self.model.with_parameters(dict(values))
         return dict(values) or None
 
+    @cached_property
+    def _places(self) -> dict[str, tuple[int, int]]:
+        """Entries in q and u of every coordinate whose speed is its derivative."""
+        speeds = {name: k for k, name in enumerate(self.speeds)}
+        pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
+        return {name: (k, speed) for name, k, speed in pairs if speed is not None}
+
     def place(self, name: str) -> tuple[int, int]:
         """As :meth:`Contract.place`."""
-        known = {n: (k, self.speeds.index(f"{n}.u")) for k, n in enumerate(self.coordinates)
-                 if f"{n}.u" in self.speeds}  # fmt: skip
+        known = self._places
         if name not in known:
             words = ""
             if name not in entries(self.model.manifest, "q"):

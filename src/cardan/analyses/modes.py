@@ -111,8 +111,9 @@ def _found(
     if issparse(K) and is_small(G):
         K, C, M, G = (x.toarray() for x in (K, C, M, G))
     if held:
-        kept = np.eye(len(system.columns))[held]
-        G = csr_array(vstack([G, kept])) if issparse(G) else np.concatenate([G, kept])
+        shape = (len(held), len(system.columns))
+        kept = csr_array((np.ones(len(held)), (np.arange(len(held)), held)), shape)
+        G = csr_array(vstack([G, kept])) if issparse(G) else np.concatenate([G, kept.toarray()])
     by = system.saddle.factored if isinstance(system.saddle, Sparse) else factored
     values: Complex
     shapes: Any

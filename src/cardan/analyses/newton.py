@@ -160,7 +160,7 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
             # where the stiffness pushes away, enough of it to lead down
             thick = _added(K, max(resistance * unit, -2 * below))
             step, y = system.saddle.solve(thick, G, -force, -gap)
-        except (Singular, SolveError):
+        except SolveError:
             return Search(point, total, False, step)
         size = _size(step)
         share = min(1.0, 0.3 * system.reach / max(size, 1e-300))

@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from ..runtime.absolute.elements import State
+from ..runtime.absolute.massless import refusal
 from ..runtime.conduct import FINISHED
 from . import record as abi
 from .bounded import is_bounded
@@ -66,9 +68,19 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
         )
     status = runner.record.model_status
     return "model_failed", (
-        f"stopped {at}: the equations have no solution (status {status}). The mass matrix is "
-        "singular there: look at the state motion.x[-1]"
+        f"stopped {at}: the equations have no solution (status {status}). {_masses(runner)}"
     )
+
+
+def _masses(runner: Runner | PlainRunner) -> str:
+    """What has no mass."""
+    model, views = runner.model, runner.views
+    if "mesh" not in model.manifest:
+        return "The mass matrix is singular there: look at the state motion.x[-1]"
+    q, u = model.split(views["y"][: model.nx])[:2]
+    at = State(q, u, t=float(runner.record.t), r=views["r"])
+    mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
+    return refusal(mesh, at)
 
 
 def _not_finite(runner: Runner | PlainRunner, who: str) -> str:

@@ -18,6 +18,8 @@ from scipy.linalg.lapack import dgecon, dgetrf, dgetrs
 from scipy.sparse import block_array, csc_array, csr_array, diags_array
 from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, eigsh, splu
 
+from ..errors import SolveError
+
 Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Factored: TypeAlias = Callable[[Array], Array]
@@ -33,7 +35,7 @@ SKEW = 1e-8  # above this forces have no potential
 LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 
 
-class Singular(ArithmeticError):
+class Singular(SolveError):
     """The system has no solution; what it leaves free.
 
     Attributes:
@@ -41,7 +43,11 @@ class Singular(ArithmeticError):
     """
 
     def __init__(self, motion: Array | None = None) -> None:
-        super().__init__("singular")
+        super().__init__(
+            "the stiffness and the constraints of this position have no common solution: something "
+            "is free to move, or numbers are not finite. Support it, or hold it: "
+            "hold={'...': value}"
+        )
         self.motion = motion
 
 

@@ -76,9 +76,8 @@ class Problem:
         if not G.shape[0]:
             return point
         force = self.residual(point, load)[0]
-        unit: Matrix = np.eye(G.shape[1])
-        if issparse(G):
-            unit = csr_array(diags_array(np.ones(G.shape[1])))
+        n = G.shape[1]
+        unit: Matrix = csr_array(diags_array(np.ones(n))) if issparse(G) else np.eye(n)
         _, y = system.saddle.solve(unit, G, -force, np.zeros(G.shape[0]))
         return self.moved(point, np.zeros(len(force)), y, load)
 

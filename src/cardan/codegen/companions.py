@@ -20,7 +20,7 @@ SHIFT = ("shift.h", "shift.c", "linear.h")
 SPARSE = (
     *("mesh.h", "mesh_lanes.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c", "mesh_solve.c"),
     *("sparse.h", "sparse_dense.h", "sparse_factor.c", "sparse_quality.c"),
-    *("sparse_signs.c", "sparse_solve.c"),
+    *("sparse_loose.c", "sparse_signs.c", "sparse_solve.c"),
 )
 INTEGRATORS = {
     "rk4": ("rk4.c",),

@@ -22,7 +22,8 @@ ALPHA = """\
     const real step = STEP, rho = RHO_INF;
     const real am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
     const real beta = (1 - am + af) * (1 - am + af) / 4, gamma = 0.5 - am + af;
-    /* 2: constraints hold for positions and for speeds; 3: for positions alone */
+    /* 2: constraints hold for positions and for speeds; 3: for positions alone. Then 0: a tangent
+     * serves corrections and steps while it can; 1: a new one at every correction */
     const real options[] = {am, af, beta, gamma, 2, 0, !(step > 0)};
 """
 GIVEN = """\

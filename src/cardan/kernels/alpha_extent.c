@@ -4,8 +4,9 @@
  *
  * Coordinates of nodes tell where they are, not how far they move: a tolerance relative to each
  * would be loose far from the origin and tight beside it, and would weigh metres against parts of
- * quaternions. So every length counts against one amplitude: the size of the model, or what nodes
- * have spread about their middle or their middle has moved where that was more; angles against 1.
+ * quaternions. So every length counts against one amplitude: what nodes have spread about their
+ * middle, or their middle has moved where that was more, and the size of the model where nodes begin
+ * at one place; angles against 1.
  * Where the origin is and what a metre is called makes no difference then.
  * Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 11 (step size control).
  */
@@ -16,6 +17,8 @@
 /* error of the first step, of the tolerance; the step that probes, of the time in which something
  * happens */
 static const real CAREFUL = 0.1, PROBE = 1e-3;
+/* of the size of the model, below which the spread of nodes is rounding */
+static const real LEAST = 1e-9;
 enum { FARTHER = 100 /* times the probe, at most */ };
 
 /* Where node k is, those of a plane after the others, and in how many directions. */
@@ -63,8 +66,10 @@ void cardan_alpha_extent(const cardan_run *run, const cardan_alpha *v, int first
         *before = first ? middle[i] : *before;
         moved += (middle[i] - *before) * (middle[i] - *before);
     }
-    if (first)
-        v->now[ALPHA_EXTENT] = run->size > 0 ? run->size : 1;
+    if (first) {
+        const real size = run->size > 0 ? run->size : 1;
+        v->now[ALPHA_EXTENT] = sqrt(largest) > LEAST * size ? 0 : size;
+    }
     v->now[ALPHA_EXTENT] = fmax(v->now[ALPHA_EXTENT], sqrt(fmax(largest, moved)));
 }
 

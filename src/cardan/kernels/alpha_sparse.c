@@ -68,6 +68,11 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
         status = cardan_mesh_factor(v->mesh, &at, &speeds, &settling, &assembled);
         v->now[ALPHA_LAME] = (real)settling.factors.weak;
     }
+    /* a run begins with accelerations, which masses decide alone */
+    if (assembled && h == 0) {
+        status = status == 0 ? cardan_mesh_massless(v->mesh, &system) : CARDAN_SINGULAR;
+        assembled = status == 0;
+    }
     v->now[ALPHA_MATRIX] = status == 0 ? h : 0;
     v->now[ALPHA_RATE] = 1;
     v->now[ALPHA_WEAK] = (real)system.factors.weak;

@@ -55,6 +55,11 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
         status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
     if (status == 0)
         status = cardan_mesh_factor(mesh, &at, &parts, &system, &assembled);
+    /* an unknown that is in no equation has no mass either */
+    if (status == 0)
+        status = cardan_mesh_massless(mesh, &system);
+    else if (status == CARDAN_UNSOLVED)
+        status = CARDAN_SINGULAR;
     if (status != 0)
         return status;
     for (ptrdiff_t i = 0; i < mesh->nu; i++)

@@ -30,6 +30,9 @@ int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
 int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, cardan_mesh_system *system, int *assembled);
 int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system);
+/* Of a factored matrix of masses and constraints: CARDAN_SINGULAR where a motion is left to which
+ * nothing has mass or inertia, else 0. */
+int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *system);
 /* found = a^-1 right. Returns 0 or CARDAN_UNSOLVED. */
 int cardan_mesh_solve(const cardan_mesh *mesh, const cardan_mesh_system *system);
 

@@ -84,6 +84,15 @@ int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system)
                                                                              : CARDAN_UNSOLVED;
 }
 
+int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *system)
+{
+    const cardan_sparse_factors *factors = &system->factors;
+
+    if (factors->weak == 0)
+        return 0;
+    return cardan_sparse_loose(mesh->plan, factors, system->found) < 0 ? 0 : CARDAN_SINGULAR;
+}
+
 int cardan_mesh_solve(const cardan_mesh *mesh, const cardan_mesh_system *system)
 {
     const cardan_sparse *plan = mesh->plan;

@@ -121,6 +121,11 @@ double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_facto
 double cardan_sparse_carried(const cardan_sparse *plan, const cardan_sparse_factors *f,
                              const double *b, const double *x, int32_t *unknown);
 
+/* A direction x (n) of unknowns that the matrix maps to nothing and in which speeds move: one whose
+ * pivots were replaced. Returns the speed that moves most in units, -1 where there is none: then
+ * pivots were lost in multipliers alone, or at a place where later ones make up for them. */
+int32_t cardan_sparse_loose(const cardan_sparse *plan, const cardan_sparse_factors *f, double *x);
+
 /* y, in order of elimination and in units, becomes the solution for the right-hand side y. */
 void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_factors *f, int turned,
                               double *y);

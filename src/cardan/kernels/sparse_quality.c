@@ -29,11 +29,13 @@ static double sizes(ptrdiff_t n, const double *x, const double *y)
     return sum;
 }
 
-/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units. */
+/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units;
+ * infinity where numbers are not finite. */
 static double residual(const cardan_sparse *plan, const cardan_sparse_factors *f, const double *a,
                        const double *b, const double *x, double *r)
 {
     double most = 0, size = 0;
+    int finite = 1;
 
     cardan_sparse_multiply(plan, a, x, r);
     for (ptrdiff_t block = 0; block < plan->blocks; block++) {
@@ -48,13 +50,17 @@ static double residual(const cardan_sparse *plan, const cardan_sparse_factors *f
                 row += n;
             }
             r[i] = b[i] - r[i];
-            if (!(fabs(r[i]) * unit <= most))
+            /* a later number would take the place of one that is none */
+            finite = finite && r[i] - r[i] == 0;
+            if (fabs(r[i]) * unit > most)
                 most = fabs(r[i]) * unit;
             if (sum * unit > size)
                 size = sum * unit;
         }
     }
-    return most > 0 || !(most - most == 0) ? most / size : 0;
+    if (!finite)
+        return INFINITY;
+    return most > 0 ? most / size : 0;
 }
 
 double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_factors *f,

@@ -261,6 +261,12 @@ class Model(Vocabulary):
         checks.new("force", name, self.forces)
         if not isinstance(element, ForceElement):
             raise ModelError(f"force '{name}': {element!r} is no force element")
+        beam = getattr(element, "beam", None)
+        if isinstance(beam, Beam) and beam.model is not self:
+            raise ModelError(
+                f"force '{name}': beam '{beam.name}' belongs to model '{beam.model.name}', not to "
+                f"'{self.name}'"
+            )
         made = Force(name, by_names(element))
         self.forces[name] = made
         return made

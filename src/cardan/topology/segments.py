@@ -167,10 +167,11 @@ def _loads(scene: Model, convert: Converter) -> dict[str, Data]:
         if not isinstance(element, LineLoad):
             continue
         if element.beam not in scene.beams:
-            listed = near(str(element.beam), scene.beams).replace(" Known:", " Beams:")
-            raise ModelError(
-                f"force '{name}' (line_load): there is no beam '{element.beam}'.{listed}"
-            )
+            listed = near(element.beam, scene.beams).replace(" Known:", " Beams:")
+            what = f"'{element.beam}' is a body, and there is no such beam"
+            if element.beam not in scene.bodies:
+                what = f"there is no beam '{element.beam}'"
+            raise ModelError(f"force '{name}' (line_load): {what}.{listed}")
         with convert.graph.made_by(name, "data"):
             for key, entry in element.quantities().items():
                 *_, nodes = convert.quantity(entry, f"{name}.{key}")

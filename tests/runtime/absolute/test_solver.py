@@ -71,6 +71,19 @@ def test_solutions(name: str, skew: float, way: type[Solver]) -> None:
     assert by.carried(b[:, 0], better) == (0.0, -1)
 
 
+@pytest.mark.parametrize("place", [0, -1])
+def test_what_is_no_number_is_no_solution(place: int, way: type[Solver]) -> None:
+    drawn, _, numbers = made(next(iter(STRUCTURES.values())))
+    by = way(drawn)
+    by.factor(numbers)
+    b = np.ones(drawn.pattern.n)
+    x = by.solve(b)
+    x[place] = np.nan
+    assert by.refine(b, x)[1] == np.inf
+    b[place] = np.inf
+    assert by.refine(b, np.zeros(len(b)))[1] == np.inf
+
+
 @pytest.mark.parametrize("name", STRUCTURES)
 def test_determinant_signs_and_smallest(name: str, way: type[Solver]) -> None:
     drawn, a, numbers = made(STRUCTURES[name])

@@ -23,7 +23,7 @@ class LineLoad(ForceElement):
             section; else along the axes of the ground.
 
     Raises:
-        ModelError: neither force nor moment, or not three finite components.
+        ModelError: neither force nor moment, or not three finite components; no beam.
 
     Source: J. C. Simo and L. Vu-Quoc, A three-dimensional finite-strain rod model II, 1986.
     """
@@ -42,6 +42,11 @@ class LineLoad(ForceElement):
             if getattr(self, name) is not None:
                 value = vector("line_load", name, getattr(self, name), 3)
                 object.__setattr__(self, name, value)
+        if not isinstance(self.beam, str) and not hasattr(self.beam, "section"):
+            raise ModelError(
+                f"line_load: {self.beam!r} is no beam: give a beam or its name. Bodies and frames "
+                "take cd.Force and cd.Torque"
+            )
         if not isinstance(self.follower, bool):
             raise ModelError(f"line_load: follower is True or False, not {self.follower!r}")
 

@@ -92,7 +92,11 @@ class Elements(ABC):
 
     @abstractmethod
     def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
-        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
+        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,).
+
+        Raises:
+            SolveError: something can move that has neither mass nor inertia; it is named.
+        """
 
     @abstractmethod
     def rates(self, q: Array, u: Array) -> Array:

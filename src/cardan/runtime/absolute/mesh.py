@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 from ...errors import SolveError
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
+from ..interpreted import SINGULAR
 from ..loaded import prepare
 from ..objects import Code
 from ..slots import ORDER
 from .blocks import plan_record
 from .elements import INNER, Elements, State
+from .massless import refusal
 from .matrices import Matrices
 from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .tables import Kind, Table, Tables
@@ -141,7 +143,9 @@ class Mesh(Elements):
         """Load functions of all elements that are not there yet; those of one call side by side."""
         if not self._connected.issuperset(forms):
             with self._lock:
-                self._connect([name for name in forms if name not in self._connected])
+                missing = [name for name in forms if name not in self._connected]
+                if missing:
+                    self._connect(missing)
 
     def _connect(self, missing: Sequence[str]) -> None:
         """Load functions; alone."""
@@ -216,10 +220,13 @@ class Mesh(Elements):
         return int(self.library.cardan_mesh_call_work(self.reference))
 
     def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
-        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,)."""
+        """As :meth:`Elements.accelerations`."""
         out = np.empty(self.tables.nu + self.tables.m)
         more = None if tau is None else _at(np.ascontiguousarray(tau))
-        self._call("accelerations", at, more, _at(out))
+        status = self._status("accelerations", at, more, _at(out))
+        if status == SINGULAR:
+            raise SolveError(refusal(self, at))
+        _done("accelerations", status)
         udot, lam = np.split(out, [self.tables.nu])
         return udot, lam
 
@@ -233,13 +240,16 @@ class Mesh(Elements):
         return StateRecord(t=at.t, **pointers), list(held.values())
 
     def _call(self, name: str, at: State, *arguments: Any) -> None:
+        _done(name, self._status(name, at, *arguments))
+
+    def _status(self, name: str, at: State, *arguments: Any) -> int:
         self.connect(*NEEDED.get(name, ()))
         record, held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
         memory = np.empty(self.work)
-        status = function(self.reference, ctypes.byref(record), *arguments, _at(memory))
+        status = int(function(self.reference, ctypes.byref(record), *arguments, _at(memory)))
         del held
-        _done(name, status)
+        return status
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""

@@ -17,6 +17,7 @@ from ...ir.function import Function
 from ...ir.interpreter import evaluate
 from ..objects import Code
 from .elements import INNER, Elements, State
+from .massless import massless, refusal
 from .plan import plan
 from .superlu import SuperluSolver
 from .tables import Tables
@@ -119,6 +120,8 @@ class PlainElements(Elements):
         rest = State(at.q, at.u, t=at.t, r=at.r, z=at.z, s=at.s)
         tangent, force = self.tangent(rest), -self.balance(rest)[0]
         push = force if tau is None else force + tau
+        if massless(self, rest):
+            raise SolveError(refusal(self, rest))
         udot, y = self._solved(tangent["M"], tangent["G"], push, self.gamma(rest))
         return udot, -y
 

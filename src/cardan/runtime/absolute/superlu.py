@@ -121,6 +121,8 @@ class SuperluSolver:
     def _residual(self, b: Reals, x: Reals) -> tuple[float, Reals]:
         matrix = self._ready()
         r = b - matrix @ x
+        if not np.isfinite(r).all():
+            return np.inf, r
         size = self._rows * (abs(matrix) @ np.abs(x) + np.abs(b))
         most = float(np.abs(self._rows * r).max(initial=0))
         return (most / float(size.max()) if most else 0.0), r
