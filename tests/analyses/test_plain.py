@@ -191,6 +191,6 @@ def test_steps_into_a_contact_that_go_too_far_are_shortened(bare: Any) -> None:
 def test_methods_of_compilers_say_so(double: cd.CompiledModel, bare: Any) -> None:
     model = bare(double)
     # as in a process that never had one
-    kernels.library.cache_clear()
+    kernels._library.cache_clear()
     with pytest.raises(cd.ModelError, match="method 'GeneralizedAlpha' needs a C compiler: pip"):
         model.simulate(1.0, method="GeneralizedAlpha")

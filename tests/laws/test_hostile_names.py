@@ -79,7 +79,7 @@ class Tags(HTMLParser):
         self.attributes |= {name for name, _ in attributes}
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 3), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 4), ids=NAMES)
 def test_c_and_python(word: str, tmp_path: Path) -> None:
     equations = cd.derive(scene_of(word, first=True))
     functions = [*equations.operations, "outputs", "power", "energy", ("pose", f"{word} c")]
