@@ -12,6 +12,7 @@ import resource
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
@@ -29,34 +30,61 @@ T = TypeVar("T")
 ELEMENTS, STEP, STEPS = 100_000, 1e-5, 10
 
 
-def _told(what: str, action: Callable[[], T]) -> T:
-    """The result of an action, whose cost is printed."""
-    wall, cpu = time.perf_counter(), time.process_time()
-    found = action()
-    wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-    print(f"{what:<24} {cpu:8.2f} s of processor {wall:8.2f} s in all, peak {peak:.2f} GB")
-    return found
+@dataclass(frozen=True)
+class Cost:
+    """What an action took: time of the processor and in all [s], peak of memory since then [GB]."""
+
+    what: str
+    cpu: float
+    wall: float
+    peak: float
+
+    def __str__(self) -> str:
+        times = f"{self.cpu:8.2f} s of processor {self.wall:8.2f} s in all"
+        return f"{self.what:<24} {times}, peak {self.peak:.2f} GB"
+
+
+class Costs:
+    """Actions one behind the other, in a process of their own for the sake of memory."""
+
+    def __init__(self, elements: int = ELEMENTS) -> None:
+        self.rows: list[Cost] = []
+        equations = self._of("derive", lambda: cd.derive(problem.scene(elements), "absolute"))
+        model = self._of("compile", lambda: cd.compile(equations))
+        self._of("tables and plan", lambda: tables_of(model).once(Matrices.of))
+
+        def run(steps: int) -> cd.Trajectory:
+            method = cd.GeneralizedAlpha(problem.RHO_INF, index=3)
+            return model.simulate(np.linspace(0, steps * STEP, 2), method=method, step=STEP)
+
+        self._of("first run, one step", lambda: run(1))
+        self._of("again", lambda: run(1))
+        motion = self._of(f"{STEPS} steps", lambda: run(STEPS))
+        # what a free end falls before anything of the pin is felt there
+        fall = -0.5 * problem.GRAVITY * (STEPS * STEP) ** 2
+        self.told = f"tip fell {motion['z'][-1]:.6e} m, freely {fall:.6e} m; {motion.message}"
+
+    @property
+    def step(self) -> float:
+        """Time of one more step [s]."""
+        one, several = self.rows[-2:]
+        return (several.wall - one.wall) / (STEPS - 1)
+
+    def _of(self, what: str, action: Callable[[], T]) -> T:
+        wall, cpu = time.perf_counter(), time.process_time()
+        found = action()
+        wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+        self.rows.append(Cost(what, cpu, wall, peak))
+        return found
 
 
 def main() -> int:
     """Measure and print."""
     n = int(sys.argv[1]) if len(sys.argv) > 1 else ELEMENTS
     print(f"{n} elements; load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
-    equations = _told("derive", lambda: cd.derive(problem.scene(n), "absolute"))
-    model = _told("compile", lambda: cd.compile(equations))
-    _told("tables and plan", lambda: tables_of(model).once(Matrices.of))
-
-    def run(steps: int) -> cd.Trajectory:
-        method = cd.GeneralizedAlpha(problem.RHO_INF, index=3)
-        return model.simulate(np.linspace(0, steps * STEP, 2), method=method, step=STEP)
-
-    _told("first run, one step", lambda: run(1))
-    _told("again", lambda: run(1))
-    motion = _told(f"{STEPS} steps", lambda: run(STEPS))
-    # what a free end falls before anything of the pin is felt there
-    fall = -0.5 * problem.GRAVITY * (STEPS * STEP) ** 2
-    print(f"tip fell {motion['z'][-1]:.6e} m, freely {fall:.6e} m; {motion.message}")
+    found = Costs(n)
+    print(*found.rows, found.told, sep="\n")
     return 0
 
 

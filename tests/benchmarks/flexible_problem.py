@@ -25,14 +25,17 @@ SECTION = {
 END, STEP, RHO_INF, SAMPLES = 0.5, 1e-3, 0.8, 10
 
 
-def scene(n: int, element: str = "hellinger_reissner", inertia: str = "linked") -> cd.Model:
-    """The beam with n elements."""
+def scene(
+    n: int, element: str = "hellinger_reissner", inertia: str = "linked", flat: bool = False
+) -> cd.Model:
+    """The beam with n elements, on a ball joint, or on a hinge across its plane."""
     model = cd.Model("rubber", gravity=(0, 0, -GRAVITY))
     beam = model.beam(
         "rope", (0, 0, 0), (LENGTH, 0, 0), cd.section.general(**SECTION), elements=n,
         element=element, inertia=inertia,
     )  # fmt: skip
-    model.joint("pin", cd.Spherical(), model.ground, beam.start)
+    pin = cd.Revolute("y") if flat else cd.Spherical()
+    model.joint("pin", pin, model.ground, beam.start)
     for name, axis in (("x", 0), ("z", 2)):
         model.output(name, beam.end.position()[axis], unit="m")
     return model

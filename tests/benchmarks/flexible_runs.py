@@ -1,4 +1,5 @@
-"""A beam of rubber by cardan and by Exudyn: time of a step and error of the tip, in one run.
+"""A beam of rubber by cardan and by Exudyn: time of a step and error of the tip, in one run; then
+elements, solver, first use and very many elements.
 
 Writes docs/performance/flexible.md with its picture and prints its tables. Times are reported,
 never asserted; a program that is missing ends it.
@@ -23,6 +24,7 @@ import cardan as cd
 from benchmarks import flexible_exudyn as exudyn
 from benchmarks import flexible_page as page
 from benchmarks import flexible_problem as problem
+from benchmarks.flexible_figures import figures
 from benchmarks.flexible_page import Found, Point
 
 Array = NDArray[np.float64]
@@ -79,7 +81,13 @@ def curves(exact: Array, elements: tuple[int, ...]) -> list[Point]:
     for n in elements:
         model = cd.compile(problem.scene(n))
         problem.run(model, STEPS)
-        found = {"cardan": min((problem.run(model, STEPS) for _ in range(3)), key=lambda p: p[0])}
+        flat = cd.compile(cd.derive(problem.scene(n, flat=True), "absolute", plane="y"))
+        problem.run(flat, STEPS)
+        ours = {"cardan": model, "cardan, planar": flat}
+        found = {
+            name: min((problem.run(one, STEPS) for _ in range(3)), key=lambda p: p[0])
+            for name, one in ours.items()
+        }
         for name, build in exudyn.BEAMS.items():
             found[f"Exudyn, {name}"] = min(
                 (exudyn.run(build, n, STEPS) for _ in range(2)), key=lambda p: p[0]
@@ -98,7 +106,9 @@ def main() -> int:
         return MISSING
     exact = reference()
     found = Found(
-        compared(QUICK if quick else SIZES, exact), curves(exact, CURVE[:2] if quick else CURVE)
+        compared(QUICK if quick else SIZES, exact),
+        curves(exact, CURVE[:2] if quick else CURVE),
+        list(figures(quick)),
     )
     page.show(found)
     if not quick:

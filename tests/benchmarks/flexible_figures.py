@@ -1,0 +1,121 @@
+"""What scenes with beams are to reach, and reach, where no other program is needed for it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+
+import cardan as cd
+from benchmarks import flexible, flexible_large, sparse
+from mechanisms.flexible import bend45
+
+TESTS = Path(__file__).parents[1]
+# times of factor and solve of a chain by its number of nodes, prototype and SuperLU beside it [us]
+SOLVED = {10: (3.2, 1.3), 100: (38, 13), 1000: (400, 131), 10_000: (9400, 1640)}
+# balance with tangent of an element by itself and in lanes [ns]
+ELEMENTS = {"hellinger_reissner": (1000, 250), "linked_inertia": (600, 150)}
+COLD = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import cardan as cd
+from benchmarks import flexible_problem as problem
+model = cd.compile(cd.derive(problem.scene(int(sys.argv[2]))))
+model.forward_dynamics(*model.split(model.initial()))
+"""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One figure: what was measured, what it is to be at most, what it is, whether that holds."""
+
+    what: str
+    target: str
+    found: str
+    reached: bool
+
+
+def figures(quick: bool = False) -> Iterator[Figure]:
+    """All of them; quick: without very many elements."""
+    yield _bend()
+    yield from _elements()
+    yield from _solved(1000 if quick else 10_000)
+    for n in (10, 1000):
+        spent = _cold(n)
+        text = f"derived, written, compiled and called the first time, {n} elements"
+        yield Figure(text, "3 s", f"{spent:.1f} s", spent <= 3)
+    if not quick:
+        yield _large()
+
+
+def _bend() -> Figure:
+    known = json.loads((TESTS / "references" / "bend45.json").read_text(encoding="utf-8"))
+    wanted = np.array(known["reference"]["tip_position_own"]["J_1/6"]["600"])
+    found = cd.compile(bend45(8)).equilibrium()
+    tip = np.array([found[f"bend.end.{c}"] for c in ("px", "py", "pz")])
+    error, steps = float(np.abs(tip - wanted).max()), found.iterations
+    return Figure(
+        "45-degree bend, 8 elements, whole load at once (radius 100)",
+        "1.5e-3, 9 iterations",
+        f"{error:.2e}, {steps} iterations",
+        error <= 1.5e-3 and steps <= 9,
+    )
+
+
+def _elements() -> Iterator[Figure]:
+    for kind, (alone, abreast) in ELEMENTS.items():
+        rows = [r for r in flexible.measured([kind]) if r.function.startswith("balance")]
+        one, several = sum(r.alone for r in rows), sum(r.abreast for r in rows)
+        yield Figure(
+            f"{kind}: balance and tangent, by itself / in lanes",
+            f"{alone} / {abreast} ns",
+            f"{one:.0f} / {several:.0f} ns",
+            one <= alone and several <= abreast,
+        )
+
+
+def _solved(most: int) -> Iterator[Figure]:
+    for row in sparse.measured(["chain"], most):
+        if row.nodes in SOLVED:
+            factor, solve = SOLVED[row.nodes]
+            own, other = 1e6 * row.factor, 1e6 * row.solve
+            theirs = f"{1e6 * row.superlu_factor:.0f} / {1e6 * row.superlu_solve:.0f}"
+            yield Figure(
+                f"chain of {row.nodes:,}: factor / solve (SuperLU {theirs} us)",
+                f"{factor} / {solve} us",
+                f"{own:.1f} / {other:.1f} us",
+                own <= factor and other <= solve,
+            )
+
+
+def _cold(n: int) -> float:
+    """Seconds of a new process with an empty cache but for the kernels, which serve every model."""
+    with tempfile.TemporaryDirectory(prefix="cardan-cold-") as cache:
+        given = os.environ | {"CARDAN_CACHE": cache}
+        kernels = "from cardan.runtime import kernels; kernels.library()"
+        subprocess.run([sys.executable, "-c", kernels], env=given, check=True)
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-c", COLD, str(TESTS), str(n)], env=given, check=True)
+        return time.perf_counter() - start
+
+
+def _large() -> Figure:
+    with ProcessPoolExecutor(1, get_context("spawn")) as alone:
+        found = alone.submit(flexible_large.Costs).result()
+    peak = found.rows[-1].peak
+    return Figure(
+        f"{flexible_large.ELEMENTS:,} elements: a step of generalized-alpha, memory of the process",
+        "2 s, 2 GB",
+        f"{found.step:.2f} s, {peak:.2f} GB",
+        found.step <= 2 and peak <= 2,
+    )
