@@ -96,6 +96,10 @@ class Lanes:
     driver: Any = field(repr=False)
     libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
 
+    def discard(self) -> None:
+        """Nobody finds its object in the cache."""
+        self.built.discard()
+
     def call(
         self, single: int, states: States, sizes: Sequence[int], work_size: int
     ) -> Callable[[int, int], Answer]:

@@ -5,19 +5,18 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import json
-import os
 import threading
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
-from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ..ir.rows import opened
-from . import bounded, cache, interpreted, schema
+from . import cache, interpreted, schema
 from .lanes import Recipe
+from .together import together
 
 if TYPE_CHECKING:
     from ..ir.function import Function
@@ -25,9 +24,6 @@ if TYPE_CHECKING:
 
 Provide = Callable[[str, str | None], str]
 Key = tuple[str, str | None]
-
-# seconds between two looks at compilers that are to end
-PATIENCE = 0.02
 
 
 @dataclass(frozen=True)
@@ -174,32 +170,9 @@ class Objects:
         """
         with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
-            made = self._all(missing) if len(missing) > 1 else list(map(self._made, missing))
+            made = together([partial(self._made, symbol) for symbol in missing])
             self._loaded.update(zip(missing, made, strict=True))
             return [self._loaded[s] for s in symbols]
-
-    def _all(self, symbols: Sequence[str]) -> list[Code]:
-        """Several functions side by side; all or none."""
-        threads: set[int] = set()
-        workers = min(len(symbols), os.cpu_count() or 1)
-        with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:
-            running = [pool.submit(self._made, symbol) for symbol in symbols]
-            try:
-                done = [task.exception() for task in running]
-            except BaseException:
-                # Ctrl-C reaches this thread alone: the compilers of the others end now, those too
-                # that a thread is just about to start
-                pool.shutdown(wait=False, cancel_futures=True)
-                begun = [task for task in running if not task.cancelled()]
-                while wait(begun, timeout=PATIENCE).not_done:
-                    bounded.stop(threads)
-                _discard(running)
-                raise
-        failed = [error for error in done if error]
-        if failed:
-            _discard(running)
-            raise failed[0]
-        return [task.result() for task in running]
 
     def keep(self, symbol: str) -> Code:
         """A function that passed its check: other processes may find it now."""
@@ -273,10 +246,3 @@ class Objects:
                 "half copied. Compile the model again, or correct its sha256 in the manifest"
             )
         return path
-
-
-def _discard(tasks: Sequence[Future[Code]]) -> None:
-    """Throw away what tasks that have ended made."""
-    for task in tasks:
-        if not task.cancelled() and not task.exception():
-            task.result().discard()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
+from functools import partial
 from typing import Any, final
 
 import numpy as np
@@ -14,9 +15,11 @@ from ...errors import SolveError
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
 from ..interpreted import SINGULAR
+from ..lanes import Lanes
 from ..loaded import prepare
 from ..objects import Code
 from ..slots import ORDER
+from ..together import together
 from .blocks import plan_record
 from .elements import INNER, Elements, State
 from .massless import refusal
@@ -152,27 +155,35 @@ class Mesh(Elements):
         groups = self.tables.groups
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         self._codes |= self._load([group.kind.functions[name] for group, name in having])
+        abreast = self._abreast([self._codes[g.kind.functions[n]] for g, n in having if _many(g)])
         for record, group, data in zip(self._groups, groups, self.data, strict=False):
             for name in missing:
                 if name in group.kind.functions:
                     form = record.forms[FORMS.index(name)]
-                    self._form(form, self._codes[group.kind.functions[name]], data)
+                    code = self._codes[group.kind.functions[name]]
+                    self._form(form, code, data, abreast.get(code.symbol) if _many(group) else None)
         self._connected.update(missing)
 
-    def _form(self, form: Form, code: Code, data: Array) -> None:
+    def _abreast(self, codes: Sequence[Code]) -> dict[str, Lanes]:
+        """The lane builds of functions that can have one; what is compiled is so side by side."""
+        recipes = {
+            code.symbol: code.recipe
+            for code in codes
+            if code.recipe is not None and 1 < self._width in code.entry["lanes"]
+        }
+        made = together([partial(recipe.made, self._width, True) for recipe in recipes.values()])
+        for built in made:
+            # the text is that of the function for one, which was checked
+            built.built.published()
+        return dict(zip(recipes, made, strict=True))
+
+    def _form(self, form: Form, code: Code, data: Array, built: Lanes | None) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry["output_size"])
-        if len(data) < WORTH or self._width == 1 or code.recipe is None:
-            return
-        if self._width not in code.entry["lanes"]:
-            return
-        built = code.recipe.there(self._width, True)
         if built is None:
-            built = code.recipe.made(self._width, True)
-            # the text is that of the function for one, which was checked
-            built.built.published()
+            return
         self._keep.append(built)
         form.lanes = built.address
         # what is missing in the last block repeats the last element
@@ -322,6 +333,11 @@ class Mesh(Elements):
         arguments = (_at(q), _at(du), _at(out), None, _at(memory))
         _done("move", self.library.cardan_mesh_move(self.reference, *arguments))
         return out
+
+
+def _many(group: Table) -> bool:
+    """Whether lanes are worth it."""
+    return len(group) >= WORTH
 
 
 def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
