@@ -126,10 +126,9 @@ def test_rotating_blade(speed: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("speed", range(13))
 def test_rotating_blade_at_all_speeds(speed: int) -> None:
-    errors = np.abs(blade_frequencies(64, speed) / blade_reference(speed) - 1)
-    print(f"blade at {speed}, 64 elements: errors of lag and flap", *errors.T)
-    assert errors[:3].max() < 1e-6
-    assert errors[3].max() < 2e-6
+    errors = np.abs(blade_frequencies(80, speed) / blade_reference(speed) - 1)
+    print(f"blade at {speed}, 80 elements: errors of lag and flap", *errors.T)
+    assert errors.max() < 1e-6
 
 
 def test_flexible_slider_crank() -> None:
