@@ -260,8 +260,9 @@ def test_many_elements_go_the_sparse_way() -> None:
     coarse = rotor(elements=20)
     expected = coarse.modes(6, coarse.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0})).angular
     np.testing.assert_allclose(driven, expected, rtol=1e-3)
-    # a hub that may give way does not change what turns it not
-    assert np.abs(free[1:, None] - driven).min(axis=1).min() < 1e-5
+    # a hub that may give way does not change what turns it not: of two blades that swing alike,
+    # one motion of every pair
+    assert np.abs(free[1:, None] - driven).min(axis=0).max() < 1e-8
 
 
 @pytest.mark.slow

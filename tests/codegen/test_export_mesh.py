@@ -109,14 +109,19 @@ def numbers(lines: list[str], name: str) -> np.ndarray:
     return np.array([float(x.split(" = ")[1]) for x in lines if x.startswith(f"{name}[")])
 
 
-def test_a_flexible_scene_simulates_without_python(swinging: Path, builder: Builder) -> None:
-    lines = builder.run(swinging, "-DCARDAN_EXAMPLE", f"-DSTEP={STEP}")
-    model = cd.load_model(swinging)
+def same_run(lines: list[str], model: cd.CompiledModel, rel: float) -> cd.Trajectory:
+    """The run in Python; what a program printed of its own start and end is the same."""
     motion = model.simulate(1.0, method=cd.GeneralizedAlpha(0.8), step=STEP)
     energy = model.energy(*model.split(motion.x[0]))
-    assert numbers(lines, "energy") == pytest.approx(energy, rel=1e-12, abs=1e-12)
+    assert numbers(lines, "energy") == pytest.approx(energy, rel=rel, abs=1e-12)
     # other flags round differently
     assert numbers(lines, "x") == pytest.approx(motion.x[-1], rel=1e-9, abs=1e-9)
+    return motion
+
+
+def test_a_flexible_scene_simulates_without_python(swinging: Path, builder: Builder) -> None:
+    lines = builder.run(swinging, "-DCARDAN_EXAMPLE", f"-DSTEP={STEP}")
+    motion = same_run(lines, cd.load_model(swinging), rel=1e-12)
     assert np.abs(motion.x[-1] - motion.x[0]).max() > 1
 
 
@@ -138,11 +143,8 @@ def test_a_rigid_closed_scene_simulates_without_python(
     folder = equations.export(tmp_path / "c", integrators=("alpha",))
     lines = builder.run(folder, "-DCARDAN_EXAMPLE", f"-DSTEP={STEP}")
     model = cd.compile(equations)
-    motion = model.simulate(1.0, method=cd.GeneralizedAlpha(0.8), step=STEP)
-    energy = model.energy(*model.split(motion.x[0]))
     # circuits were open at first, and both have closed them
-    assert numbers(lines, "energy") == pytest.approx(energy, rel=1e-10, abs=1e-12)
-    assert numbers(lines, "x") == pytest.approx(motion.x[-1], rel=1e-9, abs=1e-9)
+    motion = same_run(lines, model, rel=1e-10)
     open_by = np.abs(model.constraints(model.split(model.initial())[0])).max()
     assert open_by > 1e-4
     assert np.abs(motion.x[-1] - motion.x[0]).max() > 0.1

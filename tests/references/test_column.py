@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ import cardan as cd
 from mechanisms.flexible import column
 
 Array = NDArray[np.float64]
+Follow = Callable[[int, list[str]], Array]
 TABLE: dict[str, dict[str, float]] = json.loads(
     (Path(__file__).parent / "pinned_column_elastica.json").read_text(encoding="utf-8")
 )["reference"]["table"]
@@ -109,7 +111,19 @@ def follow(elements: int, angles: list[str]) -> Array:
     return shape(path)
 
 
-def compared(elements: tuple[int, ...], angles: list[str]) -> tuple[list[float], float]:
+def beyond(elements: int, angles: list[str]) -> Array:
+    """The plane branch behind the load at which it loses its stability across the plane."""
+    model = cd.compile(column(elements, 0.0, STIFF))
+    start = buckled(model, loads(angles)[0])
+    with pytest.warns(cd.SolveWarning, match="unstable from a load between P = 2.1"):
+        path = model.statics(P=loads(angles), q=start.q)
+    assert path.success
+    return shape(path)
+
+
+def compared(
+    elements: tuple[int, ...], angles: list[str], follow: Follow = follow
+) -> tuple[list[float], float]:
     """Errors, and that of the last two extrapolated by order 4; printed."""
     found = [follow(n, angles) for n in elements]
     errors = [float(np.abs(x - wanted(angles)).max()) for x in found]
@@ -130,6 +144,14 @@ def test_buckled_shapes() -> None:
 @pytest.mark.slow
 def test_buckled_shapes_of_many_elements() -> None:
     errors, last = compared((64, 128), ["20", "40", "60", "80", "100", "120"])
+    assert errors[-1] < 3e-8
+    # the tolerance of the reference
+    assert last < 1e-10
+
+
+@pytest.mark.slow
+def test_shapes_behind_where_its_ends_meet() -> None:
+    errors, last = compared((64, 128), ["120", "140", "160"], beyond)
     assert errors[-1] < 3e-8
     # the tolerance of the reference
     assert last < 1e-10
