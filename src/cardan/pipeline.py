@@ -15,7 +15,7 @@ from .codegen import generate, layout, manifest, mesh
 from .equations.absolute.lowering import lowered
 from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
-from .equations.choice import chosen_by
+from .equations.choice import check_chooses, chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
 from .errors import BuildError, DerivationError, SolveWarning, near
@@ -113,8 +113,9 @@ def derive(
             body has six of its own and joints hold them, element by element; ``"auto"``: absolute
             if there are beams, else relative.
         method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
-        speeds: Generalized speeds for Kane's method: name -> SymPy expression, linear in the
-            joint speeds ``scene.u(...)``; as many as the system has speeds.
+        speeds: Generalized speeds: name -> SymPy expression, linear in the joint speeds
+            ``scene.u(...)``; as many as the system has speeds. By Kane's method unless another is
+            named; ``articulated`` takes none.
         rewrites: Of the system graph, before equations are derived from it: ``"axes"``,
             ``"origins"``, ``"parallel"``, ``"base_parameters"``; () for none. By default what
             leaves the fewest operations and no more rounding.
@@ -144,8 +145,8 @@ def derive(
         raise DerivationError(
             f"coordinates '{coordinates}' do not exist.{near(str(coordinates), COORDINATES)}"
         )
-    if speeds and method not in ("auto", "kane"):
-        raise DerivationError(f"speeds= goes with method='kane', not '{method}'")
+    if speeds and method != "auto":
+        check_chooses(method)
     solved = branches is not None or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None)
     if coordinates == "absolute" or (coordinates == "auto" and system.segments):
@@ -167,7 +168,8 @@ def derive(
         system = with_branches(system)
     chosen: tuple[Named, ...] = ()
     if speeds:
-        chosen, method = topology.named_speeds(scene, system, speeds), "kane"
+        chosen = topology.named_speeds(scene, system, speeds)
+        method = "kane" if method == "auto" else method
     found = chosen_by(system, method, chosen, rewrites, treatment(constraints))
     return replace(found, free=topology.build(scene)) if specialize else found
 

@@ -110,7 +110,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
-    "equations.relative": frozenset(),
+    "equations.relative": frozenset({"formalism"}),
     "equations.treatments": frozenset({"treatment"}),
     "passes": frozenset(),
     "peers": frozenset(

@@ -71,6 +71,21 @@ def check_method(method: str) -> None:
     raise DerivationError(f"method '{method}' does not exist.{hint}")
 
 
+def check_chooses(method: str) -> None:
+    """Complain about a formalism that does not take chosen speeds.
+
+    Raises:
+        DerivationError: it does not, or does not exist.
+    """
+    check_method(method)
+    if not FORMALISMS[method].chooses:
+        others = ", ".join(f"'{name}'" for name, other in FORMALISMS.items() if other.chooses)
+        raise DerivationError(
+            f"speeds= goes with method={others}, not '{method}', which eliminates the speeds of "
+            "one joint after the other"
+        )
+
+
 def predicted(system: System) -> tuple[str | None, str]:
     """The formalism whose forward dynamics will take fewer operations, with the reason.
 

@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING
 from ..ir.matrix import Matrix
 from ..topology.system import Cut
 from .accelerations import Accelerations
+from .joint_forces import along_joint, driving_force, joint_forces
 from .kinematics import Kinematics
-from .loads import Loads
-from .relative.newton_euler import along_joint, driving_force, joint_forces
+from .loads import Loads, Wrenches, together
 
 if TYPE_CHECKING:
     from .dynamics import Dynamics
-
-Wrenches = dict[int, tuple[Matrix, Matrix]]
 
 
 @dataclass(frozen=True)
@@ -100,7 +98,7 @@ def pair(
         wrench: At the origin of C in C axes (6, 1).
         keep: Frames on which forces count, those of the ground too; by default all that move.
     """
-    found = Wrenches()
+    found: Wrenches = {}
     rotation, position = pose
     # P feels the opposite, at the same point
     turned = [rotation @ wrench.block(slice(s, s + 3)) for s in (0, 3)]
@@ -108,22 +106,8 @@ def pair(
     for frame, own in ((cut.child_frame, wrench), (cut.parent_frame, -on_parent)):
         body = k.system.frames[frame].body
         if body >= 0 if keep is None else frame in keep:
-            found[body] = _sum(found.get(body), _at_origin(k, frame, own))
+            found = together(found, {body: _at_origin(k, frame, own)})
     return found
-
-
-def together(one: Wrenches, other: Wrenches) -> Wrenches:
-    """Sums of two sets of wrenches."""
-    total = dict(one)
-    for body, wrench in other.items():
-        total[body] = _sum(total.get(body), wrench)
-    return total
-
-
-def _sum(
-    before: tuple[Matrix, Matrix] | None, more: tuple[Matrix, Matrix]
-) -> tuple[Matrix, Matrix]:
-    return more if before is None else (before[0] + more[0], before[1] + more[1])
 
 
 def _at_origin(k: Kinematics, frame: int, wrench: Matrix) -> tuple[Matrix, Matrix]:

@@ -82,7 +82,7 @@ def derivative(c: Context) -> tuple[Output, ...]:
 
 def with_mass_matrix(c: Context) -> Context:
     """The same by a formalism that has M: it is needed, and with it udot is one column more."""
-    return replace(c, d=Dynamics(c.k, "composite")) if c.d.method == "articulated" else c
+    return c if c.d.formalism.forward is None else replace(c, d=Dynamics(c.k, "composite"))
 
 
 def _entries(output: Output) -> list[str]:

@@ -13,9 +13,8 @@ from .constraints import Constraints
 from .kinematics import Kinematics
 from .loads import Loads, applied, none
 from .pressing import Pressed, pressed, solved, with_values
-from .relative import articulated, composite, kane, newton_euler
+from .relative import FORMALISMS
 from .treatments import Bound, Multipliers, Treatment
-from .treatments.treatment import symmetric
 
 DEFAULT_TREATMENT = Multipliers()
 
@@ -25,9 +24,7 @@ class Dynamics:
 
     Args:
         k: Motion of the tree.
-        method: Formalism. ``kane`` projects everything; ``newton_euler`` takes M from unit
-            accelerations; ``composite`` takes M from composite bodies; ``articulated`` has no M
-            in its forward dynamics. All but ``kane`` take the bias from the recursion.
+        method: Name of the formalism.
         treatment: How constraints are treated.
     """
 
@@ -35,7 +32,7 @@ class Dynamics:
         self, k: Kinematics, method: str, treatment: Treatment = DEFAULT_TREATMENT
     ) -> None:
         self.k = k
-        self.method = method
+        self.formalism = FORMALISMS[method]
         self.treatment = treatment
         # (tau, udot, multipliers) of everything that was solved for
         self.solutions: list[tuple[Matrix, Matrix, Matrix]] = []
@@ -63,34 +60,22 @@ class Dynamics:
     @cached_property
     def mass_matrix(self) -> Matrix:
         """M (nu, nu)."""
-        still = none(self.k)
-        if self.method == "kane":
-            return kane.mass_matrix(self.k, still)
-        if self.method == "newton_euler":
-            return newton_euler.mass_matrix(self.k, still)
-        return composite.mass_matrix(self.k, still)
+        return self.formalism.mass_matrix(self.k, none(self.k))
 
     def bias(self, gravity: bool = True, moving: bool = True) -> Matrix:
         """h (nu, 1), or its part of gravity or velocities alone."""
         down = self.gravity if gravity else Matrix.zeros(self.k.graph, 3)
-        if self.method == "kane":
-            return kane.bias(self.k, none(self.k), down, moving)
-        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-        return newton_euler.inverse_dynamics(self.k, rest, none(self.k), down, moving)
+        return self.formalism.bias(self.k, none(self.k), down, moving)
 
     def forces(self) -> Matrix:
         """f (nu, 1): applied forces of the model."""
-        if self.method == "kane":
-            return kane.generalized_forces(self.k, self.loads)
-        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-        down = Matrix.zeros(self.k.graph, 3)
-        return -newton_euler.inverse_dynamics(self.k, rest, self.loads, down, moving=False)
+        return self.formalism.forces(self.k, self.loads)
 
     def inverse(self, udot: Matrix) -> Matrix:
         """tau (nu, 1) with M udot + h = f + tau."""
-        if self.method == "kane":
+        if self.formalism.inverse is None:
             return self.mass_matrix @ udot + self.bias() - self.forces()
-        return newton_euler.inverse_dynamics(self.k, udot, self.loads, self.gravity)
+        return self.formalism.inverse(self.k, udot, self.loads, self.gravity)
 
     def forward(self, tau: Matrix) -> Matrix:
         """udot (nu, 1).
@@ -116,8 +101,8 @@ class Dynamics:
 
     def _free(self, tau: Matrix) -> Matrix:
         """udot of a tree."""
-        if self.method == "articulated":
-            return articulated.forward_dynamics(self.k, tau, self.loads, self.gravity)
+        if self.formalism.forward is not None:
+            return self.formalism.forward(self.k, tau, self.loads, self.gravity)
         self._refuse_massless()
         drive = self._drive(tau)
         with self.k.graph.made_by("M", "factor"):
@@ -146,11 +131,11 @@ class Dynamics:
         return self._with_friction(tau, *self._bound[key])
 
     def _accelerations(self, tau: Matrix) -> tuple[Matrix, Matrix]:
-        if self.method == "articulated":
+        if not self.formalism.binds:
             names = ", ".join(f"'{name}'" for name in dict.fromkeys(self._owners()))
             raise DerivationError(
-                f"method 'articulated' takes no constraints, but here are those of {names}: use "
-                "method='composite' (or 'auto')"
+                f"method '{self.formalism.name}' takes no constraints, but here are those of "
+                f"{names}: use method='composite' (or 'auto')"
             )
         if not self.k.system.nu:
             none = Matrix.zeros(self.k.graph, len(self.constraints.rows))
@@ -184,7 +169,7 @@ class Dynamics:
             weight = Scalar(self.k.graph, ONE)
         across = self.constraints.jacobian.T * weight
         return (
-            symmetric(mass + across @ self.constraints.jacobian),
+            (mass + across @ self.constraints.jacobian).mirrored,
             drive + across @ self.constraints.gamma,
         )
 

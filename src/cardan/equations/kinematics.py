@@ -14,15 +14,15 @@ from functools import cached_property
 
 from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
-from ..ir.derivative import forward, jacobian
+from ..ir.derivative import forward
 from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
-from ..ir.solve import solve
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from .carried import XYZ, Cuts
+from .chosen_speeds import by_speeds, speeds_of_joints
 from .closures import Closures
 from .joint_motion import JointMotion, JointPose, joint_motion, joint_pose, turn
 from .memo import Memo
@@ -47,9 +47,13 @@ class Kinematics:
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
         self.chosen = tuple(speeds)
+        # derivatives of the chosen speeds by those of the joints
+        self.chosen_by_joints = Matrix.identity(self.graph, 0)
         self._replace: dict[int, int] = {}
         if speeds:
-            self._choose_speeds()
+            self.chosen_by_joints, own = speeds_of_joints(self.graph, self.chosen)
+            slots = [self.graph.var("u", k) for k in range(system.nu)]
+            self._replace = dict(zip(slots, own.nodes, strict=True))
 
     def matrix(self, rows: int, columns: int, nodes: Sequence[int]) -> Matrix:
         """Expressions of the system graph as a matrix of this graph, placeholders resolved."""
@@ -78,23 +82,6 @@ class Kinematics:
     @property
     def time(self) -> Scalar:
         return Scalar(self.graph, self.graph.var("t", 0))
-
-    def _choose_speeds(self) -> None:
-        """Replace the joint speeds by the solution of Y(q) u_joint + Z(q) = u_chosen."""
-        g, nu = self.graph, self.system.nu
-        slots = [g.var("u", k) for k in range(nu)]
-        nodes = [s.node for s in self.chosen]
-        y = jacobian(g, nodes, slots)
-        _, z = rebuild(g, nodes, dict.fromkeys(slots, ZERO), into=g)
-        if set(live(g, [n for row in y for n in row])) & set(slots):
-            raise DerivationError(
-                "speeds: every chosen speed must be linear in the joint speeds; "
-                f"one of {', '.join(s.name for s in self.chosen)} is not"
-            )
-        left = Matrix(g, nu, nu, [n for row in y for n in row])
-        right = Matrix(g, nu, 1, slots) - Matrix(g, nu, 1, z)
-        joint_speeds = solve("rank_revealing", left, right)
-        self._replace = dict(zip(slots, joint_speeds.nodes, strict=True))
 
     def block(self, name: str, start: int, count: int) -> Matrix:
         """Entries of an input block as a vector (count, 1)."""
@@ -138,24 +125,34 @@ class Kinematics:
         joint = self.system.joints[i]
         if joint.closure >= 0:
             return self.closures.velocity(joint.closure).bias[i]
-        if joint.motion is None:
-            return None
-        return self.vector([joint.motion.acceleration])
+        if joint.motion is not None:
+            return self.vector([joint.motion.acceleration])
+        return self.derivative(self.speeds[i]) if self.chosen else None
 
     def shares(self, i: int) -> dict[int, Matrix] | None:
         """Slot -> share of its speed in the speeds (n, 1) of a joint that has no slots of its own.
 
-        None for a joint with slots.
+        None for a joint with slots. Where speeds are chosen all joints have shares in them.
         """
         joint = self.system.joints[i]
         if joint.motion is not None:
             return {}
+        if self.chosen:
+            return self._shares_of_chosen[i]
         if joint.closure >= 0:
             return self.closures.velocity(joint.closure).shares[i]
         if joint.coupling is not None:
             leader, ratio, _ = self.leader(i)
             return {self.system.joints[leader].u: Matrix.vector(self.graph, [ratio])}
         return None
+
+    @cached_property
+    def _shares_of_chosen(self) -> Memo[dict[int, Matrix]]:
+        return Memo(len(self.system.joints), lambda i: self.partials_of(self.speeds[i]))
+
+    def partials_of(self, x: Matrix) -> dict[int, Matrix]:
+        """Slot -> derivative of a velocity by the speed in it, where there is any."""
+        return by_speeds(x, self.system.nu)
 
     def settled(self, i: int, x: Matrix) -> Matrix:
         """Expressions in the coordinates of a joint, with what is known of their sines."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 from ..elements.forces.force import Action, JointLoad, Load, Places
 from ..ir.arithmetic import Scalar
@@ -10,6 +11,9 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..topology.system import Force
 from .kinematics import Kinematics
+
+# body -> (torque, force), (3, 1) each, at its origin in its axes
+Wrenches: TypeAlias = "dict[int, tuple[Matrix, Matrix]]"
 
 
 @dataclass(frozen=True)
@@ -22,13 +26,30 @@ class Loads:
         potential: Potential energy of the elements (gravity is not among them).
         power: (element name, power) of every action without a potential.
         rotors: joint -> inertia added to its speeds (nu, nu of the joint).
+        outside: Of the wrenches what no element makes.
     """
 
-    wrenches: dict[int, tuple[Matrix, Matrix]]
+    wrenches: Wrenches
     joints: dict[int, Matrix]
     potential: Scalar
     power: tuple[tuple[str, Scalar], ...]
     rotors: dict[int, Matrix]
+    outside: Wrenches = field(default_factory=dict)
+
+    def with_outside(self, more: Wrenches) -> Loads:
+        """The same with wrenches that no element makes."""
+        outside = together(self.outside, more)
+        return replace(self, wrenches=together(self.wrenches, more), outside=outside)
+
+
+def together(one: Wrenches, other: Wrenches) -> Wrenches:
+    """Sums of two sets of wrenches."""
+    total = dict(one)
+    for body, (torque, force) in other.items():
+        if body in total:
+            torque, force = total[body][0] + torque, total[body][1] + force
+        total[body] = (torque, force)
+    return total
 
 
 def none(k: Kinematics) -> Loads:
@@ -36,24 +57,32 @@ def none(k: Kinematics) -> Loads:
     return Loads({}, {}, Scalar(k.graph, ZERO), (), _rotors(k))
 
 
-def applied(k: Kinematics, keep: set[int] | None = None) -> Loads:
+def without_potential(k: Kinematics, loads: Loads) -> Loads:
+    """Of the loads of a system those that no potential stands for."""
+    own = applied(k, stored=False)
+    return replace(own, wrenches=together(own.wrenches, loads.outside))
+
+
+def applied(k: Kinematics, keep: set[int] | None = None, stored: bool = True) -> Loads:
     """All force elements, summed per body and joint.
 
     Args:
         keep: Frames whose loads count, those of the ground too; by default all that move.
+        stored: Whether the loads of actions with a potential count.
     """
-    wrenches: dict[int, tuple[Matrix, Matrix]] = {}
+    wrenches: Wrenches = {}
     joints: dict[int, Matrix] = {}
     potential = Scalar(k.graph, ZERO)
     power: dict[str, Scalar] = {}
     for force in k.system.forces:
         with k.graph.made_by(force.name, "force"):
             for action in _actions(k, force):
-                for load in action.loads:
+                counted = stored or action.potential is None
+                for load in action.loads if counted else ():
                     moves = k.system.frames[load.frame].body >= 0
                     if moves if keep is None else load.frame in keep:
                         _add_wrench(k, wrenches, load)
-                for joint_load in action.joint_loads:
+                for joint_load in action.joint_loads if counted else ():
                     _add_joint(joints, joint_load)
                 if action.potential is not None:
                     potential = potential + action.potential
@@ -90,7 +119,7 @@ def _rotors(k: Kinematics) -> dict[int, Matrix]:
     return rotors
 
 
-def _add_wrench(k: Kinematics, wrenches: dict[int, tuple[Matrix, Matrix]], load: Load) -> None:
+def _add_wrench(k: Kinematics, wrenches: Wrenches, load: Load) -> None:
     """Carry a load in ground axes to the origin and the axes of its body."""
     frame = k.system.frames[load.frame]
     to_body = k.body_rotation(frame.body).T

@@ -15,18 +15,6 @@ from .sweeps import LATER, LEFT_OUT, Sweeps
 # bodies above which loops are written, and how often a step must be used at least: measured on
 # chains, loops run 5 % slower and compile ten times faster at 100 bodies
 LOOPED, REPEATED = 60, 4
-# what a recursion over the bodies gives; udot where the formalism eliminates body by body
-LOOPS = (
-    "inverse_dynamics",
-    "bias",
-    "gravity",
-    "coriolis",
-    "applied",
-    "qdot",
-    "energy",
-    "com",
-    "momentum",
-)
 # those whose results belong to single joints
 FOLDED = (
     "rhs",
@@ -38,14 +26,6 @@ FOLDED = (
     "applied",
     "qdot",
 )
-FORWARD_LOOPS = ("rhs", "forward_dynamics", "outputs", "power")
-
-
-def looped(method: str, name: str) -> bool:
-    """Whether a formalism gives a function as a recursion."""
-    if method == "kane":
-        return False
-    return name in (FORWARD_LOOPS if method == "articulated" else ()) + LOOPS
 
 
 def repeats(recursion: Recursion) -> bool:

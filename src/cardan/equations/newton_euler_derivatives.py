@@ -25,12 +25,12 @@ from ..ir.graph import Graph
 from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, turn_general
 from .accelerations import Accelerations, accelerations
+from .composites import composites, inward
 from .directions import Direction
 from .inertia import of_body, second_moment_of_body
+from .joint_forces import JointForces, along_joint, driving_force, joint_forces
 from .kinematics import Kinematics
 from .loads import Loads, spread
-from .relative.composite import composites, inward
-from .relative.newton_euler import JointForces, along_joint, driving_force, joint_forces
 
 
 @dataclass(frozen=True)

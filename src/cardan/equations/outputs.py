@@ -12,12 +12,13 @@ from ..ir.matrix import Matrix
 from ..spatial.moments import Inertia, second_moment
 from ..topology.system import Part
 from .accelerations import Accelerations, accelerations, second_moment_force
-from .closing_loads import Closing, closing_wrenches, together, with_closing
+from .closing_loads import Closing, closing_wrenches, with_closing
 from .dynamics import Dynamics
+from .energies import ground_moment, kinetic, weight
 from .inertia import of_body
+from .joint_forces import JointForces, along_joint, driving_force, joint_forces
 from .kinematics import Kinematics
-from .loads import applied
-from .relative.newton_euler import JointForces, along_joint, driving_force, joint_forces
+from .loads import applied, together
 
 
 def pose(k: Kinematics, frame: int) -> Matrix:
@@ -69,21 +70,7 @@ def acceleration(d: Dynamics, acc: Accelerations, frame: int) -> Matrix:
 
 def energy(d: Dynamics) -> tuple[Scalar, Scalar]:
     """Kinetic and potential energy; gravity's is zero at the ground origin."""
-    k, g = d.k, d.k.graph
-    kinetic, potential = Scalar(g, ZERO), d.loads.potential
-    for i in range(len(k.system.bodies)):
-        with g.made_by(k.owner(i), "energy"):
-            inertia, twist = of_body(k, i), Matrix.vstack(k.omega[i], k.v[i])
-            kinetic = kinetic + twist.dot(inertia.momentum(twist)) * 0.5
-            potential = potential - d.gravity.dot(_ground_moment(k, i, inertia))
-    for i, rotor in d.loads.rotors.items():
-        kinetic = kinetic + k.u(i).dot(rotor @ k.u(i)) * 0.5
-    return kinetic, potential
-
-
-def _ground_moment(k: Kinematics, i: int, inertia: Inertia) -> Matrix:
-    """First moment of a body about the ground origin, ground axes."""
-    return k.ground_position[i] * inertia.mass + k.ground_rotation[i] @ inertia.moment
+    return kinetic(d.k, d.loads.rotors), d.loads.potential + weight(d.k, d.gravity)
 
 
 def center_of_mass(k: Kinematics) -> Matrix:
@@ -96,7 +83,7 @@ def center_of_mass(k: Kinematics) -> Matrix:
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "com"):
             inertia = of_body(k, i)
-            total, moment = total + inertia.mass, moment + _ground_moment(k, i, inertia)
+            total, moment = total + inertia.mass, moment + ground_moment(k, i, inertia)
     if total.node == ZERO:
         raise DerivationError(
             "com: nothing that moves has a mass, and so no center of it; give a body a mass"
@@ -149,7 +136,7 @@ def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matri
 
 def accelerated(d: Dynamics) -> tuple[Matrix, Accelerations]:
     """udot under tau, the model's forces and the block ``wrench``; and all accelerations."""
-    d.loads = replace(d.loads, wrenches=together(d.loads.wrenches, external(d)))
+    d.loads = d.loads.with_outside(external(d))
     udot = d.forward(d.tau)
     return udot, system_accelerations(d, udot)
 

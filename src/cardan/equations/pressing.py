@@ -25,8 +25,8 @@ from ..spatial.axis import unit
 from ..topology.system import Force, System
 from .accelerations import accelerations
 from .closing_loads import closing_wrenches, with_closing
+from .joint_forces import along_joint, joint_forces
 from .loads import places
-from .relative.newton_euler import along_joint, joint_forces
 
 if TYPE_CHECKING:
     from .dynamics import Dynamics

@@ -24,11 +24,12 @@ from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
-from .looped import FOLDED, LOOPED, by_bodies, looped, repeats
+from .looped import FOLDED, LOOPED, by_bodies, repeats
 from .pressing import pressed
 from .readable import Readable
 from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
 from .relative import FORMALISMS
+from .relative.formalism import Formalism
 from .rewritten import Told, candidates
 from .treatments import Multipliers, Treatment
 
@@ -74,6 +75,11 @@ class Equations(Readable):
         return blocks.blocks(self.system, tuple(s.name for s in self.chosen))
 
     @property
+    def formalism(self) -> Formalism:
+        """What derives them."""
+        return FORMALISMS[self.method]
+
+    @property
     def coordinates(self) -> tuple[str, ...]:
         """Names of q."""
         return self.blocks["q"].entries
@@ -106,9 +112,7 @@ class Equations(Readable):
     @property
     def sources(self) -> tuple[str, ...]:
         """Literature behind the formalism, the joints and the force elements."""
-        module = FORMALISMS[self.method]
-        text = (module.__doc__ or "").split("Source:")[-1]
-        found = [" ".join(text.split())]
+        found = [self.formalism.source]
         found += [joint.element.source for joint in self.system.joints]
         found += [cut.element.source for cut in self.system.cuts]
         found += [force.element.source for force in self.system.forces]
@@ -162,7 +166,7 @@ class Equations(Readable):
         rigid = name in DIFFERENTIATED
         if rigid not in self._systems:
             wanted = () if self.chosen else self.rewrites
-            self._systems[rigid] = candidates(self.system, self.method, wanted, rigid)
+            self._systems[rigid] = candidates(self.system, self.formalism, wanted, rigid)
         return self._systems[rigid]
 
     def _fewest(self, name: str, symbol: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
@@ -235,7 +239,7 @@ class Equations(Readable):
 
     def loops(self, name: str) -> bool:
         """Whether a function can be derived as a recursion."""
-        return not self.chosen and not self.system.closed and looped(self.method, name)
+        return not self.chosen and not self.system.closed and name in self.formalism.loops
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}

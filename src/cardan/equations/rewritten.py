@@ -10,12 +10,9 @@ from ..ir.matrix import Matrix
 from ..spatial.moments import inertia_tensor
 from ..topology.rewrites import REWRITES
 from ..topology.system import System
+from .relative.formalism import Formalism
 
 Told = tuple[tuple[str, ...], System]
-# the deepest tree whose inertia is regrouped where joints are eliminated one by one: regrouped
-# inertias grow with the number of bodies outboard, and with them the rounding of what is left;
-# measured on chains, 30 joints lose a digit
-DEEPEST = 12
 # rewrites that save where much passes between bodies, and cost where their inertia has many zeros:
 # both ways are counted
 COUNTED = ("axes", "parallel")
@@ -42,13 +39,13 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
 
 
 def candidates(
-    system: System, method: str, names: tuple[str, ...] | None, rigid: bool = False
+    system: System, formalism: Formalism, names: tuple[str, ...] | None, rigid: bool = False
 ) -> list[Told]:
     """The ways to tell a system from which the one with the fewest operations is taken.
 
     Args:
         system: As the user described it.
-        method: Formalism; Kane's takes velocities apart in axes that turn with the bodies.
+        formalism: Whose functions are derived from them.
         names: What was asked for; None for what suits the formalism.
         rigid: Whether axes must turn with their bodies, and one inertia serve all purposes: so it
             is where displaced bodies are taken as a whole.
@@ -62,16 +59,13 @@ def candidates(
     if system.closures:
         # circuits are solved in the axes in which they are described
         return [((), system)]
-    wanted = tuple(REWRITES) if names is None else names
-    if method == "kane":
-        if names and "parallel" in names:
+    wanted = formalism.rewrites(system) if names is None else names
+    for name in formalism.refused:
+        if name in wanted:
             raise DerivationError(
-                "rewrite 'parallel': method 'kane' needs axes that turn with their bodies; leave "
-                "it out or use another method"
+                f"rewrite '{name}': method '{formalism.name}' needs axes that turn with their "
+                "bodies; leave it out or use another method"
             )
-        wanted = () if names is None else names
-    elif names is None and method == "articulated" and system.depth() > DEEPEST:
-        wanted = tuple(name for name in wanted if name != "base_parameters")
     if rigid:
         wanted = tuple(name for name in wanted if name != "parallel")
         return [_with_one_inertia(_rewritten(system, wanted))]

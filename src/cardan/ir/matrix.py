@@ -72,6 +72,13 @@ class Matrix:
     def row(self, i: int) -> tuple[int, ...]:
         return self.nodes[i * self.columns : (i + 1) * self.columns]
 
+    @property
+    def mirrored(self) -> Matrix:
+        """Square, with the lower triangle for both."""
+        n = self.rows
+        nodes = [self.nodes[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]
+        return Matrix(self.graph, n, n, nodes)
+
     def column(self, j: int) -> Matrix:
         return Matrix(self.graph, self.rows, 1, self.nodes[j :: self.columns])
 

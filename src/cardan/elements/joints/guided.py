@@ -86,6 +86,10 @@ class Guided(Joint):
         turning, rate = self.split(qdot)
         return Matrix.vstack(self.parameters.omega(self.split(q)[0], turning), rate)
 
+    def bracket(self, u: Matrix, v: Matrix) -> Matrix:
+        (omega, rate), turned = self.split(u), self.split(v)[0]
+        return Matrix.vstack(omega.cross(turned), Matrix.zeros(u.graph, rate.rows))
+
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         rotation, c = self.split(q)
         bend = self.bend(c, self.split(u)[1], **data)

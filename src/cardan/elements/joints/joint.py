@@ -110,6 +110,17 @@ class Joint(ABC):
         """u of given rates of the coordinates; by default qdot."""
         return qdot
 
+    def bracket(self, u: Matrix, v: Matrix) -> Matrix:
+        """What changes u beyond the rate of a displacement along the speeds, (nu, 1).
+
+        Displacing a motion with the speeds u by v along the speeds changes u by dv/dt + bracket:
+        the Lie bracket of the group of the joint, bilinear and skew. Nothing, the default, where
+        speeds are rates of coordinates.
+
+        Source: Hamel, Z. Math. Phys. 50 (1904); Lurie, Analytical Mechanics (2002), section 1.8.
+        """
+        return Matrix.zeros(u.graph, u.rows)
+
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix | None:
         """Acceleration of C against P at the origin of C that needs no udot (6, 1), in C axes.
 
@@ -307,6 +318,9 @@ class Reversed(Joint):
 
     def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
         return self.element.speeds_of(q, qdot, **data)
+
+    def bracket(self, u: Matrix, v: Matrix) -> Matrix:
+        return self.element.bracket(u, v)
 
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
         return self.element.integrate(q, du, **data)

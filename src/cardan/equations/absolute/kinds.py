@@ -22,9 +22,9 @@ from ..constraints import VELOCITY, rows
 from ..context import Context
 from ..dynamics import Dynamics
 from ..functions import WRENCH
+from ..joint_forces import driving_force, joint_forces
 from ..kinematics import Kinematics
 from ..record import ABI_ORDER
-from ..relative.newton_euler import driving_force, joint_forces
 from .holding import Held, increments
 from .pieces import Piece
 from .record import BlockKind, Kind

@@ -8,37 +8,13 @@ Source: Kane and Levinson, Dynamics: Theory and Applications (1985), chapters 2 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from ...ir.derivative import forward
-from ...ir.graph import ONE, ZERO
+from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
-
-
-@dataclass(frozen=True)
-class Partials:
-    """Partial velocities of a body by generalized speed: angular and of the origin, body axes."""
-
-    angular: dict[int, Matrix]
-    linear: dict[int, Matrix]
-
-
-def partials(k: Kinematics) -> list[Partials]:
-    """Partial velocities of every body; speeds that do not move a body are left out."""
-    g, nu = k.graph, k.system.nu
-    result = [Partials({}, {}) for _ in k.system.bodies]
-    nodes = [n for i in range(len(result)) for n in (*k.omega[i].nodes, *k.v[i].nodes)]
-    for r in range(nu):
-        dots = forward(g, nodes, {g.var("u", r): ONE})
-        for i, partial in enumerate(result):
-            angular = Matrix(g, 3, 1, dots[6 * i : 6 * i + 3])
-            linear = Matrix(g, 3, 1, dots[6 * i + 3 : 6 * i + 6])
-            if not (angular.is_zero and linear.is_zero):
-                partial.angular[r], partial.linear[r] = angular, linear
-    return result
+from ..partial_velocities import generalized_forces, partials
+from .formalism import Formalism, none
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
@@ -56,24 +32,13 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
                         lower[r][s] = g.add(lower[r][s], twist.dot(momentum).node)
     for i, rotor in loads.rotors.items():
         with g.made_by(k.system.joints[i].name, "M"):
-            rates = joint_partials(k, i)
+            rates = k.partials_of(k.speeds[i])
             for s, right in rates.items():
                 for r, left in rates.items():
                     if r >= s:
                         value = left.dot(rotor @ right).node
                         lower[r][s] = g.add(lower[r][s], value)
     return Matrix(g, nu, nu, [lower[max(r, s)][min(r, s)] for r in range(nu) for s in range(nu)])
-
-
-def joint_partials(k: Kinematics, i: int) -> dict[int, Matrix]:
-    """Derivatives of the speeds of a joint with respect to the generalized speeds."""
-    g, u = k.graph, k.speeds[i]
-    result = {}
-    for r in range(k.system.nu):
-        column = Matrix(g, u.rows, 1, forward(g, u.nodes, {g.var("u", r): ONE}))
-        if not column.is_zero:
-            result[r] = column
-    return result
 
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
@@ -115,21 +80,18 @@ def _inertia_force(k: Kinematics, i: int) -> tuple[Matrix, Matrix]:
 def _add_rotor_bias(k: Kinematics, loads: Loads, total: list[int]) -> None:
     for i, rotor in loads.rotors.items():
         accelerated = rotor @ k.derivative(k.speeds[i])
-        for r, left in joint_partials(k, i).items():
+        for r, left in k.partials_of(k.speeds[i]).items():
             total[r] = k.graph.add(total[r], left.dot(accelerated).node)
 
 
-def generalized_forces(k: Kinematics, loads: Loads) -> Matrix:
-    """f (nu, 1): applied wrenches and joint forces projected on the partial velocities."""
-    g, nu = k.graph, k.system.nu
-    total = [ZERO] * nu
-    for i, partial in enumerate(partials(k)):
-        if i in loads.wrenches:
-            moment, force = loads.wrenches[i]
-            for r, w in partial.angular.items():
-                value = (w.dot(moment) + partial.linear[r].dot(force)).node
-                total[r] = g.add(total[r], value)
-    for i, force in loads.joints.items():
-        for r, left in joint_partials(k, i).items():
-            total[r] = g.add(total[r], left.dot(force).node)
-    return Matrix(g, nu, 1, total)
+KANE = Formalism(
+    "kane",
+    "partial velocities; inertia forces projected on them",
+    "Kane and Levinson, Dynamics: Theory and Applications (1985), chapters 2 to 4 and 6.",
+    mass_matrix,
+    bias,
+    generalized_forces,
+    # velocities are taken apart in axes that turn with the bodies
+    rewrites=none,
+    refused=("parallel",),
+)

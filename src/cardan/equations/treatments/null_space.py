@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
-from .treatment import Bound, Treatment, by_motions, symmetric
+from .treatment import Bound, Treatment, by_motions
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,6 @@ class NullSpace(Treatment):
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:
         G = bound.jacobian
         n = G.columns
-        across = G.T @ solve("semidefinite", symmetric(G @ G.T), Matrix.hstack(bound.gamma, G))
+        across = G.T @ solve("semidefinite", (G @ G.T).mirrored, Matrix.hstack(bound.gamma, G))
         held = across.block(slice(0, n), slice(1, 1 + n))
-        return by_motions(bound, across.column(0), symmetric(held))
+        return by_motions(bound, across.column(0), held.mirrored)

@@ -54,7 +54,7 @@ def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tupl
     both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T))
     rows = slice(0, both.rows)
     free, answers = both.block(rows, slice(0, count)), both.block(rows, slice(count, both.columns))
-    circuit, right = symmetric(G @ answers), gamma - G @ free
+    circuit, right = (G @ answers).mirrored, gamma - G @ free
     if compliance:
         circuit = circuit + Matrix.identity(G.graph, G.rows) * compliance
         lam = solve("spd", circuit, right)
@@ -68,7 +68,7 @@ def by_penalty(
 ) -> tuple[Matrix, Matrix]:
     """udot and lam of a penalty, with multipliers that take over its forces again and again."""
     G = bound.jacobian
-    stiff = symmetric(bound.mass + G.T @ G * weight)
+    stiff = (bound.mass + G.T @ G * weight).mirrored
     lam = Matrix.zeros(G.graph, G.rows)
     for _ in range(repetitions + 1):
         udot = solve("spd", stiff, bound.drive + G.T @ (gamma * weight + lam))
@@ -90,10 +90,10 @@ def by_motions(bound: Bound, one: Matrix, held: Matrix) -> tuple[Matrix, Matrix]
     # X Z = 0: what X adds makes the matrix regular and changes nothing along Z
     masses = [M[i, i].node if i == j else ZERO for i in range(n) for j in range(n)]
     inertia = motions.T @ (M @ motions) + held.T @ (Matrix(G.graph, n, n, masses) @ held)
-    y = solve("semidefinite", symmetric(inertia), motions.T @ (bound.drive - M @ one))
+    y = solve("semidefinite", inertia.mirrored, motions.T @ (bound.drive - M @ one))
     udot = one + motions @ y
     missing = M @ udot - bound.drive
-    return udot, solve("semidefinite", symmetric(G @ G.T), G @ missing)
+    return udot, solve("semidefinite", (G @ G.T).mirrored, G @ missing)
 
 
 def stabilized(bound: Bound, frequency: float, damping: float) -> Matrix:
@@ -102,10 +102,3 @@ def stabilized(bound: Bound, frequency: float, damping: float) -> Matrix:
     if m > g.rows:
         g = Matrix.vstack(g, Matrix.zeros(bound.rates.graph, m - g.rows))
     return bound.gamma - bound.rates * (2 * damping * frequency) - g * (frequency * frequency)
-
-
-def symmetric(x: Matrix) -> Matrix:
-    """The lower triangle for both."""
-    n = x.rows
-    nodes = [x[max(i, j), min(i, j)].node for i in range(n) for j in range(n)]
-    return Matrix(x.graph, n, n, nodes)
