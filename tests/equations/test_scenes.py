@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.equations.relative import FORMALISMS
 
 G = 9.81
 BALL = (0.1, 0.1, 0.1)
@@ -96,7 +97,7 @@ def test_accelerations_stand_in_outputs_but_not_in_force_laws() -> None:
         cd.derive(scene).function("forward_dynamics")
 
 
-@pytest.mark.parametrize("method", ["kane", "newton_euler", "composite", "articulated"])
+@pytest.mark.parametrize("method", FORMALISMS)
 def test_a_massless_tip_is_named(method: str) -> None:
     scene = cd.Model("tip")
     arm = scene.body("arm", mass=1, com=(0.5, 0, 0), inertia=BALL)
@@ -130,7 +131,7 @@ def test_small_matrices_come_out_as_a_textbook_has_them() -> None:
         assert equations.bias == sympy.Matrix([turning, g * m * d * sympy.sin(angle)])
 
 
-@pytest.mark.parametrize("method", ["kane", "newton_euler", "composite", "articulated"])
+@pytest.mark.parametrize("method", FORMALISMS)
 def test_motion_as_an_expression_of_an_input(method: str) -> None:
     """A table that turns by twice an input carries a point mass on a pin.
 

@@ -7,7 +7,7 @@ from ..ir.arithmetic import Scalar
 from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from . import binding, happening, increments, outputs
+from . import binding, canonical, happening, increments, outputs
 from .context import Context, Recipe
 
 TWIST = (("wx", "wy", "wz", "vx", "vy", "vz"), ("rad/s",) * 3 + ("m/s",) * 3)
@@ -253,6 +253,11 @@ RECIPES: dict[str, Recipe] = {
     "energy": Recipe("kinetic, potential and total energy", _energy),
     "com": Recipe("center of mass in ground axes", _com),
     "momentum": Recipe("angular (about the ground origin) and linear momentum", _momentum),
+    "momenta": Recipe("p = dT/du: momenta along the speeds", canonical.momenta),
+    "momentum_rates": Recipe(
+        "rates of the momenta under forces and constraints", canonical.momentum_rates
+    ),
+    "hamiltonian": Recipe("H = p . u - T + V", canonical.hamiltonian),
     "outputs": Recipe("declared outputs, then forces of prescribed motions", _outputs),
     "power": Recipe("power of everything that has no potential, by source", _power),
     "integrate": Recipe("q moved by a finite increment du along the speeds", _integrate),

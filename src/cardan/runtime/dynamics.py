@@ -78,6 +78,49 @@ class Dynamics(Kinematics, ABC):
         values = (t, q, u, r, z, s, events)
         return self._evaluate(("transition", None), values, parameters, out)
 
+    def momenta(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Momenta p = dT/du (..., nu), canonical where speeds are rates of coordinates."""
+        return self._evaluate(("momenta", None), (t, q, u, r), parameters, out)
+
+    def momentum_rates(
+        self,
+        q: State,
+        u: State,
+        *,
+        tau: State | None = None,
+        r: State | None = None,
+        z: ArrayLike | None = None,
+        s: ArrayLike | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Rates of :meth:`momenta` (..., nu) under tau, the model's forces and constraints."""
+        values = (t, q, u, r, tau, z, s)
+        return self._evaluate(("momentum_rates", None), values, parameters, out)
+
+    def hamiltonian(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """H = p . u - T + V (...) [J], which is the energy where no motion is prescribed."""
+        return self._evaluate(("hamiltonian", None), (t, q, u, r), parameters, out)
+
     def rhs_jacobian(
         self,
         t: ArrayLike,

@@ -31,7 +31,7 @@ from ..inertia import of_body
 from ..joint_forces import along_joint
 from ..kinematics import Kinematics
 from ..loads import Loads, spread
-from .formalism import Formalism, none
+from .formalism import Formalism, within_bodies
 
 
 @dataclass(frozen=True)
@@ -208,5 +208,5 @@ BARYCENTRIC = Formalism(
     bias,
     forces,
     inverse,
-    rewrites=none,
+    rewrites=within_bodies,
 )

@@ -30,9 +30,9 @@ def every(system: System) -> tuple[str, ...]:
     return tuple(REWRITES)
 
 
-def none(system: System) -> tuple[str, ...]:
-    """No rewrite of the system graph."""
-    return ()
+def within_bodies(system: System) -> tuple[str, ...]:
+    """Those that leave the axes of vectors turning with their bodies."""
+    return tuple(name for name in REWRITES if name != "parallel")
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..partial_velocities import generalized_forces
-from .formalism import Formalism, none
+from .formalism import Formalism, within_bodies
 
 
 def _udot(k: Kinematics) -> Matrix:
@@ -101,6 +101,6 @@ GIBBS_APPELL = Formalism(
     bias,
     generalized_forces,
     inverse,
-    rewrites=none,
+    rewrites=within_bodies,
     refused=("parallel",),
 )

@@ -23,7 +23,7 @@ from ..energies import inertia, kinetic, momenta, weight
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..quasi_velocities import carried_along, drawn, slopes
-from .formalism import Formalism, none
+from .formalism import Formalism, within_bodies
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
@@ -36,14 +36,11 @@ def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> M
     standing = slopes(k, weight(k, gravity))
     if not moving:
         return standing
-    g, nu = k.graph, k.system.nu
-    u = k.block("u", 0, nu)
+    p, u = momenta(k, loads.rotors), k.block("u", 0, k.system.nu)
     M, b, T0 = _parts(k, loads)
-    p = M @ u + b
-    # minus what of H contains M, b and T0
+    # minus what of H depends on q but for V, with M^-1 (p - b) = u
     held = u.dot(M @ u) * 0.5 + u.dot(b) + T0
-    changing = Matrix(g, nu, 1, k.derivative(p).nodes)
-    return changing - slopes(k, held) - carried_along(k, p) + standing
+    return k.derivative(p) - slopes(k, held) - carried_along(k, p) + standing
 
 
 def _parts(k: Kinematics, loads: Loads) -> tuple[Matrix, Matrix, Scalar]:
@@ -63,5 +60,5 @@ HAMILTON = Formalism(
     mass_matrix,
     bias,
     drawn,
-    rewrites=none,
+    rewrites=within_bodies,
 )

@@ -14,7 +14,7 @@ from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..partial_velocities import generalized_forces, partials
-from .formalism import Formalism, none
+from .formalism import Formalism, within_bodies
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
@@ -92,6 +92,6 @@ KANE = Formalism(
     bias,
     generalized_forces,
     # velocities are taken apart in axes that turn with the bodies
-    rewrites=none,
+    rewrites=within_bodies,
     refused=("parallel",),
 )

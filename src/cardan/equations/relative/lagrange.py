@@ -18,7 +18,7 @@ from ..energies import inertia, kinetic, momenta, weight
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..quasi_velocities import carried_along, drawn, slopes
-from .formalism import Formalism, none
+from .formalism import Formalism, within_bodies
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
@@ -43,5 +43,5 @@ LAGRANGE = Formalism(
     mass_matrix,
     bias,
     drawn,
-    rewrites=none,
+    rewrites=within_bodies,
 )
