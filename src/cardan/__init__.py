@@ -22,6 +22,7 @@ _PUBLIC: dict[str, str] = {
     "Model": "model",
     "load": "model",
     "from_dh": "model.dh",
+    "from_sympy": "model.mechanics",
     "t": "model",
     "inertia": "model.inertia",
     "shape": "model.shape",

@@ -85,6 +85,10 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.readable",
         "cardan.equations.mathml",
         "cardan.equations.mechanics",
+        *(
+            f"cardan.model.mechanics.{module}"
+            for module in ("bound", "making", "numbers", "reference", "sources", "words")
+        ),
     }
 )
 

@@ -35,7 +35,8 @@ class Modes:
         values: Eigenvalues (k,) [1/s]: decay, and angular frequency as imaginary part.
         shapes: Increments along the speeds (nu, k), of modal mass 1; complex where phases differ.
         increments, owners: Names of the increments, and joint or node of each.
-        momentum: Momentum about the ground origin by speeds (6, nu), angular part first.
+        momentum: Momentum about the ground origin by speeds (6, nu), angular part first;
+            (0, nu) of equations without bodies.
         size: Of the mechanism [m].
     """
 

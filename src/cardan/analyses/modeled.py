@@ -38,7 +38,9 @@ class Modeled:
         rows = manifest.get("multipliers", ())
         self.multipliers = tuple(str(row["name"]) for row in rows)
         self.outputs = tuple(str(row["name"]) for row in manifest["outputs"])
-        self.owners = tuple(str(row.get("joint") or row["name"]) for row in manifest["speeds"])
+        self.owners = tuple(
+            str(row.get("of") or row.get("joint") or row["name"]) for row in manifest["speeds"]
+        )
         self.positions = np.arange(positions)
         units = [row.get("unit", "") for row in manifest["speeds"]]
         self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
@@ -92,6 +94,8 @@ class Modeled:
     def _places(self) -> dict[str, tuple[int, int]]:
         """Entries in q and u of every coordinate whose speed is its derivative."""
         speeds = {name: k for k, name in enumerate(self.speeds)}
+        told = enumerate(self.model.manifest["speeds"])
+        speeds |= {f"{row['of']}.u": k for k, row in told if row.get("of")}
         pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
         return {name: (k, speed) for name, k, speed in pairs if speed is not None}
 

@@ -81,9 +81,17 @@ def modes(
     _steady(system, at, held)
     still = not np.any(at.u)
     values, shapes = _found(system, at, held, tau, count, damped, still)
-    momentum = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
-    momentum = momentum - np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))[:, None]
+    momentum = _momentum(model, at)
     return Modes(model, at, values, shapes, system.increments, system.owners, momentum, system.size)
+
+
+def _momentum(model: Any, at: Moment) -> Array:
+    """Momentum by speeds (6, nu); (0, nu) of equations without bodies."""
+    if "momentum" in model.manifest.get("absent", ()):
+        return np.zeros((0, len(at.u)))
+    found = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
+    rest = np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))
+    return np.asarray(found - rest[:, None])
 
 
 def _steady(system: Contract, at: Moment, held: list[int]) -> None:

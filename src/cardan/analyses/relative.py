@@ -197,7 +197,7 @@ class Relative(Modeled):
         q, u = model.split(model.random_state(0))
         N = self.turning(Moment(0.0, q, u, u, r=self.given_inputs(None)))
         for k, name in enumerate(self.speeds):
-            own = name.replace(".u", "", 1)
+            own = model.manifest["speeds"][k].get("of") or name.replace(".u", "", 1)
             place = self.coordinates.index(own) if own in self.coordinates else -1
             same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
             found.append(own if same else f"along {name}")

@@ -54,8 +54,10 @@ def export(
     target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
     check_words(language, wanted)
     check(target)
-    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or STANDARD]
     known = equations.names()
+    # equations that tell of no energy go without
+    usual = [name for name in STANDARD if name != "energy" or name in known]
+    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     # what keeps a closed system closed belongs to its dynamics
     called = [name for name in (*simulating.CLOSING, *simulating.HAPPENING) if name in known]
     if wanted or not functions:

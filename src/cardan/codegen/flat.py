@@ -122,6 +122,8 @@ def _rotors(system: System, graph: Graph) -> list[int]:
         }
         for role, inertia in force.element.rotor_inertia(data).items():
             joint = force.joints[role]
+            if system.joints[joint].element.bodiless:
+                continue
             found[joint] = graph.add(found[joint], inertia.nodes[0])
     return found
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from .. import __version__
 from ..elements.internal import TICK
+from ..elements.joints.joint import entries
 from ..equations import blocks
 from ..equations.constraints import Row
 from ..equations.record import Equations
@@ -47,6 +48,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     system = equations.system
     joints = [_joint(equations, i) for i in range(len(system.joints))]
     limits = [row for force in system.forces for row in _limits(system, force)]
+    absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
     data: dict[str, Any] = {
         "abi": ABI,
         "schema": SCHEMA,
@@ -83,6 +85,7 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
+        **({"absent": absent} if absent else {}),
         "scene": _scene(equations),
         "functions": {},
         "sha256": {},
@@ -180,6 +183,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
         for force in system.forces
         if force.element.pressed
     ]
+    samples = [sample for joint in system.joints for sample in joint.element.samples]
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
@@ -188,6 +192,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
         "forces": [force.name for force in system.forces],
         "unknown": unknown,
         **({"curves": curves} if any(curves) else {}),
+        **({"samples": samples} if samples else {}),
         **(_circuits(equations) if system.closed or system.closures else {}),
     }
 
@@ -237,7 +242,14 @@ def _speeds(equations: Equations) -> list[dict[str, Any]]:
     if equations.chosen:
         owners = [None] * len(block)
     rows = zip(block.entries, block.units, owners, strict=True)
-    return [{"name": name, "unit": unit, "joint": joint} for name, unit, joint in rows]
+    made: list[dict[str, Any]] = [
+        {"name": name, "unit": unit, "joint": joint} for name, unit, joint in rows
+    ]
+    components = [c for j in equations.system.joints if j.u >= 0 for c in j.element.speeds]
+    for row, component in zip(made, components if not equations.chosen else (), strict=False):
+        if component.of:
+            row["of"] = component.of
+    return made
 
 
 def _joint(equations: Equations, number: int) -> dict[str, Any]:
@@ -280,8 +292,8 @@ def _solved(system: System, joint: Joint) -> dict[str, Any] | None:
     if joint.closure < 0:
         return None
     names = {
-        "q": blocks.entries(joint.name, joint.element.coordinates),
-        "u": blocks.entries(f"{joint.name}.u", joint.element.speeds),
+        "q": entries(joint.name, joint.element.coordinates),
+        "u": entries(f"{joint.name}.u", joint.element.speeds),
     }
     return {"circuit": system.closures[joint.closure].cut.name, **names}
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
+
+from ..ir.graph import Graph
 
 # What the fields of joints and forces hold, by the name in their annotation: readers and writers
 # of files go by it. ``Any`` is a value: a number, an expression or rows of them.
@@ -15,12 +17,28 @@ LocalNames = Any  # names of the element's own coordinates
 
 
 @dataclass(frozen=True)
+class Ready:
+    """Expressions that are made already, in a graph of their own, as the value of a quantity.
+
+    Attributes:
+        graph: Where they are; its leaves are atoms by the names of symbols.
+        rows, columns: Their shape.
+        nodes: The entries, row by row.
+    """
+
+    graph: Graph = field(repr=False)
+    rows: int
+    columns: int
+    nodes: tuple[int, ...] = field(repr=False)
+
+
+@dataclass(frozen=True)
 class Quantity:
     """A value as written: becomes expressions when the system graph is built.
 
     Attributes:
         value: A number, a SymPy expression or symbol, or a nested sequence of them; measured data
-            enter as SymPy expressions made by :func:`cardan.table`.
+            enter as SymPy expressions made by :func:`cardan.table`. Or :class:`Ready`.
         unit: Unit of every entry, "" where dimensionless.
         ratio: True for axes, rotations and ratios, where exact +-1 is structural too.
         local: Symbols in it that stand for the owner's own coordinates; they become atoms.

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ..elements.joints.joint import entries
 from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from .blocks import entries
 from .constraints import VELOCITY
 from .context import Context
 

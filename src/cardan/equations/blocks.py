@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..elements.internal import Mode
-from ..elements.joints.joint import Component
+from ..elements.joints.joint import entries
 from ..elements.quantity import written_unit
 from ..ir.function import Block
 from ..topology.internals import full_name, slides
@@ -17,11 +16,6 @@ from ..topology.system import System
 from .constraints import rows
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
-
-
-def entries(head: str, components: Sequence[Component]) -> list[str]:
-    """Names of the coordinates or speeds of a joint: the bare one where there is only one."""
-    return [f"{head}.{c.name}" if c.name else head for c in components]
 
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import sympy
@@ -36,6 +36,8 @@ class Mechanics:
     kinematics: Any
     parameters: dict[Any, float]
     inputs: tuple[Any, ...]
+    constraints: dict[str, Any] = field(default_factory=dict)
+    velocity_constraints: dict[str, Any] = field(default_factory=dict)
 
     def kindiffdict(self) -> dict[Any, Any]:
         """q' -> its expression in q and u."""

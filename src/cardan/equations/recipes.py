@@ -88,6 +88,9 @@ def check(name: str, of: str | None) -> None:
 
 def missing(system: System, name: str) -> str:
     """Why a system has no function of a name, "" where it has one."""
+    for joint in system.joints:
+        if name in joint.element.lacks:
+            return f"'{system.name}' has no function '{name}': {joint.element.lacks[name]}"
     if RECIPES[name].bound and not system.closed:
         return (
             f"function '{name}' is one of systems with constraints; nothing binds the speeds of "

@@ -11,17 +11,24 @@ from ..errors import ModelError, near
 from .graph import ONE, ZERO, Graph
 from .sympy_out import to_sympy, to_sympy_shared
 
-__all__ = ["from_sympy", "to_sympy", "to_sympy_shared"]
+__all__ = ["all_from_sympy", "from_sympy", "to_sympy", "to_sympy_shared"]
 
 Convert = Callable[[Graph, Sequence[int]], int]
 
 
 def from_sympy(graph: Graph, expression: Any, symbols: Mapping[Any, int]) -> int:
-    """A SymPy expression as a node.
+    """A SymPy expression as a node; see :func:`all_from_sympy`."""
+    return all_from_sympy(graph, [expression], symbols)[0]
+
+
+def all_from_sympy(
+    graph: Graph, expressions: Sequence[Any], symbols: Mapping[Any, int]
+) -> list[int]:
+    """SymPy expressions as nodes; what they share is converted once.
 
     Args:
-        graph: Where the node is made.
-        expression: What SymPy can take for an expression; elementary functions, ``Piecewise``,
+        graph: Where the nodes are made.
+        expressions: What SymPy can take for an expression; elementary functions, ``Piecewise``,
             ``Abs``, ``sign``, ``Min``, ``Max``, ``Heaviside``, relations and logic, and functions
             that carry an interpolation table (attribute ``cardan_table``).
         symbols: SymPy symbol, or any other subexpression, -> the node it stands for.
@@ -31,7 +38,14 @@ def from_sympy(graph: Graph, expression: Any, symbols: Mapping[Any, int]) -> int
             real.
     """
     done: dict[Any, int] = dict(symbols)
-    root = sympy.sympify(expression, strict=True)
+    roots = [sympy.sympify(expression, strict=True) for expression in expressions]
+    for root in roots:
+        _convert(graph, root, done)
+    return [done[root] for root in roots]
+
+
+def _convert(graph: Graph, root: Any, done: dict[Any, int]) -> None:
+    """Convert an expression and all its parts."""
     stack = [root]
     while stack:
         e = stack[-1]
@@ -44,7 +58,6 @@ def from_sympy(graph: Graph, expression: Any, symbols: Mapping[Any, int]) -> int
         else:
             done[e] = _node(graph, e, done, root)
             stack.pop()
-    return done[root]
 
 
 def _parts(e: Any) -> Sequence[Any]:

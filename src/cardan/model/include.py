@@ -54,6 +54,12 @@ def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
 def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
     if other is model:
         raise ModelError(f"include '{prefix}': a model cannot be a part of itself; make another")
+    for joint in other.joints.values():
+        if joint.kind.bodiless:
+            raise ModelError(
+                f"include '{prefix}': '{other.name}' is made of written equations, whose names "
+                "are their own; it cannot be a part of another model"
+            )
     copy = _Copy(model, other, prefix if not prefix[-1].isalnum() else prefix + ".")
     for declared, make in ((other.parameters, model.parameter), (other.inputs, model.input)):
         for entry in declared.values():

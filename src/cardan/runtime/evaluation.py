@@ -44,10 +44,12 @@ class Evaluation(ABC):
         """Whether there are such a function and its frame or joint.
 
         Raises:
-            ModelError: there are not.
+            ModelError: there are not, or the system has no such function.
         """
         if name not in FUNCTIONS:
             raise ModelError(f"function '{name}' does not exist.{near(name, FUNCTIONS)}")
+        if name in self.manifest.get("absent", ()):
+            raise ModelError(f"{name}: {self.manifest['absent'][name]}")
         kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
         if name != "derivative" and of is not None and of not in known:
             raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")

@@ -19,6 +19,8 @@ from .newton_euler import Scene, own
 from .objects import Key
 from .truth import Truth, finite, largest, masses, push, truth_of
 from .verify_circuits import CHECKS, acceleration_error, borne, moved_masses, relative, unbalanced
+from .verify_samples import error as sampled
+from .verify_samples import samples_of
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -34,6 +36,8 @@ WHOLE = 200
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
 DRAWN = 4
 STEP = 1e-30
+NEWTON_EULER = "an independent Newton-Euler in NumPy"
+SAMPLES = "the numbers of SymPy"
 CHECKED = (
     "mass_matrix",
     "bias",
@@ -72,11 +76,13 @@ class Verification:
         model: Name of the model.
         states: Number of random states.
         checks: One per function.
+        judge: What they were compared with.
     """
 
     model: str
     states: int
     checks: tuple[Check, ...]
+    judge: str = NEWTON_EULER
 
     @property
     def worst(self) -> float:
@@ -89,7 +95,7 @@ class Verification:
         return tuple(c.function for c in self.checks if not c.reason)
 
     def __str__(self) -> str:
-        lines = [f"'{self.model}' at {self.states} random states against NumPy Newton-Euler"]
+        lines = [f"'{self.model}' at {self.states} random states against {self.judge}"]
         for c in self.checks:
             lines.append(f"  {c.function:18} {c.reason or f'{c.error:.1e}'}")
         return "\n".join(lines)
@@ -111,6 +117,9 @@ def verify(
         known = set(model.manifest["functions"]) & set(model.manifest["available"])
         functions = [name for name in CHECKED if name in known]
     wanted = [name for name in functions if name in CHECKED]
+    if samples_of(model):
+        found = tuple(Check(name, *sampled(model, name)) for name in wanted)
+        return _approved(model, Verification(model.name, len(samples_of(model)), found, SAMPLES))
     reason = unknown(model)
     if reason or not wanted:
         return Verification(model.name, 0, tuple(Check(n, np.nan, reason) for n in wanted))
@@ -129,14 +138,22 @@ def verify(
         else _check(model, scene, truth, name)
         for name in wanted
     )
-    result = Verification(model.name, len(truth.q), checks)
     if any(c.reason == SINGULAR for c in checks):
         warnings.warn(_singular_words(model, truth.M), SolveWarning, stacklevel=2)
-    wrong = [c for c in checks if not c.reason and not c.error <= BOUND]
+    return _approved(model, Verification(model.name, len(truth.q), checks))
+
+
+def _approved(model: CompiledModel, result: Verification) -> Verification:
+    """The result if no function is wrong.
+
+    Raises:
+        BuildError: one is.
+    """
+    wrong = [c for c in result.checks if not c.reason and not c.error <= BOUND]
     if wrong:
         raise BuildError(
-            f"model '{model.name}': the compiled {wrong[0].function} differs from an independent "
-            f"Newton-Euler by {wrong[0].error:.1e} of its largest term (bound {BOUND:.0e}). This "
+            f"model '{model.name}': the compiled {wrong[0].function} differs from "
+            f"{result.judge} by {wrong[0].error:.1e} of its largest term (bound {BOUND:.0e}). This "
             f"is a fault of cardan or of the compiler: please report it with {model.directory}. "
             "Until then try another method= or compiler (CC)"
         )

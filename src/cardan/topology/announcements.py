@@ -109,5 +109,5 @@ def massless_tips(system: System) -> list[tuple[str, str]]:
     return [
         (body.name, joint.name)
         for body, joint, some in zip(system.bodies, system.joints, heavy, strict=True)
-        if not some and joint.motion is None and joint.coupling is None
+        if not (some or joint.element.bodiless) and joint.motion is None and joint.coupling is None
     ]

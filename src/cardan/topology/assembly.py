@@ -158,7 +158,11 @@ class Assembly:
         with g.made_by(joint.name, "placement"):
             self.home[branch.outer] = (number, far_side.inverse(g))
             outer_side = inner.then(g, near_side)
-        self._part(branch, "", HERE)
+        if joint.kind.bodiless:
+            # nobody's frame, that the joint may have an end
+            self.new_frame(branch.outer, self.unwritten(branch.outer.name), number, 0, HERE)
+        else:
+            self._part(branch, "", HERE)
         frames = {
             role: self._joint_frame(
                 place,

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from ..elements.quantity import Quantity, written_unit
+from ..elements.quantity import Quantity, Ready, written_unit
 from ..elements.written import TOO_DEEP
 from ..errors import ModelError, near
-from ..ir.function import Function, Output
+from ..ir.function import Function, Output, live
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
 from ..ir.interpreter import evaluate
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..model import dimensions
 from ..model.checks import is_number
 from ..model.frame import rows_of
@@ -201,6 +202,8 @@ class Converter:
 
     def _rows(self, quantity: Quantity, name: str, unit: str) -> tuple[int, int, Nodes]:
         value, ratio = quantity.value, quantity.ratio
+        if isinstance(value, Ready):
+            return value.rows, value.columns, self._ready(value, name)
         value = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(value, (list, tuple)):
             return 1, 1, (self.scalar(value, name, unit, ratio),)
@@ -212,6 +215,18 @@ class Converter:
             vector = len(rows) <= 3 and columns == 1
             labels = "xyz"[: len(rows)] if vector else [str(k) for k in range(len(flat))]
         return len(rows), columns, self.vector(flat, name, unit, ratio, labels)
+
+    def _ready(self, value: Ready, name: str) -> Nodes:
+        """Expressions that are made already, with the symbols they speak of put in."""
+        leaves = {}
+        for node in live(value.graph, value.nodes):
+            if value.graph.nodes[node][0] == "atom":
+                symbol = value.graph.nodes[node][1]
+                if symbol not in self.symbols:
+                    raise ModelError(f"'{name}': symbol '{symbol}' is not known")
+                leaves[node] = self.symbols[symbol]
+                self.used.add(symbol)
+        return tuple(rebuild(value.graph, value.nodes, leaves, into=self.graph)[1])
 
     @contextmanager
     def _local(self, names: Sequence[str]) -> Iterator[None]:

@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..elements.joints.joint import Component
+from ..elements.joints.joint import Component, entries
 from ..errors import ModelError, near
 from ..ir.derivative import forward
 from ..ir.graph import ONE, Graph
@@ -40,6 +40,7 @@ def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
                         f"input '{own}': input '{entry.name}' prescribes a motion, so that its "
                         f"{suffix} has this name; rename one of them"
                     )
+                convert.define(own, convert.graph.var("r", len(inputs)))
                 inputs.append(Input(own, unit + per if unit else ""))
     return tuple(inputs)
 
@@ -70,8 +71,7 @@ def define_coordinates(
         ("q", slots[0], joint, coordinates),
         ("u", slots[1], f"{joint}.u", speeds),
     ):
-        for k, component in enumerate(components):
-            name = f"{prefix}.{component.name}" if component.name else prefix
+        for k, name in enumerate(entries(prefix, components)):
             if name in convert.symbols:
                 raise ModelError(
                     f"joint '{joint}': the name of its coordinate '{name}' is taken by a "

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..errors import ModelError
 from ..runtime.trajectory import Trajectory
 from . import meshed, scene
 
@@ -28,6 +29,9 @@ def write_page(
 
     The file appears complete or not at all.
     """
+    absent = motion.manifest.get("absent", {})
+    if "pose" in absent:
+        raise ModelError(f"a page shows bodies: {absent['pose']}; plot() draws coordinates")
     shown = _resampled(motion, fps)
     drawn = (meshed if shown.manifest["method"] == "absolute" else scene).drawing(shown)
     data = {"t": np.round(shown.t, 6).tolist(), **drawn}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -20,12 +21,21 @@ class Component:
         default: Value where the user names none (1 for the scalar part of a quaternion).
         reach: The joint is regular where the coordinate is smaller in size; None without such a
             bound.
+        alone: Whether the name stands by itself, without that of the joint.
+        of: The coordinate whose derivative a speed is, where their names do not say it.
     """
 
     name: str
     unit: str
     default: float = 0.0
     reach: float | None = None
+    alone: bool = False
+    of: str = ""
+
+
+def entries(head: str, components: Sequence[Component]) -> list[str]:
+    """Names of the coordinates or speeds of a joint: the bare one where there is only one."""
+    return [c.name if c.alone else f"{head}.{c.name}" if c.name else head for c in components]
 
 
 ROTATIONS = tuple(Component(name, "rad") for name in ("rx", "ry", "rz"))
@@ -175,6 +185,24 @@ class Joint(ABC):
         """Whether a pose alone does not say if the joint allows it: it keeps its coordinates where
         it closes a circuit."""
         return False
+
+    @property
+    def bodiless(self) -> bool:
+        """Whether the coordinates move no body: what moves by them is written in equations."""
+        return False
+
+    @property
+    def samples(self) -> Sequence[Mapping[str, Any]]:
+        """What another program says about the system at some states: a build is compared with it.
+
+        Plain data as in the manifest; nothing where a build is judged by the bodies.
+        """
+        return ()
+
+    @property
+    def lacks(self) -> Mapping[str, str]:
+        """Functions that no system with this joint has, and why."""
+        return {}
 
     @property
     def coincident(self) -> bool:

@@ -104,8 +104,13 @@ def _refuse(system: System) -> None:
     """What belongs to relative coordinates alone.
 
     Raises:
-        DerivationError: events, or friction pressed by reactions.
+        DerivationError: written equations, events, or friction pressed by reactions.
     """
+    if any(joint.element.bodiless for joint in system.joints):
+        raise DerivationError(
+            f"'{system.name}' is made of written equations, which have coordinates of their own: "
+            'leave out coordinates="absolute"'
+        )
     for force in system.forces:
         what = ""
         if force.element.pressed:

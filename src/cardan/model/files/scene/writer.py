@@ -64,6 +64,12 @@ def to_text(model: Model, folder: Path | None = None) -> str:
     Raises:
         ModelError: the model has what no file can say.
     """
+    for joint in model.joints.values():
+        if joint.kind.bodiless:
+            raise ModelError(
+                f"model '{model.name}' is made of written equations, for which scene files have no "
+                "words: keep the program that derives them, or export() what was compiled"
+            )
     return dumped(_Writer(model, folder).document())
 
 

@@ -1,0 +1,175 @@
+"""What SymPy's mechanics package holds of equations of motion, told in one way. Loads SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
+
+from ...errors import ModelError
+
+FORMS = (
+    "a KanesMethod, a LagrangesMethod, a System of sympy.physics.mechanics whose equations are "
+    "formed, (q, u, M, f), (q, u, kinematics, M, f), (q, u, kinematics, M, f, constraints), or "
+    "what equations.to_sympy() returns"
+)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Equations M u' = f, q' = rates, and what binds them.
+
+    Attributes:
+        q, u: Functions of time; a speed may be the derivative of a coordinate.
+        rates: q' in q, u and t.
+        M: (nu, nu). f: (nu,).
+        positions: Name -> expression of q and t that is kept at 0.
+        speeds: Name -> expression linear in u that is kept at 0.
+        implied: Whether ``speeds`` has the derivatives of ``positions`` too.
+        lagrangian: L where it is known.
+        applied: The part of f (nu,) that is not in L.
+        balance: SymPy's own rows (A, b) of A u' = b with constraints, where it has some.
+        zero: Functions of time that are 0.
+        values: Symbol -> default value that the source knows.
+        inputs: Functions of time that move the system, as far as the source says.
+    """
+
+    q: tuple[Any, ...]
+    u: tuple[Any, ...]
+    rates: tuple[Any, ...]
+    M: tuple[Any, ...]
+    f: tuple[Any, ...]
+    positions: Mapping[str, Any] = field(default_factory=dict)
+    speeds: Mapping[str, Any] = field(default_factory=dict)
+    implied: bool = False
+    lagrangian: Any = None
+    applied: tuple[Any, ...] = ()
+    balance: tuple[Any, Any] | None = None
+    zero: tuple[Any, ...] = ()
+    values: Mapping[Any, float] = field(default_factory=dict)
+    inputs: tuple[Any, ...] = ()
+
+
+def source_of(equations: Any) -> Source:
+    """Equations in any of the forms that are taken.
+
+    Raises:
+        ModelError: another object, or one whose equations are not formed yet.
+    """
+    if isinstance(equations, KanesMethod):
+        return _kane(equations)
+    if isinstance(equations, LagrangesMethod):
+        return _lagrange(equations)
+    if hasattr(equations, "eom_method"):
+        if equations.eom_method is None:
+            raise ModelError("from_sympy: call system.form_eoms() first")
+        return source_of(equations.eom_method)
+    if hasattr(equations, "kindiffdict") and hasattr(equations, "parameters"):
+        return _told(equations)
+    if isinstance(equations, Sequence) and 4 <= len(equations) <= 6:
+        return _written(*equations)
+    raise ModelError(f"from_sympy takes {FORMS}; not {type(equations).__name__}")
+
+
+def _kane(kane: Any) -> Source:
+    """Kane's equations before dependent speeds are eliminated.
+
+    SymPy eliminates them by a symbolic factorization whose pivots may vanish where the system is
+    at home, such as an upright bicycle. The rows of all speeds are formed anew from the bodies and
+    loads that the object holds; constraints stay constraints.
+    """
+    if kane._fr is None or kane._frstar is None:
+        raise ModelError("from_sympy: call kane.kanes_equations(bodies, loads) first")
+    q, u, rates, known = tuple(kane.q), tuple(kane.u), kane.kindiffdict(), kane
+    derivatives = [x.diff(dynamicsymbols._t) for x in q]
+    bound = len(kane._f_nh)
+    if bound:
+        kinematics = [x - rates[x] for x in derivatives]
+        known = KanesMethod(
+            kane._inertial, list(q), list(u), kinematics, u_auxiliary=list(kane._uaux) or None
+        )
+        known.kanes_equations(kane.bodylist, kane.forcelist)
+    told = kane._k_nh * sympy.Matrix(u) + kane._f_nh if bound else ()
+    return Source(
+        q,
+        u,
+        tuple(rates[x] for x in derivatives),
+        tuple(known.mass_matrix),
+        tuple(known.forcing),
+        positions={f"configuration{i + 1}": x for i, x in enumerate(kane._f_h)},
+        speeds={f"velocity{i + 1}": x for i, x in enumerate(told)},
+        implied=True,
+        balance=(kane.mass_matrix, kane.forcing),
+        zero=tuple(kane._uaux),
+    )
+
+
+def _lagrange(lagrange: Any) -> Source:
+    """Lagrange's equations of the first or second kind."""
+    if lagrange.eom is None:
+        raise ModelError("from_sympy: call lagrange.form_lagranges_equations() first")
+    q = tuple(lagrange.q)
+    u = tuple(x.diff(dynamicsymbols._t) for x in q)
+    positions = tuple(lagrange._hol_coneqs)
+    return Source(
+        q,
+        u,
+        u,
+        tuple(lagrange._m_d),
+        tuple(lagrange.forcing),
+        positions={f"holonomic{i + 1}": x for i, x in enumerate(positions)},
+        speeds={f"nonholonomic{i + 1}": x for i, x in enumerate(lagrange.coneqs[len(positions) :])},
+        lagrangian=lagrange._L[0],
+        applied=tuple(lagrange._term4),
+    )
+
+
+def _told(mechanics: Any) -> Source:
+    """What ``equations.to_sympy()`` returns."""
+    return Source(
+        tuple(mechanics.q),
+        tuple(mechanics.u),
+        tuple(mechanics.kinematics),
+        tuple(mechanics.mass_matrix),
+        tuple(mechanics.forcing),
+        positions=mechanics.constraints,
+        speeds=mechanics.velocity_constraints,
+        values=mechanics.parameters,
+        inputs=tuple(mechanics.inputs),
+    )
+
+
+def _written(q: Any, u: Any, *rest: Any) -> Source:
+    """(M, f), (kinematics, M, f) or (kinematics, M, f, constraints) behind q and u."""
+    q, u = tuple(q), tuple(u)
+    kinematics, M, f = (u, *rest) if len(rest) == 2 else rest[:3]
+    if len(kinematics) != len(q):
+        raise ModelError(
+            f"from_sympy: {len(q)} coordinates and {len(kinematics)} "
+            f"{'speeds; give' if len(rest) == 2 else 'of'} the kinematics q', one expression for "
+            "every coordinate"
+        )
+    M, f = sympy.Matrix(M), sympy.Matrix(f)
+    if M.shape != (len(u), len(u)) or len(f) != len(u):
+        raise ModelError(
+            f"from_sympy: with {len(u)} speeds M is {len(u)}x{len(u)} and f has {len(u)} entries; "
+            f"here M is {M.rows}x{M.cols} and f has {len(f)}"
+        )
+    bound = rest[3] if len(rest) == 4 else {}
+    if not isinstance(bound, Mapping):
+        bound = {f"constraint{i + 1}": x for i, x in enumerate(bound)}
+    moving = {*u, *(x.diff(dynamicsymbols._t) for x in q)}
+    told = {name: sympy.sympify(x) for name, x in bound.items()}
+    speeds = {name: x for name, x in told.items() if any(x.has(v) for v in moving)}
+    return Source(
+        q,
+        u,
+        tuple(sympy.sympify(x) for x in kinematics),
+        tuple(M),
+        tuple(f),
+        positions={name: x for name, x in told.items() if name not in speeds},
+        speeds=speeds,
+    )

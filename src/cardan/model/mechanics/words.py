@@ -1,0 +1,187 @@
+"""What the symbols and functions of time in written equations are, and their names. Loads SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import dynamicsymbols
+
+from ...errors import ModelError, near
+from .sources import Source
+
+# what the derivatives of an input are called behind its name
+DERIVED = ("", ".rate", ".acceleration")
+
+
+@dataclass(frozen=True)
+class Words:
+    """Names of everything that equations speak of.
+
+    Attributes:
+        q, u: Names in the order of the source.
+        inputs: Input or derivative of one -> name; the value stands before its derivatives.
+        parameters: Name -> default value.
+        names: Symbol or function of time -> name, of all of these and the time.
+    """
+
+    q: tuple[str, ...]
+    u: tuple[str, ...]
+    inputs: Mapping[Any, str]
+    parameters: Mapping[str, float]
+    names: Mapping[Any, str]
+
+
+def words(
+    source: Source, expressions: Iterable[Any], given: Mapping[Any, float], inputs: Iterable[Any]
+) -> Words:
+    """Names for what the expressions of a source have.
+
+    Args:
+        source: The equations.
+        expressions: All that is computed.
+        given: Symbol or name -> default value of parameters.
+        inputs: Functions of time that shall be inputs even if nothing depends on them.
+
+    Raises:
+        ModelError: unknown functions, accelerations, names given twice, parameters without value.
+    """
+    t = dynamicsymbols._t
+    q = tuple(_called(x, "coordinate") for x in source.q)
+    own = dict(zip(source.q, q, strict=True))
+    u = tuple(_speed(x, own) for x in source.u)
+    names: dict[Any, str] = {t: "t"} | own | dict(zip(source.u, u, strict=True))
+    rates = {x.diff(t) for x in source.q}
+    zero = {x for v in source.zero for x in (v, v.diff(t))}
+    found = leaves(expressions)
+    moving = {x: _input(x, source) for x in found if not x.is_Symbol}
+    moving = {x: name for x, name in moving.items() if not (x in names or x in rates or x in zero)}
+    moving |= {x: _called(x, "input") for x in inputs}
+    ordered = dict(sorted(moving.items(), key=lambda pair: pair[1]))
+    parameters = _parameters({x for x in found if x.is_Symbol} - {t}, source, given)
+    names |= ordered | {symbol: symbol.name for symbol in parameters}
+    _differ(names)
+    values = {symbol.name: value for symbol, value in parameters.items()}
+    return Words(q, u, ordered, values, names)
+
+
+def leaves(expressions: Iterable[Any]) -> list[Any]:
+    """Symbols, functions of time and derivatives in expressions, in order of appearance."""
+    seen: set[Any] = set()
+    found: list[Any] = []
+    stack = [sympy.sympify(e) for e in expressions][::-1]
+    while stack:
+        e = stack.pop()
+        if e in seen:
+            continue
+        seen.add(e)
+        if e.is_Symbol or isinstance(e, (AppliedUndef, sympy.Derivative)):
+            found.append(e)
+        else:
+            stack.extend(reversed(e.args))
+    return found
+
+
+def _called(x: Any, what: str) -> str:
+    """Name of a function of time.
+
+    Raises:
+        ModelError: it is none.
+    """
+    if not isinstance(x, AppliedUndef) or x.args != (dynamicsymbols._t,):
+        raise ModelError(
+            f"from_sympy: {what} {x} is no function of time; make it with dynamicsymbols('{x}')"
+        )
+    return str(x.func.__name__)
+
+
+def _speed(x: Any, own: Mapping[Any, str]) -> str:
+    """Name of a speed: ``<coordinate>.u`` where it is the derivative of a coordinate."""
+    if isinstance(x, sympy.Derivative) and x.derivative_count == 1 and x.expr in own:
+        return f"{own[x.expr]}.u"
+    return _called(x, "speed")
+
+
+def _input(x: Any, source: Source) -> str:
+    """Name of a function of time, or of the derivative of one, as an input.
+
+    Raises:
+        ModelError: it is a function of something else, or an acceleration.
+    """
+    order, base = (x.derivative_count, x.expr) if isinstance(x, sympy.Derivative) else (0, x)
+    if base in source.q or base in source.u:
+        if order <= 1 and base in source.q:
+            return ""
+        if order == 0:
+            return ""
+        raise ModelError(
+            f"from_sympy: {x} is an acceleration; all of them belong to the product of M, and "
+            "neither into f, the kinematics or constraints nor into outputs"
+        )
+    if not isinstance(base, AppliedUndef) or base.args != (dynamicsymbols._t,):
+        raise ModelError(
+            f"from_sympy: '{base}' is no function that C code can be written for. Give its "
+            "expression; inputs are functions of the time alone"
+        )
+    if order >= len(DERIVED) or isinstance(base, sympy.Derivative):
+        raise ModelError(f"from_sympy: {x}: inputs have two derivatives at most")
+    return f"{base.func.__name__}{DERIVED[order]}"
+
+
+def _parameters(
+    symbols: Iterable[Any], source: Source, given: Mapping[Any, float]
+) -> dict[Any, float]:
+    """Symbol -> default value, by name.
+
+    Raises:
+        ModelError: one has no value, or a value has no symbol.
+    """
+    ordered = sorted(symbols, key=lambda symbol: str(symbol.name))
+    values = {getattr(key, "name", key): value for key, value in source.values.items()}
+    named = {getattr(key, "name", key): value for key, value in given.items()}
+    known = [symbol.name for symbol in ordered]
+    for name in named:
+        if name not in known:
+            raise ModelError(
+                f"from_sympy: parameters: no expression has a symbol '{name}'."
+                f"{near(str(name), known)}"
+            )
+    values |= named
+    missing = [name for name in known if name not in values]
+    if missing:
+        listed = ", ".join(f"'{name}': ..." for name in missing)
+        raise ModelError(
+            f"from_sympy: {len(missing)} symbols have no value: give parameters={{{listed}}}"
+        )
+    return {symbol: float(values[symbol.name]) for symbol in ordered}
+
+
+def _differ(names: Mapping[Any, str]) -> None:
+    """Names that stand for one thing each.
+
+    Raises:
+        ModelError: one stands for two.
+    """
+    taken: dict[str, Any] = {}
+    for thing, name in names.items():
+        if name in taken:
+            raise ModelError(
+                f"from_sympy: the name '{name}' stands for {sympy.srepr(taken[name])} and for "
+                f"{sympy.srepr(thing)}; rename one of them"
+            )
+        taken[name] = thing
+
+
+def scalars(source: Source) -> Sequence[Any]:
+    """All expressions of a source that are computed."""
+    return (
+        *source.rates,
+        *source.M,
+        *source.f,
+        *source.positions.values(),
+        *source.speeds.values(),
+        *source.applied,
+    )

@@ -1,0 +1,107 @@
+"""Check functions of written equations against what SymPy said when they were taken over.
+
+The manifest has its numbers at some states; neither SymPy nor an expression of the model is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from .compiled import CompiledModel
+
+Array = NDArray[np.float64]
+Sample = Mapping[str, Any]
+CHANGED = "not checked: values are built in that SymPy's numbers do not belong to"
+YIELDING = "not checked: constraints treated by '{}' give way"
+APART = "not checked: SymPy tells no numbers of it"
+
+
+def samples_of(model: CompiledModel) -> Sequence[Sample]:
+    """The states of which SymPy's numbers are known; none of models of bodies."""
+    found: Sequence[Sample] = (model.manifest.get("scene") or {}).get("samples", ())
+    return found
+
+
+def error(model: CompiledModel, name: str) -> tuple[float, str]:
+    """Largest difference of a function over the largest term of its equation, or why not known."""
+    found = samples_of(model)
+    built = model.manifest.get("structural", {})
+    if any(built.get(key, value) != value for s in found for key, value in s["p"].items()):
+        return np.nan, CHANGED
+    treatment = model.manifest["scene"].get("treatment")
+    if name in ("forward_dynamics", "rhs") and treatment and not treatment["exact"]:
+        return np.nan, YIELDING.format(treatment["name"])
+    if name not in CHECKS:
+        return np.nan, APART
+    return max(CHECKS[name](model, sample) for sample in found), ""
+
+
+def _given(model: CompiledModel, sample: Sample, *blocks: str) -> dict[str, Any]:
+    """Arguments of a function at a sample."""
+    known = set(model.parameters)
+    values = {key: value for key, value in sample["p"].items() if key in known}
+    arrays = {block: np.array(sample[block], dtype=np.float64) for block in blocks}
+    r = model._vector("r", dict(sample["r"]))
+    return {**arrays, "t": sample["t"], "r": r, "parameters": values or None}
+
+
+def _relative(difference: Array, *terms: Array) -> float:
+    """Largest entry of a difference over that of the terms in it."""
+    largest = max((float(np.abs(x).max(initial=0.0)) for x in terms), default=0.0)
+    return float(np.abs(difference).max(initial=0.0)) / max(largest, 1e-300)
+
+
+def _mass_matrix(model: CompiledModel, sample: Sample) -> float:
+    M = np.array(sample["M"])
+    return _relative(model.mass_matrix(**_given(model, sample, "q")) - M, M)
+
+
+def _qdot(model: CompiledModel, sample: Sample) -> float:
+    rates = np.array(sample["qdot"])
+    return _relative(model.qdot(**_given(model, sample, "q", "u")) - rates, rates)
+
+
+def _bias(model: CompiledModel, sample: Sample) -> float:
+    """All forces are applied ones."""
+    return float(np.abs(model.bias(**_given(model, sample, "q", "u"))).max(initial=0.0))
+
+
+def _inverse(model: CompiledModel, sample: Sample) -> float:
+    M, f = np.array(sample["M"]), np.array(sample["f"])
+    udot = np.linspace(-1.0, 1.0, len(f))
+    tau = model.inverse_dynamics(**_given(model, sample, "q", "u"), udot=udot)
+    return _relative(tau - (M @ udot - f), M * udot, f)
+
+
+def _forward(model: CompiledModel, sample: Sample) -> float:
+    return _balance(sample, model.forward_dynamics(**_given(model, sample, "q", "u")))
+
+
+def _rhs(model: CompiledModel, sample: Sample) -> float:
+    given = _given(model, sample, "q", "u")
+    start = model._layout.start("z")
+    x = np.concatenate([given.pop("q"), given.pop("u"), start])
+    qdot, udot = model.split(model.rhs(given.pop("t"), x, given.pop("r"), **given))
+    rates = np.array(sample["qdot"])
+    return max(_balance(sample, udot), _relative(qdot - rates, rates))
+
+
+def _balance(sample: Sample, udot: Array) -> float:
+    """Residual of SymPy's rows at the accelerations, over the largest product or number in it."""
+    rows, right = np.array(sample["rows"]), np.array(sample["right"])
+    return _relative(rows @ udot - right, rows * udot, right)
+
+
+CHECKS = {
+    "mass_matrix": _mass_matrix,
+    "qdot": _qdot,
+    "bias": _bias,
+    "inverse_dynamics": _inverse,
+    "forward_dynamics": _forward,
+    "rhs": _rhs,
+}
