@@ -185,6 +185,7 @@ def runner_of(
     for what, name in needs:
         if name not in available:
             cure = f"cd.compile(..., functions=[..., '{name}'])"
+            cure = model.manifest.get("absent", {}).get(name, cure)
             if "mesh" in model.manifest and name not in FUNCTIONS:
                 cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
             raise ModelError(

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import sympy
 from sympy.physics.mechanics import dynamicsymbols
+
+from .constraints import POSITION
 
 if TYPE_CHECKING:
     from .record import Equations
@@ -26,6 +29,9 @@ class Mechanics:
         kinematics: Right-hand side of q' = N u + n, (nq, 1).
         parameters: Symbol -> default value.
         inputs: Inputs r(t), (nr,).
+        constraints: Name -> expression of q and t that is kept at 0.
+        velocity_constraints: Name -> expression linear in u that is kept at 0 and is no derivative
+            of these. M u' = forcing + Gᵀ lam where there are any.
     """
 
     t: Any
@@ -77,6 +83,7 @@ def mechanics(equations: Equations) -> Mechanics:
         return [moving[letter, k] for k in range(len(equations.blocks[letter]))]
 
     q, u = column("q"), column("u")
+    held, slipping = _constraints(equations, written)
     return Mechanics(
         t=time,
         q=sympy.Matrix(len(q), 1, q),
@@ -89,7 +96,23 @@ def mechanics(equations: Equations) -> Mechanics:
             for k, parameter in enumerate(equations.system.parameters)
         },
         inputs=tuple(column("r")),
+        constraints=held,
+        velocity_constraints=slipping,
     )
+
+
+def _constraints(
+    equations: Equations, written: Callable[[Any], Any]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What binds the system, by name: at position level, and at velocity level alone."""
+    rows = equations.constraint_rows
+    if not rows:
+        return {}, {}
+    held = [row.name for row in rows if row.level == POSITION]
+    others = [row.name for row in rows[len(held) :]]
+    found = dict(zip(held, written(equations.constraints), strict=True))
+    rates = written(equations.written("constraint_rates")) if others else []
+    return found, dict(zip(others, rates[len(held) :], strict=True))
 
 
 def _functions(equations: Equations) -> dict[tuple[str, int], Any]:

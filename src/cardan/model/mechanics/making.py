@@ -82,8 +82,6 @@ def _model(
     inertia, forces = _motion(graph, symbols, source, found, solved)
     moved = None if solved else (kinematics, inertia, forces)
     energy = _energy(graph, symbols, source, told, potential, moved)
-    if graph.tables:
-        raise ModelError("from_sympy: tables of data cannot stand in written equations")
     joint = Written(
         told.q,
         told.u,

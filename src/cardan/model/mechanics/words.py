@@ -69,7 +69,7 @@ def words(
 
 
 def leaves(expressions: Iterable[Any]) -> list[Any]:
-    """Symbols, functions of time and derivatives in expressions, in order of appearance."""
+    """Symbols, functions of time, derivatives and tables in expressions, as they appear."""
     seen: set[Any] = set()
     found: list[Any] = []
     stack = [sympy.sympify(e) for e in expressions][::-1]
@@ -78,11 +78,15 @@ def leaves(expressions: Iterable[Any]) -> list[Any]:
         if e in seen:
             continue
         seen.add(e)
-        if e.is_Symbol or isinstance(e, (AppliedUndef, sympy.Derivative)):
+        if e.is_Symbol or isinstance(e, (AppliedUndef, sympy.Derivative)) or _is_table(e):
             found.append(e)
         else:
             stack.extend(reversed(e.args))
     return found
+
+
+def _is_table(e: Any) -> bool:
+    return getattr(e, "cardan_table", None) is not None
 
 
 def _called(x: Any, what: str) -> str:
@@ -111,6 +115,11 @@ def _input(x: Any, source: Source) -> str:
     Raises:
         ModelError: it is a function of something else, or an acceleration.
     """
+    if _is_table(x):
+        raise ModelError(
+            f"from_sympy: {x} is a table of data, which cannot stand in written equations; write "
+            "an expression, or let it come in by an input"
+        )
     order, base = (x.derivative_count, x.expr) if isinstance(x, sympy.Derivative) else (0, x)
     if base in source.q or base in source.u:
         if order <= 1 and base in source.q:
@@ -134,29 +143,30 @@ def _input(x: Any, source: Source) -> str:
 def _parameters(
     symbols: Iterable[Any], source: Source, given: Mapping[Any, float]
 ) -> dict[Any, float]:
-    """Symbol -> default value, by name.
+    """Symbol -> default value, by name; those that nothing depends on stand last.
 
     Raises:
-        ModelError: one has no value, or a value has no symbol.
+        ModelError: one has no value.
     """
     ordered = sorted(symbols, key=lambda symbol: str(symbol.name))
-    values = {getattr(key, "name", key): value for key, value in source.values.items()}
-    named = {getattr(key, "name", key): value for key, value in given.items()}
-    known = [symbol.name for symbol in ordered]
-    for name in named:
-        if name not in known:
-            raise ModelError(
-                f"from_sympy: parameters: no expression has a symbol '{name}'."
-                f"{near(str(name), known)}"
-            )
-    values |= named
+    known = {symbol.name: symbol for symbol in ordered}
+    if len(known) < len(ordered):
+        _differ({symbol: symbol.name for symbol in ordered})
+    values = {
+        str(getattr(key, "name", key)): value
+        for told in (source.values, given)
+        for key, value in told.items()
+    }
     missing = [name for name in known if name not in values]
     if missing:
         listed = ", ".join(f"'{name}': ..." for name in missing)
+        idle = [name for name in values if name not in known]
+        hint = near(missing[0], idle).replace(" Known:", " Used by nothing:") if idle else ""
         raise ModelError(
-            f"from_sympy: {len(missing)} symbols have no value: give parameters={{{listed}}}"
+            f"from_sympy: {len(missing)} symbols have no value: give parameters={{{listed}}}.{hint}"
         )
-    return {symbol: float(values[symbol.name]) for symbol in ordered}
+    found = {symbol: float(values.pop(name)) for name, symbol in known.items()}
+    return found | {sympy.Symbol(name): float(value) for name, value in values.items()}
 
 
 def _differ(names: Mapping[Any, str]) -> None:
