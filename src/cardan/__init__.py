@@ -93,6 +93,8 @@ _PUBLIC: dict[str, str] = {
     "Equations": "equations.record",
     "CompiledModel": "runtime.compiled",
     "load_model": "runtime.saved",
+    "excitation": "analyses.identification.excitation",
+    "identify": "analyses.identification.identify",
     "sample": "analyses.sample",
     "Ensemble": "analyses.ensembles",
     "Trajectory": "runtime.trajectory",

@@ -60,6 +60,24 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("ensemble", "ensembles"),
         )
     },
+    **{
+        ("cardan.runtime.identified", f"Identified.{method}"): frozenset(
+            {f"cardan.analyses.{module}"}
+        )
+        for method, module in (
+            ("torques", "torques"),
+            ("base_parameters", "identification.base"),
+            ("excitation", "identification.excitation"),
+            ("identify", "identification.identify"),
+        )
+    },
+    ("cardan.analyses.torques", "Torques.plot"): frozenset({"cardan.view.plot"}),
+    **{
+        (f"cardan.analyses.identification.{module}", f"{record}.plot"): frozenset(
+            {"cardan.view.plot"}
+        )
+        for module, record in (("result", "Identification"), ("excitation", "Excitation"))
+    },
     ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),

@@ -26,10 +26,12 @@ def test_planar_arm_has_the_combinations_of_the_textbook() -> None:
     m, x, z, yy = sp.symbols("lower.mass lower.com.x lower.com.z lower.inertia.yy")
     assert sp.expand(base.combinations["lower.base_moment_x"] - m * x) == 0
     assert sp.expand(base.combinations["lower.base_moment_z"] - m * z) == 0
-    # about the joint; entries xx and zz of the second moment together are the moment of inertia
-    about = base.combinations["lower.base_xx"] + base.combinations["lower.base_zz"]
+    # about the joint; entries xx and zz of the second moment act by their sum alone
+    about = base.combinations["lower.base_xx"]
+    assert "lower.base_zz" not in base.combinations
     assert sp.expand(about - yy - m * (x**2 + z**2)) == 0
     assert "lower.base_mass" not in base.combinations
+    assert len(base.combinations) == 6
     # out of the plane nothing matters
     assert {"upper.com.y", "lower.com.y", "lower.inertia.xy", "upper.inertia.yz"} <= set(
         base.without_effect

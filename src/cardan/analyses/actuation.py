@@ -137,7 +137,7 @@ def actuation(
     place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
     motion = model._vector("udot", udot)
     _refuse_impossible(place, motion)
-    chosen = _slots(model, actuators)
+    chosen = named_speeds(model, actuators)
     return _shared(place, motion, np.zeros(model.nu), chosen, norm)
 
 
@@ -252,7 +252,7 @@ def _softness(norm: str | ArrayLike, count: int) -> tuple[Array, str]:
     return np.linalg.inv(np.linalg.cholesky(weights)).T, "weighted"
 
 
-def _slots(model: CompiledModel, names: Sequence[str] | None) -> list[int]:
+def named_speeds(model: CompiledModel, names: Sequence[str] | None) -> list[int]:
     """Speeds of joints or speeds by name, each once."""
     if names is None:
         return list(range(model.nu))

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from ..ir.arithmetic import Scalar
 from ..ir.function import Function, Output, live
-from ..ir.graph import ZERO
+from ..ir.graph import ONE, ZERO
 from ..ir.interpreter import evaluate
+from ..ir.rewrite import rebuild
 from ..ir.stage import stage
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 # differences of sums of terms of size one that cancel
 ROUNDING = 1e-10
+STATES = 8  # at which columns are compared
 # of every body: mass, first moment, second moment about its origin
 ENTRIES = ("mass", *(f"moment_{i}" for i in "xyz"), *("xx", "yy", "zz", "xy", "xz", "yz"))
 
@@ -33,7 +35,8 @@ class BaseParameters:
 
     Attributes:
         combinations: Name such as ``lower.base_xx`` -> SymPy expression of the parameters, for
-            every number of a body that tau depends on. They determine tau at every motion.
+            every number of a body that tau depends on; those that act in the same way are one, by
+            their sum. They determine tau at every motion.
         without_effect: Parameters that tau does not depend on.
         only_combined: Parameters that no combination gives alone: they cannot be told apart by
             motion and driving forces.
@@ -80,15 +83,60 @@ def base_parameters(equations: Equations) -> BaseParameters:
     effect = effect[: len(wanted)]
     alone = set[int]().union(*(row for row in effect if len(row) == 1))
     every = set[int]().union(*effect)
+    written = {
+        name: to_sympy(Scalar(graph, node), equations.symbols) for name, node in found.items()
+    }
     expressions = {
-        name: expand(to_sympy(Scalar(graph, node), equations.symbols))
-        for name, node in found.items()
+        name: expand(sum(sign * written[other] for other, sign in parts))
+        for name, parts in _sums(function, found).items()
     }
     return BaseParameters(
         {name: expression for name, expression in expressions.items() if expression != 0},
         tuple(name for k, name in enumerate(names) if k not in every),
         tuple(name for k, name in enumerate(names) if k in inertial - alone),
     )
+
+
+def _sums(function: Function, found: dict[str, int]) -> dict[str, list[tuple[str, int]]]:
+    """Numbers that tau depends on in the same way up to the sign: first one -> (name, sign).
+
+    Seen at states drawn by chance: tau is linear in the numbers, and has a column for each.
+    """
+    import numpy as np
+
+    nodes = list(dict.fromkeys(found.values()))
+    graph, tau = function.graph.fork(), function.outputs[0].nodes
+    nothing, columns = dict.fromkeys(nodes, ZERO), list[int]()
+    for node in (-1, *nodes):
+        # -1: what tau is without any
+        columns += rebuild(graph, tau, {**nothing, node: ONE}, into=graph)[1]
+    rng = np.random.default_rng(6)
+    values = {b.name: rng.uniform(0.5, 1.5, (STATES, len(b))) for b in function.inputs}
+    shape = (len(nodes) + 1, len(tau))
+    one = Function("columns", graph, function.inputs, (Output("Y", shape, tuple(columns)),))
+    Y = np.broadcast_to(evaluate(one, values, arithmetic="numpy")["Y"], (STATES, *shape))
+    Y = Y[np.isfinite(Y).all(axis=(1, 2))]
+    own = dict(zip(nodes, np.moveaxis(Y[:, 1:] - Y[:, :1], 1, 0), strict=True))
+    sums: dict[str, list[tuple[str, int]]] = {}
+    for name, node in found.items():
+        place, sign = _alike(own[node], {first: own[found[first]] for first in sums})
+        if place:
+            sums[place].append((name, sign))
+        else:
+            sums[name] = [(name, 1)]
+    return sums
+
+
+def _alike(column: Any, others: dict[str, Any]) -> tuple[str, int]:
+    """Which of the others a column equals, and with which sign; "" for none."""
+    import numpy as np
+
+    for name, other in others.items():
+        size = np.abs(other).max(initial=0.0)
+        for sign in (1, -1):
+            if size and np.abs(column - sign * other).max(initial=0.0) < ROUNDING * size:
+                return name, sign
+    return "", 1
 
 
 def _dependence(function: Function, nodes: list[int], parameters: int) -> NDArray[np.bool_]:

@@ -7,7 +7,7 @@ from ..ir.arithmetic import Scalar
 from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from . import binding, canonical, happening, increments, outputs
+from . import binding, canonical, happening, increments, outputs, regressor
 from .context import Context, Recipe
 
 TWIST = (("wx", "wy", "wz", "vx", "vy", "vz"), ("rad/s",) * 3 + ("m/s",) * 3)
@@ -249,6 +249,17 @@ RECIPES: dict[str, Recipe] = {
         _transition,
         told=True,
         happens=True,
+    ),
+    "regressor": Recipe(
+        "Y: tau is Y phi and what does not depend on phi, the inertial parameters",
+        regressor.regressor,
+    ),
+    "energy_regressor": Recipe(
+        "kinetic and potential energy, and power without a potential, per inertial parameter",
+        regressor.energy_regressor,
+    ),
+    "inertial_parameters": Recipe(
+        "phi: what forces and energies are linear in", regressor.inertial_parameters
     ),
     "energy": Recipe("kinetic, potential and total energy", _energy),
     "com": Recipe("center of mass in ground axes", _com),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
@@ -54,7 +55,7 @@ def together(one: Wrenches, other: Wrenches) -> Wrenches:
 
 def none(k: Kinematics) -> Loads:
     """No forces, but the inertia of the rotors."""
-    return Loads({}, {}, Scalar(k.graph, ZERO), (), _rotors(k))
+    return Loads({}, {}, Scalar(k.graph, ZERO), (), _rotors(k, k.system.forces, {}))
 
 
 def without_potential(k: Kinematics, loads: Loads) -> Loads:
@@ -70,13 +71,24 @@ def applied(k: Kinematics, keep: set[int] | None = None, stored: bool = True) ->
         keep: Frames whose loads count, those of the ground too; by default all that move.
         stored: Whether the loads of actions with a potential count.
     """
+    return summed(k, k.system.forces, {}, keep, stored)
+
+
+def summed(
+    k: Kinematics,
+    forces: Sequence[Force],
+    given: Mapping[str, Matrix],
+    keep: set[int] | None = None,
+    stored: bool = True,
+) -> Loads:
+    """Some force elements, with given numbers in place of their own quantities."""
     wrenches: Wrenches = {}
     joints: dict[int, Matrix] = {}
     potential = Scalar(k.graph, ZERO)
     power: dict[str, Scalar] = {}
-    for force in k.system.forces:
+    for force in forces:
         with k.graph.made_by(force.name, "force"):
-            for action in _actions(k, force):
+            for action in _actions(k, force, given):
                 counted = stored or action.potential is None
                 for load in action.loads if counted else ():
                     moves = k.system.frames[load.frame].body >= 0
@@ -89,7 +101,8 @@ def applied(k: Kinematics, keep: set[int] | None = None, stored: bool = True) ->
                 else:
                     before = power.get(force.name, Scalar(k.graph, ZERO))
                     power[force.name] = before + _power(k, action)
-    return Loads(wrenches, joints, potential, tuple(power.items()), _rotors(k))
+    rotors = _rotors(k, forces, given)
+    return Loads(wrenches, joints, potential, tuple(power.items()), rotors)
 
 
 def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:
@@ -105,15 +118,19 @@ def places(k: Kinematics, force: Force) -> Places:
     return Places(k, _data(k, force), force.frames, force.joints, z, s, held)
 
 
-def _actions(k: Kinematics, force: Force) -> tuple[Action, ...]:
-    return force.element.act(places(k, force))
+def _actions(k: Kinematics, force: Force, given: Mapping[str, Matrix]) -> tuple[Action, ...]:
+    at = places(k, force)
+    return force.element.act(replace(at, data={**at.data, **given}))
 
 
-def _rotors(k: Kinematics) -> dict[int, Matrix]:
+def _rotors(
+    k: Kinematics, forces: Sequence[Force], given: Mapping[str, Matrix]
+) -> dict[int, Matrix]:
     rotors: dict[int, Matrix] = {}
-    for force in k.system.forces:
+    for force in forces:
         with k.graph.made_by(force.name, "rotor"):
-            for role, inertia in force.element.rotor_inertia(_data(k, force)).items():
+            data = {**_data(k, force), **given}
+            for role, inertia in force.element.rotor_inertia(data).items():
                 joint = force.joints[role]
                 rotors[joint] = rotors[joint] + inertia if joint in rotors else inertia
     return rotors

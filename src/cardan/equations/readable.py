@@ -91,6 +91,17 @@ class Readable(ABC):
         """G (m, nu) as SymPy: G udot = gamma."""
         return self.written("constraint_jacobian")
 
+    @property
+    def regressor(self) -> sympy.Matrix:
+        """Y (nu, n) as SymPy: forces are Y phi and what does not depend on phi."""
+        return self.written("regressor")
+
+    @property
+    def inertial_parameters(self) -> dict[str, Any]:
+        """phi by name, as SymPy expressions of the parameters: ``arm.mass``, ``arm.xx`` ..."""
+        names = self.as_described.function("inertial_parameters").outputs[0].entries
+        return dict(zip(names, self.written("inertial_parameters"), strict=True))
+
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
 

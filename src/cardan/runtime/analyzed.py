@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, cast
 from numpy.typing import ArrayLike
 
 from .calling import Array
-from .described import Described
 from .evaluation import State
+from .identified import Identified
 
 if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .compiled import CompiledModel
 
 
-class Analyzed(Described):
+class Analyzed(Identified):
     """A model with analyses of its circuits."""
 
     _doubted: set[str]

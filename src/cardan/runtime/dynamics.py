@@ -337,3 +337,64 @@ class Dynamics(Kinematics, ABC):
     ) -> Array:
         """The declared outputs, then the forces of prescribed motions (..., ny)."""
         return self._evaluate(("outputs", None), (t, q, u, r, z, s), parameters, out)
+
+    # linear in the inertial parameters
+
+    def regressor(
+        self,
+        q: State,
+        u: State,
+        udot: State,
+        *,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Y (..., nu, n): ``inverse_dynamics`` is Y phi and what does not depend on phi.
+
+        The n numbers phi are named by ``inertial_parameters``: ten of every body, then coefficients
+        of force elements. Nothing else is left over in a robot whose forces are gravity, damping
+        and friction.
+
+        Args:
+            q: Coordinates (..., nq). u: Speeds (..., nu). udot: Their derivatives (..., nu).
+
+        Source: Atkeson, An and Hollerbach, Int. J. Robotics Research 5 (1986).
+        """
+        return self._evaluate(("regressor", None), (t, q, u, udot, z, s, r), parameters, out)
+
+    def energy_regressor(
+        self,
+        q: State,
+        u: State,
+        *,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Rows (..., 3, n): times phi kinetic energy [J], potential energy [J], power [W].
+
+        The power is that of coefficients without a potential, such as damping, negative where they
+        take energy. What the energies gain is what tau and powers give: no accelerations are
+        needed. Not for systems that time or inputs move.
+
+        Source: Gautier and Khalil, IEEE Conf. Decision and Control (1988).
+        """
+        return self._evaluate(("energy_regressor", None), (t, q, u, r, z, s), parameters, out)
+
+    def inertial_parameters(self, parameters: Values | None = None) -> dict[str, Any]:
+        """phi by name: the numbers that forces and energies are linear in, (...) each.
+
+        ``<body>.mass``, ``.moment_x`` ..., ``.xx`` ... ``.yz``: mass [kg], first moments [kg m] and
+        inertia [kg m^2] about the frame of the body, in its axes, of the body with everything fixed
+        to it; then ``<element>.damping`` and the like.
+        """
+        phi = self._evaluate(("inertial_parameters", None), (), parameters, None)
+        names = self._function("inertial_parameters").outputs[0].get("entries") or []
+        return {name: phi[..., k][()] for k, name in enumerate(names)}

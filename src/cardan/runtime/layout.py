@@ -50,6 +50,9 @@ READS = {
     "transition": "t q u r z s e",
     "balance": "t q u udot lam r z s",
     "balance_tangent": "t q u udot lam r z s",
+    "regressor": "t q u udot z s r",
+    "energy_regressor": "t q u r z s",
+    "inertial_parameters": "",
     "move": "q du",
     "integrate": "q du",
     "difference": "q0 q",
@@ -64,7 +67,10 @@ APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "dif
 SMOOTH = tuple(name for name in READS if name not in APART)
 FUNCTIONS = (*READS, "derivative")
 # those that only some methods call, and many never
-DEMANDED = ("derivative", "rhs_jacobian", "balance", "balance_tangent", "move")
+DEMANDED = (
+    *("derivative", "rhs_jacobian", "balance", "balance_tangent", "move"),
+    *("regressor", "energy_regressor", "inertial_parameters"),
+)
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
 

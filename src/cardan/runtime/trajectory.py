@@ -321,6 +321,10 @@ class Trajectory:
         """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
         return placed(self, frame)
 
+    def torques(self, **options: Any) -> Any:
+        """Forces that actuators add to make this motion: :meth:`CompiledModel.torques`."""
+        return self._model("torques").torques(self, **options)
+
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
         model = self._model(f"the reaction of '{joint}'")

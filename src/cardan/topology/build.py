@@ -214,7 +214,7 @@ def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, i
         raise ModelError(f"force '{name}' ({element.kind}): {element.misfit(sliding)}")
     with convert.graph.made_by(name, "data"):
         data = {
-            key: convert.quantity(entry, _dotted(name, key), sliding)
+            key: convert.quantity(entry, internals.dotted(name, key), sliding)
             for key, entry in element.quantities().items()
         }
         frames = {
@@ -222,11 +222,6 @@ def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, i
             for role, place in element.frames().items()
         }
     return Force(name, element, data, frames, joints, *slots)
-
-
-def _dotted(owner: str, quantity: str) -> str:
-    """Name of a number of an element; ``elbow.damping`` is not said twice."""
-    return owner if owner.endswith(f".{quantity}") else f"{owner}.{quantity}"
 
 
 def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, int]:

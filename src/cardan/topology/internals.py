@@ -57,6 +57,11 @@ def slides(joints: Sequence[Joint], numbers: Iterable[int]) -> bool:
     return "m" in [joints[j].element.coordinates[0].unit for j in numbers]
 
 
+def dotted(owner: str, quantity: str) -> str:
+    """Name of a number of an element; ``elbow.damping`` is not said twice."""
+    return owner if owner.endswith(f".{quantity}") else f"{owner}.{quantity}"
+
+
 def full_name(owner: str, part: Internal | Mode | Event) -> str:
     """Name of a state, mode or event of an element."""
     return f"{owner}.{part.name}" if part.name else owner

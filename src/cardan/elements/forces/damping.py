@@ -37,6 +37,9 @@ class Damping(ForceElement):
     def quantities(self) -> dict[str, Quantity]:
         return {"damping": Quantity(self.damping, "N*m*s/rad|N*s/m")}
 
+    def linear(self) -> tuple[str, ...]:
+        return ("damping",)
+
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 

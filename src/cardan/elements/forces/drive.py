@@ -119,6 +119,9 @@ class Drive(ForceElement):
             }
         )
 
+    def linear(self) -> tuple[str, ...]:
+        return ("inertia", "friction", "stiffness", "damping")
+
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 

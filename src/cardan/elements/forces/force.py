@@ -148,6 +148,10 @@ class ForceElement(ABC):
         """Why it does not fit a joint that slides, or one that turns; "" if it does."""
         return ""
 
+    def linear(self) -> tuple[str, ...]:
+        """Quantities that its forces, and its rotor, are linear in together: what data can tell."""
+        return ()
+
     # what it keeps itself
 
     def internals(self) -> tuple[Internal, ...]:

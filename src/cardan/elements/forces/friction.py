@@ -112,6 +112,9 @@ class Friction(ForceElement):
         found["viscous"] = Quantity(self.viscous, "N*m*s/rad|N*s/m")
         return found | {"against": Quantity(self.against, speed)}
 
+    def linear(self) -> tuple[str, ...]:
+        return ("coulomb", "static", "viscous")
+
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 

@@ -53,6 +53,9 @@ class SpringDamper(ForceElement):
             "length": Quantity(self.length, "m"),
         }
 
+    def linear(self) -> tuple[str, ...]:
+        return ("stiffness", "damping")
+
     def frames(self) -> dict[str, Any]:
         return {"a": self.frame_a, "b": self.frame_b}
 

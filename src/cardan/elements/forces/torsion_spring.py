@@ -49,6 +49,9 @@ class TorsionSpring(ForceElement):
             "rest": Quantity(self.rest, "rad|m"),
         }
 
+    def linear(self) -> tuple[str, ...]:
+        return ("stiffness", "damping")
+
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 

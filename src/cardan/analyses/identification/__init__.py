@@ -1,0 +1,1 @@
+"""Identification of inertial parameters: what data can tell, motions that excite, estimates."""

@@ -1,0 +1,242 @@
+"""What was measured: times, coordinates, forces, and what follows from them."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ArgumentError, near
+from ...runtime.trajectory import Trajectory, load
+from . import smoothing
+
+if TYPE_CHECKING:
+    from ...runtime.compiled import CompiledModel
+
+Array = NDArray[np.float64]
+BLOCKS = ("q", "u", "udot", "tau", "r")
+# samples left out at either end where derivatives come from a spline
+ENDS = 6
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Data:
+    """A motion and the forces that made it.
+
+    Attributes:
+        t: Times (nt,) [s].
+        q, u, udot: (nt, nq), (nt, nu), (nt, nu).
+        tau: Forces of the actuators along the speeds (nt, nu) [N m], [N].
+        r: Inputs (nt, nr).
+    """
+
+    t: Array
+    q: Array
+    u: Array
+    udot: Array
+    tau: Array
+    r: Array
+
+    def only(self, rows: Any) -> Data:
+        """Some of the samples."""
+        return replace(self, **{name: value[rows] for name, value in vars(self).items()})
+
+
+def columns(model: CompiledModel) -> dict[str, tuple[str, ...]]:
+    """Names of the entries of every block as columns of a table have them.
+
+    ``elbow``, ``elbow.u``, ``elbow.udot``, ``elbow.tau``; inputs by their names.
+    """
+
+    def along(word: str) -> tuple[str, ...]:
+        heads = (row["joint"] for row in model.manifest["speeds"])
+        return tuple(
+            name.replace(f"{joint}.u", f"{joint}.{word}", 1) if joint else f"{name}.{word}"
+            for name, joint in zip(model.speeds, heads, strict=True)
+        )
+
+    named = {"q": model.coordinates, "u": model.speeds, "r": model.inputs}
+    return named | {"udot": along("udot"), "tau": along("tau")}
+
+
+def read(path: Path) -> dict[str, Array]:
+    """Columns of a table of comma-separated values, by the names in its first line.
+
+    Raises:
+        ArgumentError: no such file; no numbers under names.
+    """
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError:
+        raise ArgumentError(f"{path} is no table of text") from None
+    names = [name.strip() for name in rows[0]] if rows else []
+    try:
+        values = np.array([[float(x) for x in row] for row in rows[1:]])
+    except ValueError as error:
+        raise ArgumentError(f"{path}: {error}; the first line names columns of numbers") from None
+    if values.ndim != 2 or values.shape[1] != len(names) or len(set(names)) < len(names):
+        raise ArgumentError(f"{path}: every line needs a number for each of {len(names)} names")
+    return dict(zip(names, values.T, strict=True))
+
+
+def write(path: Path, table: Mapping[str, Array]) -> Path:
+    """Write columns as comma-separated values with all their digits."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(table)
+        out.writerows([[repr(float(x)) for x in row] for row in zip(*table.values(), strict=True)])
+    return path
+
+
+def measured(
+    model: CompiledModel,
+    data: Any,
+    *,
+    cutoff: float | None = None,
+    period: float | None = None,
+    harmonics: int = 5,
+) -> Data:
+    """Data with speeds and accelerations, as far as they were not measured.
+
+    Args:
+        model: Whose motion it is.
+        data: A Trajectory, a path (.csv, or .nc of a run), or a mapping with ``t`` and blocks
+            ``q``, ``u``, ``udot``, ``tau``, ``r`` (nt, ...) or columns such as ``elbow`` and
+            ``elbow.tau``.
+        cutoff: [Hz] above which coordinates are noise: they are filtered, forward and backward,
+            before they are differentiated.
+        period, harmonics: Of a periodic motion [s]: coordinates become a Fourier series, which is
+            differentiated exactly.
+
+    Raises:
+        ArgumentError: missing or unknown columns, shapes that do not fit, uneven times.
+    """
+    if isinstance(data, str | Path):
+        path = Path(data)
+        data = load(path, model) if path.suffix == ".nc" else read(path)
+    blocks = _of_run(data) if isinstance(data, Trajectory) else _of_table(model, data)
+    found = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
+    found.setdefault("r", np.tile(model._layout.start("r"), (len(found["t"]), 1)))
+    _check(model, found)
+    return _complete(model, found, cutoff, period, harmonics)
+
+
+def _of_run(run: Trajectory) -> dict[str, Array]:
+    """A run: its forces are those of the model's own elements, at its inputs."""
+    keep = np.concatenate([[True], np.diff(run.t) > 0])
+    return {"t": run.t[keep], "q": run.q[keep], "u": run.u[keep], "r": run.r[keep]}
+
+
+def _of_table(model: CompiledModel, data: Any) -> dict[str, Array]:
+    """Blocks of a mapping, which may have columns in their place."""
+    if not hasattr(data, "keys"):
+        raise ArgumentError(
+            "data: a Trajectory, a file, or a mapping with 't', 'q' and 'tau' is wanted, not "
+            f"{type(data).__name__}"
+        )
+    given = {str(key): np.asarray(data[key], dtype=float) for key in data.keys()}  # noqa: SIM118
+    if "t" not in given or given["t"].ndim != 1:
+        raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', given)}")
+    named = columns(model)
+    known = ["t", *BLOCKS, *(name for block in BLOCKS for name in named[block])]
+    for key in given:
+        if key not in known:
+            raise ArgumentError(f"data: '{key}' is no column of this model.{near(key, known)}")
+    found = {"t": given["t"]}
+    for block in BLOCKS:
+        if block in given:
+            found[block] = given[block]
+            continue
+        have = [name for name in named[block] if name in given]
+        # passive joints bear no force of an actuator, so that their column may be missing
+        if have and (len(have) == len(named[block]) or block == "tau"):
+            nothing = np.zeros(len(given["t"]))
+            found[block] = np.column_stack([given.get(name, nothing) for name in named[block]])
+        elif have or block == "q":
+            missing = next(name for name in named[block] if name not in given)
+            raise ArgumentError(f"data: column '{missing}' is missing.{near(missing, given)}")
+    return found
+
+
+def _check(model: CompiledModel, found: Mapping[str, Array]) -> None:
+    count = len(found["t"])
+    sizes = {"q": model.nq, "u": model.nu, "udot": model.nu, "tau": model.nu, "r": model.nr}
+    for block, value in found.items():
+        if block != "t" and value.shape != (count, sizes[block]):
+            raise ArgumentError(
+                f"data: {block} has shape {value.shape}, expected ({count}, {sizes[block]})"
+            )
+        if not np.isfinite(value).all():
+            raise ArgumentError(f"data: {block} holds numbers that are not finite")
+    if np.any(np.diff(found["t"]) <= 0):
+        raise ArgumentError("data: times do not increase")
+
+
+def _complete(
+    model: CompiledModel,
+    found: dict[str, Array],
+    cutoff: float | None,
+    period: float | None,
+    harmonics: int,
+) -> Data:
+    t, plain = found["t"], is_plain(model)
+    if period is not None:
+        if not plain:
+            raise ArgumentError(
+                f"period=: model '{model.name}' has coordinates that are no angles or lengths, "
+                "and no Fourier series; give cutoff= or measured speeds"
+            )
+        q, u, udot = smoothing.series(t, found["q"], period, harmonics)
+        return Data(t, q, u, udot, found["tau"], found["r"])
+    whole = "u" in found and "udot" in found
+    if cutoff is not None and not whole:
+        word = "u" if "u" in found else "q"
+        found[word] = smoothing.lowpass(t, found[word], cutoff)
+    u = found["u"] if "u" in found else speeds(model, t, found["q"], found["r"])
+    udot = found["udot"] if "udot" in found else smoothing.derivative(t, u)
+    made = Data(t, found["q"], u, udot, found["tau"], found["r"])
+    if whole:
+        return made
+    cut = ENDS if cutoff is None else max(ENDS, int(1 / (cutoff * smoothing.step_of(t, "cutoff="))))
+    return made.only(slice(cut, -cut))
+
+
+def is_plain(model: CompiledModel) -> bool:
+    """Whether speeds are the rates of coordinates, one by one."""
+    if model.nq != model.nu:
+        return False
+    rng = np.random.default_rng(0)
+    q, u = model.split(model.random_state(rng, (2,)))
+    return bool(np.allclose(model.qdot(q, u, t=0.3), u, rtol=1e-12, atol=1e-12))
+
+
+def speeds(model: CompiledModel, t: Array, q: Array, r: Array) -> Array:
+    """Speeds (nt, nu) of coordinates (nt, nq): what N u + n = qdot leaves."""
+    rates = smoothing.derivative(t, q)
+    if is_plain(model):
+        return rates
+    rest: dict[str, Any] = {"t": t, "r": r if r.shape[1] else None}
+    still = model.qdot(q, np.zeros((len(t), model.nu)), **rest)
+    ways = [model.qdot(q, np.eye(model.nu)[k], **rest) - still for k in range(model.nu)]
+    matrix = np.stack(ways, axis=-1)
+    return np.asarray((np.linalg.pinv(matrix) @ (rates - still)[..., None])[..., 0])
+
+
+def named_columns(
+    model: CompiledModel, t: Array, blocks: Mapping[str, Array], skip: Sequence[str] = ()
+) -> dict[str, Array]:
+    """A table of blocks by the names of columns."""
+    table = {"t": t}
+    for block, names in columns(model).items():
+        if block in blocks and block not in skip:
+            table |= {name: blocks[block][:, k] for k, name in enumerate(names)}
+    return table

@@ -1,0 +1,147 @@
+"""Inertial parameters from measured motions and forces.
+
+Source: Khalil and Dombre, Modeling, Identification and Control of Robots (2002), chapter 12;
+Swevers, Verdonck and De Schutter, Dynamic Model Identification for Industrial Robots, IEEE Control
+Systems Magazine 27 (2007).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...errors import ArgumentError, ModelError, near
+from ..actuation import named_speeds
+from .base import Base, base_parameters, circuits
+from .data import Data, measured
+from .estimate import fitted
+from .result import Identification
+from .rows import Rows, of_energy, of_forces
+
+if TYPE_CHECKING:
+    from ...runtime.compiled import CompiledModel
+
+Array = NDArray[np.float64]
+FORMS = ("torque", "energy")
+# columns that circuits make dependent, seen at measured positions
+RANK = 1e-6
+
+
+def identify(
+    model: CompiledModel,
+    data: Any,
+    *,
+    form: str = "torque",
+    noise: float | Mapping[str, float] | ArrayLike | None = None,
+    cutoff: float | None = None,
+    period: float | None = None,
+    harmonics: int = 5,
+    actuators: Sequence[str] | None = None,
+    base: Base | None = None,
+    stretch: int = 10,
+) -> Identification:
+    """Base parameters of a model from data, by weighted least squares.
+
+    Args:
+        model: Its parameters are those the estimates are compared with.
+        data: A Trajectory, a file (.csv, .nc), or a mapping with ``t`` and ``q``, ``u``, ``udot``,
+            ``tau``, ``r`` or their columns; speeds and accelerations that are missing are found by
+            differentiation. See :func:`.data.measured`.
+        form: ``"torque"``: forces at every sample; ``"energy"``: what stretches of the motion have
+            gained, which needs no accelerations but keeps less of the information.
+        noise: Standard deviation of measured forces, one number or by speed or joint; None: from
+            the residuals, for every joint its own.
+        cutoff: [Hz] of a low-pass filter without delay on positions, forces and regressor.
+        period, harmonics: Of a periodic motion [s]: positions become a Fourier series.
+        actuators: Speeds or joints whose forces were measured; all by default. Those of others are
+            0 and tell nothing here. With circuits as many as freedoms.
+        base: Of an earlier call, for the same combinations.
+        stretch: Steps of a row of energy, an even number.
+
+    Raises:
+        ArgumentError: data that do not fit the model; unknown words.
+        SolveError: the data do not tell all base parameters.
+    """
+    if form not in FORMS:
+        raise ArgumentError(f"form='{form}' does not exist.{near(form, FORMS)}")
+    _check(model, form)
+    chosen = named_speeds(model, actuators)
+    seen = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
+    sigma = _noise(model, noise)
+    rows = _rows(model, seen, form, cutoff, chosen, stretch, sigma)
+    if base is None:
+        bound = circuits(model)
+        base = base_parameters(model, rows.A, rank=RANK) if bound else base_parameters(model)
+    if form == "energy":
+        # weights hold the noise of the joints already
+        known = None if sigma is None else np.ones(1)
+    else:
+        known = None if sigma is None else sigma[chosen]
+    fit = fitted(base.regressor(rows.A), rows.b, rows.spread, known, base.names)
+    return Identification(
+        model,
+        base,
+        fit.x,
+        fit.covariance,
+        rows.channels,
+        fit.noise,
+        rows.t,
+        fit.residuals,
+        rows.b,
+        fit.condition,
+        fit.chi,
+        form,
+    )
+
+
+def _rows(
+    model: CompiledModel,
+    seen: Data,
+    form: str,
+    cutoff: float | None,
+    chosen: list[int],
+    stretch: int,
+    sigma: Array | None,
+) -> Rows:
+    if form == "energy":
+        return of_energy(model, seen, stretch, np.ones(model.nu) if sigma is None else sigma)
+    return of_forces(model, seen, cutoff, chosen)
+
+
+def _check(model: CompiledModel, form: str) -> None:
+    """Whether the model has what it takes.
+
+    Raises:
+        ModelError: it does not.
+    """
+    wanted = ["regressor", "inverse_dynamics", "inertial_parameters"]
+    if form == "energy":
+        wanted = ["energy_regressor", "energy", "power", *wanted]
+    for name in wanted:
+        if name not in model.manifest["available"]:
+            raise ModelError(
+                f"identify: model '{model.name}' has no function '{name}'. Compile it in relative "
+                f"coordinates, with functions=(..., '{name}') if you choose them"
+            )
+
+
+def _noise(model: CompiledModel, noise: Any) -> Array | None:
+    """Standard deviation of forces along every speed (nu,).
+
+    Raises:
+        ArgumentError: one is missing or not positive.
+    """
+    if noise is None:
+        return None
+    if isinstance(noise, Mapping):
+        found = np.zeros(model.nu)
+        for name, value in noise.items():
+            found[named_speeds(model, [name])] = value
+    else:
+        found = np.broadcast_to(np.asarray(noise, dtype=float), (model.nu,)).copy()
+    if not np.all(found > 0):
+        raise ArgumentError("noise: a positive number for every speed is wanted, or one for all")
+    return found

@@ -1,0 +1,31 @@
+"""The triangular factor of many rows, by products of matrices.
+
+Source: Yamamoto, Nakatsukasa, Yanagisawa and Fukaya, Roundoff Error Analysis of the CholeskyQR2
+Algorithm, Electronic Transactions on Numerical Analysis 44 (2015).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+# condition up to which the first of two Cholesky factors is near enough
+REGULAR = 1e6
+
+
+def triangle(rows: Array) -> Array:
+    """R (n, n) with Rᵀ R = Aᵀ A of rows A (m, n): it stands for them in least squares."""
+    try:
+        first = np.linalg.cholesky(rows.T @ rows).T
+        if np.linalg.cond(first) < REGULAR:
+            # what is left to do is nearly orthogonal already
+            nearly = rows @ np.linalg.inv(first)
+            return np.asarray(np.linalg.cholesky(nearly.T @ nearly).T @ first)
+    except np.linalg.LinAlgError:
+        pass
+    # fewer rows than columns leave zeros below
+    found = np.zeros((rows.shape[1], rows.shape[1]))
+    own = np.linalg.qr(rows, mode="r")
+    found[: len(own)] = own
+    return found

@@ -1,0 +1,175 @@
+"""``cardan identify``: inertial parameters from measured motions and forces."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import reading, running
+from .resting import finite
+
+if TYPE_CHECKING:
+    from ..analyses.identification.base import Base
+    from ..analyses.identification.excitation import Excitation
+    from ..analyses.identification.result import Identification
+    from ..runtime.compiled import CompiledModel
+
+DESCRIPTION = """\
+What forces and motion tell about masses, centers of mass, inertias, damping and friction.
+
+Only some combinations of them act on the forces: the base parameters. Alone, FILE lists them.
+With --excite a motion is found that shows them well, within the limits of the joints, and written
+as a table for the robot. With --data measured motion and forces give estimates, each with its
+standard deviation, beside the values of the file."""
+
+EPILOG = """\
+examples:
+  cardan identify arm.urdf
+        the base parameters: what can be told at all
+  cardan identify arm.urdf --excite motion.csv --period 10 --rate 200
+        a motion of 10 s to be repeated, sampled at 200 Hz
+  cardan identify arm.urdf --data run.csv --period 10
+        estimates from columns t, elbow, elbow.tau ...; positions become a Fourier series
+  cardan identify arm.urdf --data run.csv --cutoff 10 --plot fit.png
+        of any motion: positions are filtered at 10 Hz before they are differentiated
+  cardan identify arm.urdf --data run.csv --form energy --json > found.json
+        without accelerations, for another program
+
+A table has a first line of names: t, a coordinate by its name, its speed and acceleration with .u
+and .udot where they were measured, its force with .tau; or it is a run (.nc) that simulate wrote.
+Friction is told where the file has some: a joint's <dynamics damping=""/>, or forces of type
+damping and friction, which may be 0."""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    reading.arguments(parser)
+    group = parser.add_argument_group("estimates")
+    group.add_argument("--data", metavar="RUN.csv", type=running.file(".csv", ".nc"),
+                       help="measured motion and forces, or a run")  # fmt: skip
+    group.add_argument("--form", choices=("torque", "energy"), default="torque",
+                       help="forces at every sample, or energies (default torque)")  # fmt: skip
+    group.add_argument("--cutoff", metavar="HZ", type=running.positive,
+                       help="filter positions and forces above")  # fmt: skip
+    group.add_argument("--noise", metavar="JOINT=VALUE", type=running.named, action="append",
+                       default=[], help="standard deviation of a force (default: told by what "
+                       "is left over)")  # fmt: skip
+    group.add_argument("--actuator", metavar="JOINT", action="append",
+                       help="joint whose force was measured (default all)")  # fmt: skip
+    group.add_argument("--plot", metavar="FIT.png", type=Path,
+                       help="measured and estimated forces as a picture")  # fmt: skip
+    motion = parser.add_argument_group("a motion that excites")
+    motion.add_argument("--excite", metavar="MOTION.csv", type=running.file(".csv"),
+                        help="find a motion and write it as a table")  # fmt: skip
+    motion.add_argument("--period", metavar="SECONDS", type=running.positive,
+                        help="of the motion (default 10), or of the measured one")  # fmt: skip
+    motion.add_argument("--harmonics", type=running.count, default=5,
+                        help="of its Fourier series (default 5)")  # fmt: skip
+    motion.add_argument("--rate", metavar="HZ", type=running.positive, default=100.0,
+                        help="samples per second in the table (default 100)")  # fmt: skip
+    motion.add_argument("--speed", metavar="VALUE", type=running.positive,
+                        help="most of every joint (default: limits of the file)")  # fmt: skip
+    motion.add_argument("--acceleration", metavar="VALUE", type=running.positive,
+                        help="most of every joint (default any)")  # fmt: skip
+    motion.add_argument("--seed", type=int, default=0, help="of the search (default 0)")
+    parser.add_argument("--json", action="store_true", help="print JSON for another program")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, then list, excite or estimate."""
+    from ..pipeline import compile
+    from .terminal import progress
+
+    scene = reading.read(options)
+    with progress() as show:
+        show("deriving and compiling")
+        model = compile(scene)
+        found: Base | Excitation | Identification
+        if options.excite is not None:
+            found = _excited(model, options, show)
+        elif options.data is not None:
+            show("estimating")
+            found = _estimated(model, options)
+        else:
+            found = model.base_parameters()
+    if options.json:
+        print(json.dumps(numbers(found), indent=1))
+    else:
+        print(found)
+        for path in (options.excite, options.plot if options.data is not None else None):
+            if path is not None:
+                print(f"wrote {path}")
+    return 0
+
+
+def _excited(model: CompiledModel, options: argparse.Namespace, show: Any) -> Excitation:
+    """A motion, written as a table."""
+    found = model.excitation(
+        options.period or 10.0,
+        harmonics=options.harmonics,
+        speed=options.speed,
+        acceleration=options.acceleration,
+        seed=options.seed,
+        progress=lambda part: show("looking for a motion", part),
+    )
+    found.save(options.excite, options.rate)
+    return found
+
+
+def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identification:
+    """Estimates from a file."""
+    found = model.identify(
+        options.data,
+        form=options.form,
+        noise=dict(options.noise) or None,
+        cutoff=options.cutoff,
+        period=options.period,
+        harmonics=options.harmonics,
+        actuators=options.actuator,
+    )
+    if options.plot is not None:
+        found.plot(options.plot)
+    return found
+
+
+def numbers(found: Base | Excitation | Identification) -> dict[str, Any]:
+    """What was found, for JSON."""
+    from ..analyses.identification.base import Base
+    from ..analyses.identification.excitation import Excitation
+
+    if isinstance(found, Base):
+        return {
+            "base_parameters": found.expressions,
+            "without_effect": list(found.without_effect),
+        }
+    if isinstance(found, Excitation):
+        series = {name: getattr(found.series, name).tolist() for name in "cab"}
+        return {
+            "period": found.period,
+            "coordinates": list(found.model.coordinates),
+            "condition_before": found.before,
+            "condition": found.condition,
+            **series,
+        }
+    columns = (found.estimates, found.deviations, found.expected)
+    rows = zip(found.names, *(x.tolist() for x in columns), strict=True)
+    return {
+        "base_parameters": {
+            name: {
+                "estimate": value,
+                "deviation": deviation,
+                "nominal": own,
+                "is": found.base.expressions[name],
+            }
+            for name, value, deviation, own in rows
+        },
+        "covariance": found.covariance.tolist(),
+        "condition": finite(found.condition),
+        "chi": found.chi,
+        "noise": dict(zip(found.channels, found.noise.tolist(), strict=True)),
+        "explained": dict(zip(found.channels, found.explained.tolist(), strict=True)),
+        "parameters": found.parameters,
+        "implausible": list(found.implausible),
+    }
