@@ -12,7 +12,7 @@ import sympy as sp
 from scipy.stats import binom, chi2
 
 import cardan as cd
-from cardan.errors import ArgumentError, SolveError
+from cardan.errors import ArgumentError, ModelError, SolveError
 from mechanisms import ZOO
 from mechanisms.closed_planar import four_bar, four_bar_angles
 from mechanisms.robots import panda, puma
@@ -389,6 +389,10 @@ def test_refusals_name_the_culprit(tmp_path: Path) -> None:
         model.identify({**still, "t": t**2}, cutoff=3.0)
     with pytest.raises(SolveError, match="free or ball-jointed"):
         cd.compile(ZOO["free_ZYX"].build()).excitation()
+    absolute = cd.compile(ZOO["double_pendulum"].build(), coordinates="absolute")
+    for call in (lambda: absolute.identify(still), absolute.excitation):
+        with pytest.raises(ModelError, match="has no function 'regressor'"):
+            call()
     with pytest.raises(ArgumentError, match="slides and has no limits"):
         cd.compile(ZOO["cart_pole"].build()).excitation()
     table = tmp_path / "run.csv"

@@ -26,6 +26,10 @@ ABSENT = {
     **dict.fromkeys(("pose", "velocity", "acceleration", "frame_jacobian"), BODIES),
     **dict.fromkeys(("com", "momentum", "reaction"), BODIES),
     **dict.fromkeys(
+        ("regressor", "energy_regressor", "inertial_parameters"),
+        "written equations do not tell masses and inertias from other parameters",
+    ),
+    **dict.fromkeys(
         ("gravity", "coriolis"),
         "written equations do not tell gravity and velocity products from other forces; "
         "'applied' has all of them",

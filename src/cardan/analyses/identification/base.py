@@ -10,13 +10,14 @@ Source: Gautier, Numerical Calculation of the Base Inertial Parameters of Robots
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...errors import ArgumentError, SolveError
+from ...errors import ArgumentError, ModelError, SolveError
 from .triangle import triangle
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ RANK = 1e-9
 EACH, FAST, JERKY = 2, 3.0, 10.0
 # of the ten numbers of a body: what goes into others comes last, first of all the mass
 TURNS = (7, 8, 9, 6, 4, 5, 1, 2, 3, 0)
+WANTED = ("regressor", "inverse_dynamics", "inertial_parameters")
 # coefficients below this part of the largest are rounding
 ROUNDED = 1e-9
 
@@ -131,6 +133,20 @@ def _random_rows(model: CompiledModel, count: int, seed: int) -> Array:
     q, u, _ = model.parts_of(model.random_state(rng, (number,)))
     u, udot = rng.uniform(-FAST, FAST, u.shape), rng.uniform(-JERKY, JERKY, u.shape)
     return model.regressor(q, u, udot, t=rng.uniform(0, 1, number))
+
+
+def needed(model: CompiledModel, who: str, wanted: Sequence[str]) -> None:
+    """Whether the model has what it takes.
+
+    Raises:
+        ModelError: it does not.
+    """
+    for name in wanted:
+        if name not in model.manifest["available"]:
+            raise ModelError(
+                f"{who}: model '{model.name}' has no function '{name}'. Compile it in relative "
+                f"coordinates, with functions=(..., '{name}') if you choose them"
+            )
 
 
 def circuits(model: CompiledModel) -> bool:

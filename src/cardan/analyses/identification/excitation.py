@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...errors import ArgumentError, SolveError, near
 from ..actuation import named_speeds
 from ..progress import showing
-from .base import Base, base_parameters, circuits
+from .base import WANTED, Base, base_parameters, circuits, needed
 from .data import is_plain, named_columns, write
 from .fourier import Limits, Series, feasible
 
@@ -151,6 +151,7 @@ def excitation(
         ArgumentError: limits or words that do not exist.
         SolveError: joints that are not moved one by one: circuits, a free base, ball joints.
     """
+    needed(model, "excitation", WANTED)
     _refuse(model)
     if criterion not in CRITERIA:
         raise ArgumentError(f"criterion='{criterion}' does not exist.{near(criterion, CRITERIA)}")

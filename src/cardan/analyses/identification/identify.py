@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...errors import ArgumentError, ModelError, near
+from ...errors import ArgumentError, near
 from ..actuation import named_speeds
-from .base import Base, base_parameters, circuits
+from .base import WANTED, Base, base_parameters, circuits, needed
 from .data import Data, measured
 from .estimate import fitted
 from .result import Identification
@@ -67,7 +67,8 @@ def identify(
     """
     if form not in FORMS:
         raise ArgumentError(f"form='{form}' does not exist.{near(form, FORMS)}")
-    _check(model, form)
+    energies = ("energy_regressor", "energy", "power") if form == "energy" else ()
+    needed(model, "identify", (*energies, *WANTED))
     chosen = named_speeds(model, actuators)
     seen = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
     sigma = _noise(model, noise)
@@ -109,23 +110,6 @@ def _rows(
     if form == "energy":
         return of_energy(model, seen, stretch, np.ones(model.nu) if sigma is None else sigma)
     return of_forces(model, seen, cutoff, chosen)
-
-
-def _check(model: CompiledModel, form: str) -> None:
-    """Whether the model has what it takes.
-
-    Raises:
-        ModelError: it does not.
-    """
-    wanted = ["regressor", "inverse_dynamics", "inertial_parameters"]
-    if form == "energy":
-        wanted = ["energy_regressor", "energy", "power", *wanted]
-    for name in wanted:
-        if name not in model.manifest["available"]:
-            raise ModelError(
-                f"identify: model '{model.name}' has no function '{name}'. Compile it in relative "
-                f"coordinates, with functions=(..., '{name}') if you choose them"
-            )
 
 
 def _noise(model: CompiledModel, noise: Any) -> Array | None:
