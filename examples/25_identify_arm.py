@@ -11,7 +11,8 @@ import numpy as np
 
 import cardan as cd
 
-model = cd.compile(cd.load(Path(__file__).with_name("arm.urdf")))
+scene = cd.load(Path(__file__).with_name("arm.urdf"))
+model = cd.compile(scene)
 
 # only combinations of masses and inertias act on the torques
 base = model.base_parameters()
