@@ -96,7 +96,7 @@ def predicted(system: System) -> tuple[str | None, str]:
         return "composite", "its constraints need M"
     if system.closures:
         return "composite", "circuits tie joints together"
-    if any(joint.element.bodiless for joint in system.joints):
+    if system.written:
         return "composite", "its equations are written with M"
     coupled = [j.name for j in system.joints if j.coupling is not None]
     if coupled:
