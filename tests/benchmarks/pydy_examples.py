@@ -128,6 +128,41 @@ def astrobee() -> Made:
     return kane, {"m": 7.0, "Ix": 0.1083, "Iy": 0.1083, "Iz": 0.1083}
 
 
+def rattleback() -> Made:
+    """An ellipsoid whose axes of inertia are turned rolls on a plane with some friction.
+
+    Values: T. R. Kane, D. A. Levinson, Realistic mathematical modeling of the rattleback, 1982.
+    """
+    q, u = me.dynamicsymbols("alpha beta gamma"), me.dynamicsymbols("w1 w2 w3")
+    a, b, c, h, m, g, sigma = sm.symbols("a b c h m g sigma")
+    moments = sm.symbols("A B C D")
+    ground = me.ReferenceFrame("N")
+    yaw = ground.orientnew("Y", "Axis", [q[0], ground.z])
+    roll = yaw.orientnew("L", "Axis", [q[1], yaw.x])
+    body = roll.orientnew("R", "Axis", [q[2], roll.y])
+    turning = body.ang_vel_in(ground)
+    spin = sum((x * e for x, e in zip(u, body, strict=True)), 0 * body.x)
+    # the normal of the plane in axes of the body says where the ellipsoid touches
+    normal = [me.dot(yaw.z, e) for e in body]
+    size = sm.sqrt(sum((s * n) ** 2 for s, n in zip((a, b, c), normal, strict=True)))
+    reach = sum(
+        (s**2 * n / size * e for s, n, e in zip((a, b, c), normal, body, strict=True)), 0 * body.x
+    )
+    contact = me.Point("P")
+    contact.set_vel(ground, 0)
+    center = contact.locatenew("RO", reach - h * body.z)
+    body.set_ang_vel(ground, spin)
+    center.v2pt_theory(contact, ground, body)
+    tensor = me.inertia(body, *moments[:3], moments[3])
+    stone = me.RigidBody("stone", center, body, m, (tensor, center))
+    loads = [(center, -m * g * yaw.z), (body, -sigma * spin)]
+    kinematics = [me.dot(turning - spin, e) for e in body]
+    kane = me.KanesMethod(ground, q, u, kinematics)
+    kane.kanes_equations([stone], loads)
+    values = {"a": 0.2, "b": 0.03, "c": 0.02, "h": 0.01, "m": 1.0, "g": 9.81, "sigma": 1e-4}
+    return kane, values | {"A": 2e-4, "B": 1.6e-3, "C": 1.7e-3, "D": -2e-5}
+
+
 EXAMPLES: dict[str, Callable[[], Made]] = {
     "mass-spring-damper": partial(mechanics.masses, 1),
     "double pendulum": double_pendulum,
@@ -137,5 +172,6 @@ EXAMPLES: dict[str, Callable[[], Made]] = {
     "pendulum of 5 links on a cart": partial(mechanics.cart, 5),
     "conical pendulum of 3 links": conical_pendulum,
     "Astrobee": astrobee,
+    "rattleback": rattleback,
     "Carvallo-Whipple bicycle": mechanics.bicycle,
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -114,6 +116,8 @@ def test_what_needs_bodies_says_so(tmp_path: Path) -> None:
         motion.animate(tmp_path / "page.html")
     with pytest.raises(cd.DerivationError, match="coordinates of their own"):
         cd.derive(scene, coordinates="absolute")
+    with pytest.raises(cd.DerivationError, match="taken as they are"):
+        cd.derive(scene, method="lagrange")
     with pytest.raises(cd.ModelError, match="scene files have no words"):
         scene.save(tmp_path / "scene.yaml")
     with pytest.raises(cd.ModelError, match="cannot be a part"):
@@ -133,3 +137,17 @@ def test_analyses_take_written_equations() -> None:
     assert len(ends) == 2
     np.testing.assert_allclose(model.derivative("forward_dynamics", "k")([0.3], [0.0]), [-0.15])
     assert cd.derive(scene).mass_matrix == sm.Matrix([[sm.Symbol("m")]])
+
+
+def test_a_shipped_model_is_judged_without_sympy(tmp_path: Path) -> None:
+    folder = cd.derive(written()).export(tmp_path / "c", functions=("rhs", "mass_matrix"))
+    program = (
+        "import sys, cardan as cd\n"
+        "model = cd.load_model(sys.argv[1])\n"
+        "model.rhs(0.0, [0.3, 0.1])\n"
+        "assert model.verify().checked == ('mass_matrix', 'rhs')\n"
+        "assert 'sympy' not in sys.modules"
+    )
+    command = [sys.executable, "-c", program, str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

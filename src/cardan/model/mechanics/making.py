@@ -238,9 +238,10 @@ def _without(known: int, kinematics: Ready, told: Words) -> dict[str, str]:
     Args:
         known: 1 with a potential, 2 with the forces beside it.
     """
-    found = {}
+    found = dict[str, str]()
     if known < 1:
-        found["energy"] = f"written equations do not tell potential energy; {UNTOLD}"
+        why = f"written equations do not tell potential energy; {UNTOLD}"
+        found |= dict.fromkeys(("energy", "hamiltonian"), why)
     if known < 2:
         found["power"] = "it is not known which forces have a potential"
     graph = kinematics.graph
