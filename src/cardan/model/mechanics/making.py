@@ -21,9 +21,10 @@ from ...ir.solve import solve
 from ...ir.sympy_bridge import all_from_sympy
 from ..model import Model
 from .bound import Bound, bound_of, plain
+from .leaves import leaves
 from .reference import State, samples, states
 from .sources import Source, source_of
-from .words import Words, leaves, scalars, words
+from .words import Words, scalars, words
 
 # the block of coordinates, the body it does not move, and what acts on it
 BLOCK = "equations"
