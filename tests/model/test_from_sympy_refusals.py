@@ -139,6 +139,18 @@ def test_analyses_take_written_equations() -> None:
     assert cd.derive(scene).mass_matrix == sm.Matrix([[sm.Symbol("m")]])
 
 
+def test_scenes_of_written_equations_can_be_added_to() -> None:
+    scene = written()
+    scene.output("both", scene.q("q") + 2 * scene.u("u"))
+    scene.force("brake", cd.JointForce("equations", -3 * scene.u("u")))
+    model = cd.compile(scene)
+    np.testing.assert_allclose(model.outputs([0.2], [0.5]), [1.2], rtol=1e-15)
+    plain = cd.compile(written()).forward_dynamics([0.2], [0.5])
+    np.testing.assert_allclose(model.forward_dynamics([0.2], [0.5]), plain - 1.5, rtol=1e-15)
+    # SymPy knows nothing of the brake
+    assert "is written" in str(model.verify())
+
+
 def test_a_shipped_model_is_judged_without_sympy(tmp_path: Path) -> None:
     folder = cd.derive(written()).export(tmp_path / "c", functions=("rhs", "mass_matrix"))
     program = (

@@ -58,6 +58,7 @@ def made(
     if source.implied and bound.positions:
         kept = bound.independent(found[0].G)
         bound = replace(bound, speeds={key: bound.speeds[key] for key in kept})
+        found = [replace(state, G=bound.matrix(state.values)) for state in found]
     return _model(source, told, bound, found, shown, replaced, inputs, potential, name)
 
 
