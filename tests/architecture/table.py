@@ -105,7 +105,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.equations.mechanics",
         *(
             f"cardan.model.mechanics.{module}"
-            for module in ("bound", "making", "numbers", "reference", "sources", "words")
+            for module in ("bound", "leaves", "making", "numbers", "reference", "sources", "words")
         ),
     }
 )

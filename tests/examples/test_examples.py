@@ -29,6 +29,7 @@ LEAVES = {
     "17_flexible_pendulum": ("pendulum.html", "example.c", "tables.h"),
     "18_locking_beams": ("locking.html",),
     "25_identify_arm": ("motion.csv", "fit.png"),
+    "19_bring_your_own_equations": ("forward_dynamics.c", "manifest.json"),
 }
 
 

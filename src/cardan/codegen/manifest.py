@@ -183,7 +183,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
         for force in system.forces
         if force.element.pressed
     ]
-    samples = [sample for joint in system.joints for sample in joint.element.samples]
+    samples = _samples(system)
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
@@ -195,6 +195,15 @@ def _scene(equations: Equations) -> dict[str, Any]:
         **({"samples": samples} if samples else {}),
         **(_circuits(equations) if system.closed or system.closures else {}),
     }
+
+
+def _samples(system: System) -> list[Any]:
+    """What another program says of written equations, unless the user added to them."""
+    held = [entry.name for entry in system.constraints]
+    if len(system.forces) != len(system.joints):
+        return []
+    found = (sample for joint in system.joints for sample in joint.element.samples)
+    return [sample for sample in found if sample["held"] == held]
 
 
 def _circuits(equations: Equations) -> dict[str, Any]:

@@ -34,6 +34,7 @@ ABSENT = {
         "written equations do not tell gravity and velocity products from other forces; "
         "'applied' has all of them",
     ),
+    "momentum_rates": "written equations do not tell which forces change momenta",
 }
 
 

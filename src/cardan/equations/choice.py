@@ -16,6 +16,8 @@ from .treatments import Treatment
 # operations by which eliminating a joint within its bodies exceeds writing its rows of M, measured
 # on arms, legged robots and chains: 25 to 40 in space, less in a plane
 ELIMINATION = 40
+# what takes M of written equations as it stands
+WRITTEN = "composite"
 # ratios of the two between which the functions are counted
 UNCLEAR = (0.85, 3.5)
 
@@ -33,6 +35,11 @@ def chosen_by(
         DerivationError: an unknown formalism or rewrite.
     """
     check_method(method)
+    if system.written and method not in ("auto", WRITTEN):
+        raise DerivationError(
+            f"'{system.name}' is made of written equations, which are taken as they are: leave out "
+            "method= and speeds="
+        )
     names = None if rewrites is None else check_names(rewrites)
     plain = Equations(system, method, chosen, "", names, treatment=treatment)
     if method != "auto":
@@ -96,8 +103,8 @@ def predicted(system: System) -> tuple[str | None, str]:
         return "composite", "its constraints need M"
     if system.closures:
         return "composite", "circuits tie joints together"
-    if any(joint.element.bodiless for joint in system.joints):
-        return "composite", "its equations are written with M"
+    if system.written:
+        return WRITTEN, "its equations are written with M"
     coupled = [j.name for j in system.joints if j.coupling is not None]
     if coupled:
         return "composite", f"joint {coupled[0]} is coupled"

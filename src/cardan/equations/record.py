@@ -161,7 +161,7 @@ class Equations(Readable):
     def ways(self, name: str, of: str | None) -> list[Told]:
         """How the system may be told for a function."""
         # friction that follows from reactions: regrouped inertia has others
-        if not is_told(name, of) or pressed(self.system):
+        if not is_told(name, of) or pressed(self.system) or self.system.written:
             return [((), self.system)]
         rigid = name in DIFFERENTIATED
         if rigid not in self._systems:

@@ -118,7 +118,10 @@ class Vocabulary(ABC):
         self.constraints[name] = Constraint(name, expression, unit_of(unit).si)
 
     def q(self, coordinate: str) -> Any:
-        """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several."""
+        """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several.
+
+        Coordinates of written equations (:func:`cardan.from_sympy`) have names of their own.
+        """
         return self._coordinate("q", coordinate, coordinate)
 
     def u(self, speed: str) -> Any:
@@ -146,6 +149,12 @@ class Vocabulary(ABC):
 
     def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
         kinds = self.joint_kinds()
+        for joint, kind in kinds.items():
+            # names of written equations stand alone
+            for part in kind.coordinates if quantity == "q" else kind.speeds:
+                if part.alone and part.name == given:
+                    self.atoms[given] = Placeholder(quantity, joint, None, None, given)
+                    return _symbol(given)
         fitting = [j for j in kinds if given == j or given.startswith(j + ".")]
         name = max(fitting, key=len, default="")
         if not name:

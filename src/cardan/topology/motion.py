@@ -40,7 +40,8 @@ def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
                         f"input '{own}': input '{entry.name}' prescribes a motion, so that its "
                         f"{suffix} has this name; rename one of them"
                     )
-                convert.define(own, convert.graph.var("r", len(inputs)))
+                if own not in convert.symbols:
+                    convert.define(own, convert.graph.var("r", len(inputs)))
                 inputs.append(Input(own, unit + per if unit else ""))
     return tuple(inputs)
 

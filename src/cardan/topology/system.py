@@ -345,6 +345,11 @@ class System:
         return bool(self.cuts or self.constraints) or rolling or holding
 
     @property
+    def written(self) -> bool:
+        """Whether equations that were derived elsewhere move it, and not bodies."""
+        return any(joint.element.bodiless for joint in self.joints)
+
+    @property
     def nz(self) -> int:
         """Number of internal states of elements."""
         return sum(len(force.element.internals()) for force in self.forces)

@@ -106,7 +106,7 @@ def _refuse(system: System) -> None:
     Raises:
         DerivationError: written equations, events, or friction pressed by reactions.
     """
-    if any(joint.element.bodiless for joint in system.joints):
+    if system.written:
         raise DerivationError(
             f"'{system.name}' is made of written equations, which have coordinates of their own: "
             'leave out coordinates="absolute"'

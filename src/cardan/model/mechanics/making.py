@@ -21,9 +21,10 @@ from ...ir.solve import solve
 from ...ir.sympy_bridge import all_from_sympy
 from ..model import Model
 from .bound import Bound, bound_of, plain
+from .leaves import leaves
 from .reference import State, samples, states
 from .sources import Source, source_of
-from .words import Words, leaves, scalars, words
+from .words import Words, scalars, words
 
 # the block of coordinates, the body it does not move, and what acts on it
 BLOCK = "equations"
@@ -57,6 +58,7 @@ def made(
     if source.implied and bound.positions:
         kept = bound.independent(found[0].G)
         bound = replace(bound, speeds={key: bound.speeds[key] for key in kept})
+        found = [replace(state, G=bound.matrix(state.values)) for state in found]
     return _model(source, told, bound, found, shown, replaced, inputs, potential, name)
 
 
@@ -238,9 +240,10 @@ def _without(known: int, kinematics: Ready, told: Words) -> dict[str, str]:
     Args:
         known: 1 with a potential, 2 with the forces beside it.
     """
-    found = {}
+    found = dict[str, str]()
     if known < 1:
-        found["energy"] = f"written equations do not tell potential energy; {UNTOLD}"
+        why = f"written equations do not tell potential energy; {UNTOLD}"
+        found |= dict.fromkeys(("energy", "hamiltonian"), why)
     if known < 2:
         found["power"] = "it is not known which forces have a potential"
     graph = kinematics.graph

@@ -105,6 +105,7 @@ def _sample(
     rows, right = _balance(source, bound, state)
     inputs = [*words.inputs.values(), *(x.name for x in bound.following.values())]
     return {
+        "held": [*bound.positions, *bound.speeds],
         "t": TIME,
         "q": [value[name] for name in words.q],
         "u": [value[name] for name in words.u],

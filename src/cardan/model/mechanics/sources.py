@@ -6,11 +6,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
 import sympy
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
 
 from ...errors import ModelError
+from .leaves import leaves
+from .numbers import numbers
 
+# beyond this condition a matrix is singular
+REGULAR = 1e8
 FORMS = (
     "a KanesMethod, a LagrangesMethod, a System of sympy.physics.mechanics whose equations are "
     "formed, (q, u, M, f), (q, u, kinematics, M, f), (q, u, kinematics, M, f, constraints), or "
@@ -77,21 +82,34 @@ def source_of(equations: Any) -> Source:
 def _kane(kane: Any) -> Source:
     """Kane's equations before dependent speeds are eliminated.
 
-    SymPy eliminates them by a symbolic factorization whose pivots may vanish where the system is
-    at home, such as an upright bicycle. The rows of all speeds are formed anew from the bodies and
-    loads that the object holds; constraints stay constraints.
+    SymPy solves for q' and eliminates dependent speeds by symbolic factorizations, whose pivots may
+    vanish where the system is at home, such as an upright bicycle. The rows of all speeds are
+    formed anew from the bodies and loads that the object holds, and q' by Cramer's rule where its
+    own solution divides by zero; constraints stay constraints.
     """
     if kane._fr is None or kane._frstar is None:
         raise ModelError("from_sympy: call kane.kanes_equations(bodies, loads) first")
     q, u, rates, known = tuple(kane.q), tuple(kane.u), kane.kindiffdict(), kane
     derivatives = [x.diff(dynamicsymbols._t) for x in q]
-    bound = len(kane._f_nh)
-    if bound:
+    bound, divides = len(kane._f_nh), _divides(kane, [rates[x] for x in derivatives])
+    if bound or divides:
         kinematics = [x - rates[x] for x in derivatives]
+        if divides:
+            kinematics = list(
+                kane._k_kqdot_implicit * sympy.Matrix(derivatives)
+                + kane._k_ku_implicit * sympy.Matrix(u)
+                + kane._f_k_implicit
+            )
         known = KanesMethod(
-            kane._inertial, list(q), list(u), kinematics, u_auxiliary=list(kane._uaux) or None
+            kane._inertial,
+            list(q),
+            list(u),
+            kinematics,
+            u_auxiliary=list(kane._uaux) or None,
+            kd_eqs_solver="CRAMER" if divides else "LU",
         )
         known.kanes_equations(kane.bodylist, kane.forcelist)
+        rates = known.kindiffdict()
     told = kane._k_nh * sympy.Matrix(u) + kane._f_nh if bound else ()
     return Source(
         q,
@@ -105,6 +123,25 @@ def _kane(kane: Any) -> Source:
         balance=(kane.mass_matrix, kane.forcing),
         zero=tuple(kane._uaux),
     )
+
+
+def _divides(kane: Any, rates: Sequence[Any]) -> bool:
+    """Whether q' as SymPy solved for it divides by zero where the kinematics are regular.
+
+    That is looked for where all coordinates vanish, and each of them alone.
+    """
+    K = kane._k_kqdot_implicit
+    q, others = list(kane.q), set(leaves([*rates, *K])) - set(kane.q)
+    known = {x: 0.7 + 0.1 * k for k, x in enumerate(sorted(others, key=str))}
+    apart = [0.3 + 0.2 * k for k in range(len(q))]
+    for zero in [range(len(q)), *([k] for k in range(len(q)))]:
+        at = {x: 0.0 if k in zero else apart[k] for k, x in enumerate(q)}
+        matrix = np.array(numbers([*K], known | at)).reshape(len(q), len(q))
+        if np.isfinite(matrix).all() and np.linalg.cond(matrix) < REGULAR:
+            found = numbers(rates, known | at)
+            if not (np.isfinite(found).all() and np.abs(found).max(initial=0.0) < REGULAR):
+                return True
+    return False
 
 
 def _lagrange(lagrange: Any) -> Source:

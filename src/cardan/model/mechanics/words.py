@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from ...errors import ModelError, near
+from .leaves import is_table, leaves
 from .sources import Source
 
 # what the derivatives of an input are called behind its name
@@ -68,27 +69,6 @@ def words(
     return Words(q, u, ordered, values, names)
 
 
-def leaves(expressions: Iterable[Any]) -> list[Any]:
-    """Symbols, functions of time, derivatives and tables in expressions, as they appear."""
-    seen: set[Any] = set()
-    found: list[Any] = []
-    stack = [sympy.sympify(e) for e in expressions][::-1]
-    while stack:
-        e = stack.pop()
-        if e in seen:
-            continue
-        seen.add(e)
-        if e.is_Symbol or isinstance(e, (AppliedUndef, sympy.Derivative)) or _is_table(e):
-            found.append(e)
-        else:
-            stack.extend(reversed(e.args))
-    return found
-
-
-def _is_table(e: Any) -> bool:
-    return getattr(e, "cardan_table", None) is not None
-
-
 def _called(x: Any, what: str) -> str:
     """Name of a function of time.
 
@@ -115,7 +95,7 @@ def _input(x: Any, source: Source) -> str:
     Raises:
         ModelError: it is a function of something else, or an acceleration.
     """
-    if _is_table(x):
+    if is_table(x):
         raise ModelError(
             f"from_sympy: {x} is a table of data, which cannot stand in written equations; write "
             "an expression, or let it come in by an input"
