@@ -51,7 +51,12 @@ class Kinematics:
         self.chosen_by_joints = Matrix.identity(self.graph, 0)
         self._replace: dict[int, int] = {}
         if speeds:
-            self.chosen_by_joints, own = speeds_of_joints(self.graph, self.chosen)
+            # motions of frames among them are those by the speeds of the joints
+            plain = Kinematics(system)
+            given = plain.resolve([speed.node for speed in speeds])
+            nodes = rebuild(plain.graph, given, into=self.graph)[1]
+            names = [speed.name for speed in speeds]
+            self.chosen_by_joints, own = speeds_of_joints(self.graph, nodes, names)
             slots = [self.graph.var("u", k) for k in range(system.nu)]
             self._replace = dict(zip(slots, own.nodes, strict=True))
 
