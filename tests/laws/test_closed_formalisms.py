@@ -77,3 +77,21 @@ def test_agreement(name: str, way: str, method: str) -> None:
 def test_articulated_bodies_name_whom_to_ask() -> None:
     with pytest.raises(cd.DerivationError, match=r"takes no constraints.*method='composite'"):
         derived("four_bar", "multipliers", "articulated").function("forward_dynamics")
+
+
+@cache
+def geared(method: str) -> Any:
+    """A four-bar in closed form with a geared rotor on a joint that the circuit determines."""
+    scene = CLOSED["four_bar"].build()
+    scene.force("motor", cd.Drive("B", inertia=0.02, ratio=3.0, torque=0.4))
+    return cd.derive(scene, constraints="closed_form", method=method)
+
+
+@pytest.mark.parametrize("method", BINDING)
+def test_rotors_on_determined_joints(method: str) -> None:
+    first, other = geared("kane"), geared(method)
+    state = CLOSED["four_bar"].state(0.3, 2.0, {"A"})
+    q, u = slots(first.system, state)
+    for function, output in (("mass_matrix", "M"), ("bias", "h"), ("forward_dynamics", "udot")):
+        found, wanted = (call(e, function, q=q, u=u)[output] for e in (other, first))
+        np.testing.assert_allclose(found, wanted, rtol=1e-12, err_msg=function)
