@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from laws.cases import SEED, bound, call, derived, deviation, states
+from laws.cases import SEED, bound, call, derived, deviation, states, values
+from laws.test_absolute import both, carried
 from mechanisms import METHODS, ZOO
 from mechanisms.rolling import ROLLING
 from spread import some
@@ -44,6 +45,36 @@ def test_agreement(name: str, method: str) -> None:
     }
     errors = {key: deviation(*pair) / allowed for key, pair in found.items()}
     assert {key: error.max() for key, error in errors.items() if error.max() > 1} == {}
+
+
+SLOW = [method for method in METHODS if method not in (*FAST, "kane")]
+IN_C = [(name, method) for name in ("satellite", "gripper", "free_quaternion") for method in SLOW]
+
+
+@pytest.mark.parametrize(("name", "method"), some(IN_C, 2))
+def test_compiled(name: str, method: str) -> None:
+    functions = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
+    e, (q, u) = derived(name, method), states(name)
+    model = cd.compile(e, functions=functions)
+    model.prepare(*functions)
+    checks = model.verify().checks
+    assert {check.function for check in checks if not check.reason} >= set(functions)
+    at = values(e)["t"][0]
+    exact = call(e, "forward_dynamics", q=q, u=u)["udot"]
+    mass = call(e, "mass_matrix", q=q)["M"]
+    assert np.all(deviation(model.forward_dynamics(q, u, t=at), exact) <= bound(mass))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_agreement_with_absolute_coordinates(method: str) -> None:
+    """Every body with the equations of Newton and Euler, every joint with its constraints."""
+    name = "spatial_chain"
+    model, other = both(name)
+    q, u = (block[-1] for block in states(name))
+    found = model.forward_dynamics(*carried(model, other, q, u))
+    mine = [found[model.speeds.index(speed)] for speed in other.speeds]
+    udot = call(derived(name, method), "forward_dynamics", q=q, u=u)["udot"]
+    np.testing.assert_allclose(mine, udot, rtol=0, atol=1e-9 * (1 + np.abs(udot).max()))
 
 
 @pytest.mark.parametrize("name", ZOO)
