@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from laws.cases import SEED, bound, call, derived, deviation, states, values
@@ -75,6 +78,32 @@ def test_agreement_with_absolute_coordinates(method: str) -> None:
     mine = [found[model.speeds.index(speed)] for speed in other.speeds]
     udot = call(derived(name, method), "forward_dynamics", q=q, u=u)["udot"]
     np.testing.assert_allclose(mine, udot, rtol=0, atol=1e-9 * (1 + np.abs(udot).max()))
+
+
+def held_by(ball: Any, method: str) -> Any:
+    """A body that turns in space, and one on a hinge of it."""
+    scene = cd.Model("locked")
+    top = scene.body("top", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
+    arm = scene.body("arm", mass=0.5, com=(0, 0.2, 0.1), inertia=(0.01, 0.02, 0.025))
+    scene.joint("ball", ball, scene.ground, top)
+    scene.joint("hinge", cd.Revolute((1, 2, 3)), top.at(0.3, 0, 0), arm)
+    return cd.derive(scene, method=method)
+
+
+@pytest.mark.parametrize(("kind", "sequence"), [(cd.Spherical, "XYZ"), (cd.Free, "zyx")])
+@pytest.mark.parametrize("method", METHODS)
+def test_gimbal_lock_does_no_harm(method: str, kind: Any, sequence: str) -> None:
+    """Where qdot = N u is infinite M, h and udot are what they are by quaternions."""
+    angles = [0.3, np.pi / 2, 0.4]
+    x, y, z, w = Rotation.from_euler(sequence, angles).as_quat()
+    place = [0.1, 0.2, 0.3] if kind is cd.Free else []
+    u = np.array([0.5, -1.0, 2.0, *place, 0.3])
+    locked, free = held_by(kind(rotation=sequence), method), held_by(kind(), "newton_euler")
+    for function, output in (("mass_matrix", "M"), ("bias", "h"), ("forward_dynamics", "udot")):
+        found = call(locked, function, q=np.array([*angles, *place, 0.7]), u=u)[output]
+        wanted = call(free, function, q=np.array([w, x, y, z, *place, 0.7]), u=u)[output]
+        size = 1 + np.abs(wanted).max()
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * size, err_msg=function)
 
 
 @pytest.mark.parametrize("name", ZOO)
