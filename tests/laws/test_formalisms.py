@@ -21,7 +21,7 @@ FAST = ("newton_euler", "composite", "articulated")
 PAIRS = [(name, method) for name, member in ZOO.items() for method in member.methods[1:]]
 SHOWN = [
     *(pair for pair in PAIRS if pair[1] in FAST),
-    *some([pair for pair in PAIRS if pair[1] not in FAST], 7),
+    *some([pair for pair in PAIRS if pair[1] not in FAST], 11),
 ]
 
 
