@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import sympy
+from sympy.physics.mechanics import dynamicsymbols
 
 import cardan as cd
+from cardan.equations.relative import FORMALISMS
 from laws.cases import EPS, call, derived, states, values
 from mechanisms import METHODS, ZOO
 from mechanisms.rolling import ROLLING
@@ -161,3 +164,27 @@ def test_constraints_are_among_the_rates(name: str) -> None:
     difference = (along(e, q, u, STEP) - along(e, q, u, -STEP)) / (2 * STEP)
     size = 1 + np.abs(rates).max()
     np.testing.assert_allclose(rates, difference, rtol=0, atol=CLOSE * size)
+
+
+def written() -> cd.Model:
+    """A bead on a sine: (1 + cos(x)²) x'' = sin(x) cos(x) x'² - 9.81 cos(x)."""
+    x = dynamicsymbols("x")
+    v = x.diff()
+    mass, force = 1 + sympy.cos(x) ** 2, sympy.sin(x) * sympy.cos(x) * v**2 - 9.81 * sympy.cos(x)
+    return cd.from_sympy(([x], [v], [v], sympy.Matrix([[mass]]), [force]))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_written_equations_have_no_energy_to_differentiate(method: str) -> None:
+    if FORMALISMS[method].energies:
+        with pytest.raises(cd.DerivationError, match=f"'{method}' differentiates energies"):
+            cd.derive(written(), method=method)
+        return
+    e = cd.derive(written(), method=method)
+    q, u = np.array([0.7]), np.array([1.3])
+    mass = 1 + np.cos(0.7) ** 2
+    force = np.sin(0.7) * np.cos(0.7) * 1.3**2 - 9.81 * np.cos(0.7)
+    found = call(e, "forward_dynamics", q=q, u=u)["udot"]
+    np.testing.assert_allclose(found, [force / mass], rtol=1e-14)
+    with pytest.raises(cd.DerivationError, match="no kinetic energy to differentiate"):
+        e.function("momenta")

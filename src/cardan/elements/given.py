@@ -26,6 +26,10 @@ ABSENT = {
     **dict.fromkeys(("pose", "velocity", "acceleration", "frame_jacobian"), BODIES),
     **dict.fromkeys(("com", "momentum", "reaction"), BODIES),
     **dict.fromkeys(
+        ("momenta", "momentum_rates", "hamiltonian"),
+        "written equations tell of no kinetic energy to differentiate",
+    ),
+    **dict.fromkeys(
         ("gravity", "coriolis"),
         "written equations do not tell gravity and velocity products from other forces; "
         "'applied' has all of them",

@@ -62,4 +62,5 @@ HAMILTON = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
+    energies=True,
 )

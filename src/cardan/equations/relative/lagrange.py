@@ -45,4 +45,5 @@ LAGRANGE = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
+    energies=True,
 )
