@@ -15,7 +15,7 @@ from spread import some
 ACCEPT = "pytest tests/golden/test_formalism_counts.py --accept"
 
 
-@pytest.mark.parametrize("name", some(CASES, 9))
+@pytest.mark.parametrize("name", some(CASES, 15))
 def test_counts(name: str, pytestconfig: pytest.Config) -> None:
     row, table = counted(CASES[name]), kept()
     if pytestconfig.getoption("--accept"):

@@ -58,7 +58,7 @@ def condition(e: Any, mass: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("name", "way", "method"), some([(*case, m) for case in CASES for m in BINDING], 8)
+    ("name", "way", "method"), some([(*case, m) for case in CASES for m in BINDING], 12)
 )
 def test_agreement(name: str, way: str, method: str) -> None:
     q, u = states(name, way)

@@ -54,7 +54,7 @@ SLOW = [method for method in METHODS if method not in (*FAST, "kane")]
 IN_C = [(name, method) for name in ("satellite", "gripper", "free_quaternion") for method in SLOW]
 
 
-@pytest.mark.parametrize(("name", "method"), some(IN_C, 2))
+@pytest.mark.parametrize(("name", "method"), some(IN_C, 3))
 def test_compiled(name: str, method: str) -> None:
     functions = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
     e, (q, u) = derived(name, method), states(name)
