@@ -118,7 +118,9 @@ def derive(
         coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
             body has six of its own and joints hold them, element by element; ``"auto"``: absolute
             if there are beams, else relative.
-        method: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"`` or ``"auto"``.
+        method: Formalism: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"``,
+            ``"lagrange"``, ``"hamilton"``, ``"gibbs_appell"``, ``"barycentric"``, or ``"auto"``:
+            of composite and articulated bodies what takes the fewest operations.
         speeds: Generalized speeds: name -> SymPy expression, linear in the joint speeds
             ``scene.u(...)``; as many as the system has speeds. By Kane's method unless another is
             named; ``articulated`` takes none.

@@ -2,29 +2,45 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import cardan as cd
-from laws.cases import SEED, bound, call, derived, deviation, states
+from laws.cases import SEED, bound, call, derived, deviation, states, values
+from laws.test_absolute import both, carried
 from mechanisms import METHODS, ZOO
 from mechanisms.rolling import ROLLING
+from spread import some
 
+# all formalisms against Kane's on the system as it was described; those that recursions leave far
+# behind in speed on a spread
+FAST = ("newton_euler", "composite", "articulated")
 PAIRS = [(name, method) for name, member in ZOO.items() for method in member.methods[1:]]
+SHOWN = [
+    *(pair for pair in PAIRS if pair[1] in FAST),
+    *some([pair for pair in PAIRS if pair[1] not in FAST], 11),
+]
 
 
 def udot_of(name: str) -> np.ndarray:
     return np.random.default_rng(SEED + 1).uniform(-3, 3, states(name)[1].shape)
 
 
-@pytest.mark.parametrize(("name", "method"), PAIRS)
+@pytest.mark.parametrize(("name", "method"), SHOWN)
 def test_agreement(name: str, method: str) -> None:
     q, u = states(name)
-    first, other = derived(name, ZOO[name].methods[0]), derived(name, method)
+    first, other = derived(name, "kane").as_described, derived(name, method)
     mass = call(first, "mass_matrix", q=q)["M"]
     allowed = bound(mass)
     found = {
         "M": (call(other, "mass_matrix", q=q)["M"], mass),
+        **{
+            function: tuple(call(e, function, q=q, u=u)[output] for e in (other, first))
+            for function, output in (("bias", "h"), ("gravity", "gravity"), ("applied", "f"))
+        },
         "tau": tuple(
             call(e, "inverse_dynamics", q=q, u=u, udot=udot_of(name))["tau"] for e in (other, first)
         ),
@@ -32,6 +48,62 @@ def test_agreement(name: str, method: str) -> None:
     }
     errors = {key: deviation(*pair) / allowed for key, pair in found.items()}
     assert {key: error.max() for key, error in errors.items() if error.max() > 1} == {}
+
+
+SLOW = [method for method in METHODS if method not in (*FAST, "kane")]
+IN_C = [(name, method) for name in ("satellite", "gripper", "free_quaternion") for method in SLOW]
+
+
+@pytest.mark.parametrize(("name", "method"), some(IN_C, 3))
+def test_compiled(name: str, method: str) -> None:
+    functions = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
+    e, (q, u) = derived(name, method), states(name)
+    model = cd.compile(e, functions=functions)
+    model.prepare(*functions)
+    checks = model.verify().checks
+    assert {check.function for check in checks if not check.reason} >= set(functions)
+    at = values(e)["t"][0]
+    exact = call(e, "forward_dynamics", q=q, u=u)["udot"]
+    mass = call(e, "mass_matrix", q=q)["M"]
+    assert np.all(deviation(model.forward_dynamics(q, u, t=at), exact) <= bound(mass))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_agreement_with_absolute_coordinates(method: str) -> None:
+    """Every body with the equations of Newton and Euler, every joint with its constraints."""
+    name = "spatial_chain"
+    model, other = both(name)
+    q, u = (block[-1] for block in states(name))
+    found = model.forward_dynamics(*carried(model, other, q, u))
+    mine = [found[model.speeds.index(speed)] for speed in other.speeds]
+    udot = call(derived(name, method), "forward_dynamics", q=q, u=u)["udot"]
+    np.testing.assert_allclose(mine, udot, rtol=0, atol=1e-9 * (1 + np.abs(udot).max()))
+
+
+def held_by(ball: Any, method: str) -> Any:
+    """A body that turns in space, and one on a hinge of it."""
+    scene = cd.Model("locked")
+    top = scene.body("top", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
+    arm = scene.body("arm", mass=0.5, com=(0, 0.2, 0.1), inertia=(0.01, 0.02, 0.025))
+    scene.joint("ball", ball, scene.ground, top)
+    scene.joint("hinge", cd.Revolute((1, 2, 3)), top.at(0.3, 0, 0), arm)
+    return cd.derive(scene, method=method)
+
+
+@pytest.mark.parametrize(("kind", "sequence"), [(cd.Spherical, "XYZ"), (cd.Free, "zyx")])
+@pytest.mark.parametrize("method", METHODS)
+def test_gimbal_lock_does_no_harm(method: str, kind: Any, sequence: str) -> None:
+    """Where qdot = N u is infinite M, h and udot are what they are by quaternions."""
+    angles = [0.3, np.pi / 2, 0.4]
+    x, y, z, w = Rotation.from_euler(sequence, angles).as_quat()
+    place = [0.1, 0.2, 0.3] if kind is cd.Free else []
+    u = np.array([0.5, -1.0, 2.0, *place, 0.3])
+    locked, free = held_by(kind(rotation=sequence), method), held_by(kind(), "newton_euler")
+    for function, output in (("mass_matrix", "M"), ("bias", "h"), ("forward_dynamics", "udot")):
+        found = call(locked, function, q=np.array([*angles, *place, 0.7]), u=u)[output]
+        wanted = call(free, function, q=np.array([w, x, y, z, *place, 0.7]), u=u)[output]
+        size = 1 + np.abs(wanted).max()
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * size, err_msg=function)
 
 
 @pytest.mark.parametrize("name", ZOO)

@@ -6,11 +6,7 @@ import sympy
 
 import cardan as cd
 
-from .mechanism import METHODS, Mechanism, State
-
-# a coupled joint, such as a geared rotor that is a body, has no speed of its own: the
-# articulated recursion has no place for it
-UNCOUPLED = tuple(method for method in METHODS if method != "articulated")
+from .mechanism import COUPLED, Mechanism, State
 
 
 def two_links(name: str) -> cd.Model:
@@ -114,7 +110,7 @@ MEMBERS = (
             State({"wrist": 0.5, "left_slide": 0.03}),
             State({"wrist": -1.0}, {"wrist": 2.0, "left_slide": 0.3}),
         ),
-        methods=UNCOUPLED,
+        methods=COUPLED,
     ),
     Mechanism(
         "crane",
@@ -137,7 +133,7 @@ MEMBERS = (
             State({"base": 0.4, "elbow": 0.5}),
             State({"base": -0.6, "wrist": 0.2}, {"elbow": 1.5, "wrist": 2.0}),
         ),
-        methods=UNCOUPLED,
+        methods=COUPLED,
     ),
     Mechanism(
         "damped",

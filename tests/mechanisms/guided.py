@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import cardan as cd
 
-from .mechanism import METHODS, Mechanism, State
+from .mechanism import COUPLED, Mechanism, State
 
-COUPLED = tuple(method for method in METHODS if method != "articulated")
 VALLEY = [
     (-2, 0, 1.6),
     (-1.2, 0.2, 0.5),

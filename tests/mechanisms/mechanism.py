@@ -8,9 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import cardan as cd
+from cardan.equations.relative import FORMALISMS
 
 Values = Mapping[str, object]
-METHODS = ("kane", "newton_euler", "composite", "articulated")
+METHODS = tuple(FORMALISMS)
+# a coupled joint, such as a geared rotor that is a body, has no speed of its own: the elimination
+# of one joint after the other has no place for it
+COUPLED = tuple(name for name, formalism in FORMALISMS.items() if formalism.couples)
 
 
 @dataclass(frozen=True)
@@ -30,7 +34,7 @@ class Mechanism:
         build: Makes the scene afresh.
         states: Regular initial states; a motion of 10 s from the first stays regular.
         conservative: Undamped, unforced, no prescribed motion: total energy is constant.
-        methods: Formalisms that take it; a coupled joint leaves ``articulated`` out.
+        methods: Formalisms that take it; with a coupled joint ``COUPLED``.
         margin: Distance [rad] of a rotation matrix to the border of the domain of the rotation
             parameters of joint ``guarded``.
         guarded: The joint that ``margin`` speaks about.

@@ -37,8 +37,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="cython adds a package for NumPy (default, but for beams)")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates")  # fmt: skip
-    what.add_argument("--method", metavar="METHOD", default="auto",
-                      help="kane, newton_euler, composite or articulated")  # fmt: skip
+    reading.method(what)
     what.add_argument("--reproducible", action="store_true",
                       help="flags under which every compiler gives equal bits")  # fmt: skip
     parser.add_argument("--json", action="store_true", help="print JSON for another program")

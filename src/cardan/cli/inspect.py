@@ -43,9 +43,7 @@ ROWS, WIDTH = 24, 600
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
     reading.arguments(parser)
-    how = parser.add_argument_group("the equations")
-    how.add_argument("--method", default="auto", metavar="METHOD",
-                     help="kane, newton_euler, composite or articulated")  # fmt: skip
+    reading.method(parser.add_argument_group("the equations"))
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="PAGE.html", type=Path, help="one HTML page")
     results.add_argument("--json", action="store_true", help="print JSON for another program")

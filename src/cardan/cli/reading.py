@@ -11,6 +11,13 @@ if TYPE_CHECKING:
     from ..model import Model
 
 
+# formalisms; these words are no reason to load the compiler
+METHODS = (
+    "auto (the fewest operations)", "kane", "newton_euler", "composite", "articulated", "lagrange",
+    "hamilton", "gibbs_appell", "barycentric",
+)  # fmt: skip
+
+
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the file and how it is read."""
     parser.add_argument(
@@ -23,6 +30,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="do mimic joints follow their leader? (default couple)")  # fmt: skip
     file.add_argument("--no-snap", action="store_true",
                       help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
+
+
+def method(group: argparse._ArgumentGroup) -> None:
+    """Declare the formalism; unknown ones are refused with their near names when they are used."""
+    group.add_argument("--method", metavar="METHOD", default="auto", help=", ".join(METHODS))
 
 
 def load(options: argparse.Namespace) -> Model:

@@ -30,11 +30,14 @@ ABSENT = {
         "written equations do not tell masses and inertias from other parameters",
     ),
     **dict.fromkeys(
+        ("momenta", "momentum_rates", "hamiltonian"),
+        "written equations tell of no kinetic energy to differentiate",
+    ),
+    **dict.fromkeys(
         ("gravity", "coriolis"),
         "written equations do not tell gravity and velocity products from other forces; "
         "'applied' has all of them",
     ),
-    "momentum_rates": "written equations do not tell which forces change momenta",
 }
 
 

@@ -11,29 +11,30 @@ from ..ir.graph import ONE, ZERO, Graph
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
-from ..topology.system import Named
 
 
-def speeds_of_joints(graph: Graph, chosen: Sequence[Named]) -> tuple[Matrix, Matrix]:
+def speeds_of_joints(
+    graph: Graph, nodes: Sequence[int], names: Sequence[str]
+) -> tuple[Matrix, Matrix]:
     """Y (nu, nu) and the joint speeds (nu, 1) of Y(q) u_joint + Z(q) = u_chosen.
 
     Args:
         graph: Of the chosen speeds.
-        chosen: Expressions in the joint speeds ``("var", "u", k)``, which are the chosen ones in
+        nodes: Expressions in the joint speeds ``("var", "u", k)``, which are the chosen ones in
             what is returned.
+        names: Theirs.
 
     Raises:
         DerivationError: one is not linear.
     """
-    nu = len(chosen)
+    nu = len(nodes)
     slots = [graph.var("u", k) for k in range(nu)]
-    nodes = [s.node for s in chosen]
     y = [n for row in jacobian(graph, nodes, slots) for n in row]
     _, z = rebuild(graph, nodes, dict.fromkeys(slots, ZERO), into=graph)
     if set(live(graph, y)) & set(slots):
         raise DerivationError(
             "speeds: every chosen speed must be linear in the joint speeds; "
-            f"one of {', '.join(s.name for s in chosen)} is not"
+            f"one of {', '.join(names)} is not"
         )
     left = Matrix(graph, nu, nu, y)
     right = Matrix(graph, nu, 1, slots) - Matrix(graph, nu, 1, z)

@@ -51,7 +51,7 @@ def inverse_dynamics(
     tau = [ZERO] * k.system.nu
     for i in range(len(k.joints) - 1, -1, -1):
         with k.graph.made_by(k.system.joints[i].name, "tau"):
-            own = driving_force(k, i, forces, loads, along[i])
+            own = driving_force(k, i, forces, loads, along[i], moving)
             for slot, node in spread(k, i, own).items():
                 tau[slot] = k.graph.add(tau[slot], node)
     result = Matrix(k.graph, k.system.nu, 1, tau)
@@ -62,12 +62,14 @@ def inverse_dynamics(
     return result
 
 
-def driving_force(k: Kinematics, i: int, forces: JointForces, loads: Loads, udot: Matrix) -> Matrix:
+def driving_force(
+    k: Kinematics, i: int, forces: JointForces, loads: Loads, udot: Matrix, moving: bool = True
+) -> Matrix:
     """Force along the speeds of a joint that the elements on it do not supply."""
     s = k.joints[i].S
     value = s.T @ Matrix.vstack(forces.moment[i], forces.force[i])
     if i in loads.rotors:
-        rotor, given = udot, k.given_acceleration(i)
+        rotor, given = udot, k.given_acceleration(i) if moving else None
         if given is not None:
             rotor = rotor + given
         value = value + loads.rotors[i] @ rotor

@@ -51,9 +51,12 @@ class Kinematics:
         self.chosen_by_joints = Matrix.identity(self.graph, 0)
         self._replace: dict[int, int] = {}
         if speeds:
-            self.chosen_by_joints, own = speeds_of_joints(self.graph, self.chosen)
-            slots = [self.graph.var("u", k) for k in range(system.nu)]
-            self._replace = dict(zip(slots, own.nodes, strict=True))
+            # motions of frames among them are those by the speeds of the joints
+            plain, own = Kinematics(system), [speed.node for speed in speeds]
+            own = rebuild(plain.graph, plain.resolve(own), into=self.graph)[1]
+            names, slots = [speed.name for speed in speeds], self.block("u", 0, system.nu)
+            self.chosen_by_joints, joint_speeds = speeds_of_joints(self.graph, own, names)
+            self._replace = dict(zip(slots.nodes, joint_speeds.nodes, strict=True))
 
     def matrix(self, rows: int, columns: int, nodes: Sequence[int]) -> Matrix:
         """Expressions of the system graph as a matrix of this graph, placeholders resolved."""
@@ -127,7 +130,8 @@ class Kinematics:
             return self.closures.velocity(joint.closure).bias[i]
         if joint.motion is not None:
             return self.vector([joint.motion.acceleration])
-        return self.derivative(self.speeds[i]) if self.chosen else None
+        # circuits ask for this before their rates are known
+        return self._changing(self.speeds[i], self.slot_seeds) if self.chosen else None
 
     def shares(self, i: int) -> dict[int, Matrix] | None:
         """Slot -> share of its speed in the speeds (n, 1) of a joint that has no slots of its own.
@@ -219,7 +223,10 @@ class Kinematics:
 
     def derivative(self, x: Matrix) -> Matrix:
         """Entry by entry time derivative at udot = 0."""
-        return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, self.time_seeds))
+        return self._changing(x, self.time_seeds)
+
+    def _changing(self, x: Matrix, seeds: dict[int, int]) -> Matrix:
+        return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, seeds))
 
     @cached_property
     def joints(self) -> Memo[JointMotion]:

@@ -22,14 +22,19 @@ from ..ir.matrix import Matrix
 from .kinematics import Kinematics
 from .loads import Loads, without_potential
 from .partial_velocities import generalized_forces
+from .turning import derivative, turned, turning_joints
 
 
 def displacements(k: Kinematics) -> list[dict[int, int]]:
-    """Coordinate -> its change along every speed: the columns of N."""
-    g, found = k.graph, []
+    """Coordinates and entries of rotations -> their changes along every speed."""
+    g, found, turning = k.graph, [], turning_joints(k)
     for slot in range(k.system.nu):
         column = forward(g, k.rates.nodes, {g.var("u", slot): ONE})
-        found.append({g.var("q", m): node for m, node in enumerate(column) if node != ZERO})
+        seeds = {g.var("q", m): node for m, node in enumerate(column) if node != ZERO}
+        for i, speeds in turning:
+            dots = forward(g, speeds.nodes, {g.var("u", slot): ONE})
+            seeds |= turned(k, i, Matrix(g, speeds.rows, 1, dots))
+        found.append(seeds)
     return found
 
 
@@ -70,7 +75,7 @@ def _of_chosen(k: Kinematics, momenta: Matrix) -> Matrix:
         for r in range(nu):
             column = columns.get(r, resting)
             moved = Matrix(g, speeds.rows, 1, forward(g, speeds.nodes, along[r]))
-            change = k.derivative(column) - moved + joint.element.bracket(speeds, column)
+            change = derivative(k, column) - moved + joint.element.bracket(speeds, column)
             nodes[r] = own.dot(change).node
         total = total + Matrix(g, nu, 1, nodes)
     return total

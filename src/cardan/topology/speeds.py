@@ -18,7 +18,8 @@ def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tup
     Args:
         model: The scene.
         system: Its system; nodes are added to its graph.
-        speeds: Name -> SymPy expression in ``model.u(...)``, ``model.q(...)``, parameters and t.
+        speeds: Name -> SymPy expression in ``model.u(...)``, ``model.q(...)``, motions of frames,
+            parameters and t.
 
     Raises:
         ModelError: as many as there are speeds are wanted; an unknown symbol.
@@ -33,7 +34,8 @@ def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tup
             element, slots = joint.element, (joint.q, joint.u)
             define_coordinates(convert, joint.name, element.coordinates, element.speeds, slots)
     for name, atom in system.atoms.items():
-        if atom.quantity in ("q", "u"):
+        # what forces decide can be no speed
+        if atom.quantity not in ("acceleration", "state"):
             convert.define(name, system.graph.atom(name))
     return tuple(
         Named(name, convert.expression(expression, f"speed {name}"), "")

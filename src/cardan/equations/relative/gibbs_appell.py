@@ -24,6 +24,7 @@ from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..partial_velocities import generalized_forces
+from ..turning import derivative
 from .formalism import Formalism, within_bodies
 
 
@@ -56,7 +57,7 @@ def gibbs(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> 
 
 def _changed(k: Kinematics, x: Matrix, moving: bool) -> Matrix:
     """Time derivative of a velocity, with udot."""
-    total = k.derivative(x) if moving else Matrix.zeros(k.graph, x.rows)
+    total = derivative(k, x) if moving else Matrix.zeros(k.graph, x.rows)
     for slot, column in k.partials_of(x).items():
         total = total + column * _udot(k)[slot]
     return total

@@ -23,6 +23,7 @@ from ..energies import inertia, kinetic, momenta, weight
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..quasi_velocities import carried_along, drawn, slopes
+from ..turning import derivative
 from .formalism import Formalism, within_bodies
 
 
@@ -40,7 +41,7 @@ def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> M
     M, b, T0 = _parts(k, loads)
     # minus what of H depends on q but for V, with M^-1 (p - b) = u
     held = u.dot(M @ u) * 0.5 + u.dot(b) + T0
-    return k.derivative(p) - slopes(k, held) - carried_along(k, p) + standing
+    return derivative(k, p) - slopes(k, held) - carried_along(k, p) + standing
 
 
 def _parts(k: Kinematics, loads: Loads) -> tuple[Matrix, Matrix, Scalar]:
@@ -61,4 +62,5 @@ HAMILTON = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
+    energies=True,
 )

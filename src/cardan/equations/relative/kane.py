@@ -14,6 +14,7 @@ from ..inertia import of_body
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..partial_velocities import generalized_forces, partials
+from ..turning import derivative
 from .formalism import Formalism, within_bodies
 
 
@@ -67,8 +68,8 @@ def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> M
 def _inertia_force(k: Kinematics, i: int) -> tuple[Matrix, Matrix]:
     """Rate of momentum at udot = 0 about the origin of a body, from differentiated velocities."""
     inertia, omega = of_body(k, i), k.omega[i]
-    alpha = k.derivative(omega)
-    a = k.derivative(k.v[i]) + omega.cross(k.v[i])
+    alpha = derivative(k, omega)
+    a = derivative(k, k.v[i]) + omega.cross(k.v[i])
     moment = inertia.tensor @ alpha + omega.cross(inertia.tensor @ omega)
     force = a * inertia.mass + alpha.cross(inertia.moment)
     return (
@@ -79,7 +80,7 @@ def _inertia_force(k: Kinematics, i: int) -> tuple[Matrix, Matrix]:
 
 def _add_rotor_bias(k: Kinematics, loads: Loads, total: list[int]) -> None:
     for i, rotor in loads.rotors.items():
-        accelerated = rotor @ k.derivative(k.speeds[i])
+        accelerated = rotor @ derivative(k, k.speeds[i])
         for r, left in k.partials_of(k.speeds[i]).items():
             total[r] = k.graph.add(total[r], left.dot(accelerated).node)
 

@@ -18,6 +18,7 @@ from ..energies import inertia, kinetic, momenta, weight
 from ..kinematics import Kinematics
 from ..loads import Loads
 from ..quasi_velocities import carried_along, drawn, slopes
+from ..turning import derivative
 from .formalism import Formalism, within_bodies
 
 
@@ -32,7 +33,7 @@ def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> M
     if not moving:
         return standing
     p = momenta(k, loads.rotors)
-    return k.derivative(p) - slopes(k, kinetic(k, loads.rotors)) - carried_along(k, p) + standing
+    return derivative(k, p) - slopes(k, kinetic(k, loads.rotors)) - carried_along(k, p) + standing
 
 
 LAGRANGE = Formalism(
@@ -44,4 +45,5 @@ LAGRANGE = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
+    energies=True,
 )

@@ -1,0 +1,10 @@
+"""The command line names every formalism."""
+
+from __future__ import annotations
+
+from cardan.cli import reading
+from cardan.equations.relative import FORMALISMS
+
+
+def test_help_lists_every_formalism() -> None:
+    assert [name.partition(" ")[0] for name in reading.METHODS] == ["auto", *FORMALISMS]
