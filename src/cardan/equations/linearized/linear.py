@@ -1,0 +1,96 @@
+"""``equations.linearize``: from a reference motion to a linear model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, cast
+
+from ...errors import DerivationError, near
+from ...ir.collector import collector_paused
+from . import differentiated
+from .first_order import plant
+from .record import Linearized
+from .reduced import reduced
+from .reference import Reference
+
+if TYPE_CHECKING:
+    from ..record import Equations
+
+ROUTES = {"differentiated": differentiated.whole}
+
+
+def linearized(
+    equations: Equations,
+    motion: Mapping[str, Any],
+    values: Mapping[str, float] | None,
+    inputs: Iterable[str] | None,
+    outputs: Iterable[str] | None,
+    independent: Iterable[str] | None,
+    route: str,
+) -> Linearized:
+    """See :meth:`cardan.equations.record.Equations.linearize`."""
+    if route not in ROUTES:
+        raise DerivationError(f"linearize: there is no route '{route}'.{near(route, ROUTES)}")
+    with collector_paused():
+        at = Reference(equations, **motion, values=values or {}, wanted=independent)
+        whole = ROUTES[route](at)
+        small = reduced(at, whole)
+        made = plant(at, whole, small, inputs, outputs)
+    states = (
+        *(at.increments[k] for k in at.y),
+        *(at.names["u"][k] for k in at.w),
+        *at.names["z"],
+    )
+    return Linearized(
+        equations.system.name, states, made.inputs, made.outputs, route, at, whole, small, made
+    )
+
+
+class Linearizable:
+    """Equations that can be linearized."""
+
+    def linearize(
+        self,
+        q: Mapping[str, Any] | None = None,
+        u: Mapping[str, Any] | None = None,
+        *,
+        udot: Mapping[str, Any] | str | None = None,
+        z: Mapping[str, Any] | None = None,
+        r: Mapping[str, Any] | None = None,
+        s: Mapping[str, Any] | None = None,
+        t: float = 0.0,
+        values: Mapping[str, float] | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        independent: Iterable[str] | None = None,
+        route: str = "differentiated",
+    ) -> Linearized:
+        """The linear model about a reference motion as formulas, constraints eliminated.
+
+        Args:
+            q, u: The reference by name, numbers or SymPy expressions in parameters, ``t`` and other
+                symbols; coordinates left out are initial values, which are assembled where
+                circuits are open, speeds 0 or what follows from the others.
+            udot: Accelerations of the reference by name, 0 if left out; ``"free"``: those of the
+                motion that goes through the state by itself.
+            z, r, s: Internal states, inputs, modes by name; their defaults if left out.
+            t: Time [s] where the reference does not depend on ``t``.
+            values: Numbers for symbols of the reference, by name.
+            inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
+            outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
+                coordinates if there are none.
+            independent: Coordinates or speeds from which the others are to follow; by default what
+                describes the motions best, as ``model.linearize`` chooses.
+            route: ``"from_start"``: every quantity is its nominal part and a part of first order
+                from the start; ``"differentiated"``: the nonlinear equations are differentiated.
+
+        Raises:
+            DerivationError: unknown names, circuits that stay open, speeds that constraints forbid.
+
+        Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
+        """
+        named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
+        motion = {**named, "udot": udot or {}, "t": t}
+        return linearized(
+            cast("Equations", self), motion, values, inputs, outputs, independent, route
+        )
