@@ -27,7 +27,8 @@ def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[i
         places = places_of(name, names)
         if not places:
             raise DerivationError(f"linearize: there is no {what} '{name}'.{near(name, names)}")
-        values = list(value) if isinstance(value, Sequence) or hasattr(value, "shape") else [value]
+        several = isinstance(value, Sequence) or getattr(value, "ndim", 0) > 0
+        values = list(value) if several else [value]
         if len(values) != len(places):
             listed = ", ".join(names[k] for k in places)
             raise DerivationError(

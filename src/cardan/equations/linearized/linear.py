@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from ...errors import DerivationError, near
 from ...ir.collector import collector_paused
-from . import differentiated
+from . import differentiated, from_start
 from .first_order import plant
 from .record import Linearized
 from .reduced import reduced
@@ -16,7 +16,7 @@ from .reference import Reference
 if TYPE_CHECKING:
     from ..record import Equations
 
-ROUTES = {"differentiated": differentiated.whole}
+ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
 
 
 def linearized(
@@ -63,7 +63,7 @@ class Linearizable:
         inputs: Iterable[str] | None = None,
         outputs: Iterable[str] | None = None,
         independent: Iterable[str] | None = None,
-        route: str = "differentiated",
+        route: str = "from_start",
     ) -> Linearized:
         """The linear model about a reference motion as formulas, constraints eliminated.
 
