@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .reference import Reference
 
 Array = NDArray[np.float64]
-STEPS, LONGEST, CLOSED = 60, 0.3, 1e-9
+STARTS, STEPS, LONGEST, CLOSED = 12, 60, 0.3, 1e-9
 ROUNDING = 1e-14
 
 
@@ -36,7 +36,7 @@ class Assembly:
     def __init__(self, reference: Reference, held: Sequence[int]) -> None:
         self.held, k, g = list(held), reference.k, reference.graph
         own = reference.d.constraints
-        self._positions, nu = own.positions, reference.system.nu
+        nu = self._speeds = reference.system.nu
         jacobian = own.jacobian.block(slice(0, own.positions))
         columns = [forward(g, k.rates.nodes, {g.var("u", n): ONE}) for n in range(nu)]
         moves = Matrix(g, nu, reference.system.nq, [x for c in columns for x in c]).T
@@ -55,7 +55,7 @@ class Assembly:
         self._start = reference.number(q0)[:, 0]
         self._fixed = q0
         self._count = len(reference.symbols.names)
-        self.found = self._followed(self._given, self._start)
+        self.found = self._first(self._start)
         away = np.abs(self.found - self._start) > 1e-12
         self.moved = [n for n in range(len(away)) if away[n] and n not in self.held]
         self.names = [reference.names["q"][n] for n in self.moved]
@@ -72,6 +72,23 @@ class Assembly:
         start = np.array([float(x) for x in places])
         start[self.moved] = self.found[self.moved]
         return self._followed(given, start)
+
+    def _first(self, start: Array) -> Array:
+        """From the start itself, or from places around it."""
+        spread = np.random.default_rng(1).normal(0.0, 1.0, (STARTS, self._speeds))
+        for n, du in enumerate(spread):
+            q = start
+            if n:
+                moved = evaluate(
+                    self._step, {**self._given, "q": start.tolist(), "du": du.tolist()}
+                )
+                q = np.array([float(x) for x in moved["q"]])
+                q[self.held] = start[self.held]
+            try:
+                return self._followed(self._given, q)
+            except DerivationError as problem:
+                last = problem
+        raise last
 
     def _followed(self, given: dict[str, Any], start: Array) -> Array:
         q, last = np.array(start), np.inf

@@ -73,7 +73,7 @@ def _about(found: Linearized) -> str:
     kind = "a motion" if moving or at.timed else "rest"
     if not found.needed:
         return kind
-    forces = ", ".join(f"{value} along {name}" for name, value in found.needed.items())
+    forces = ", ".join(f"{_text(value)} along {name}" for name, value in found.needed.items())
     return f"{kind} that is none by itself; it takes {forces}"
 
 
@@ -86,5 +86,12 @@ def _rows(found: Any, name: str, letter: str = "") -> list[str]:
     if not any(matrix):
         return []
     head = f"  {letter or name} = "
-    rows = [f"[{', '.join(str(x) for x in matrix.row(i))}]" for i in range(matrix.rows)]
+    rows = [f"[{', '.join(_text(x) for x in matrix.row(i))}]" for i in range(matrix.rows)]
     return [(head if n == 0 else " " * len(head)) + row for n, row in enumerate(rows)]
+
+
+def _text(expression: Any) -> str:
+    """An expression with numbers as short as they are."""
+    from sympy import sstr
+
+    return str(sstr(expression, full_prec=False))

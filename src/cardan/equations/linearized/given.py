@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from ...errors import DerivationError, near
@@ -14,6 +15,14 @@ from ...ir.rewrite import rebuild
 # the block of symbols that stand in a reference motion and are no parameters
 NOMINAL = "nominal"
 SNAP = 1e-15
+
+
+@dataclass(frozen=True)
+class Placeholder:
+    """A quantity of the reference that is known in numbers only, with one of them."""
+
+    name: str
+    value: float
 
 
 def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[int, Any]:
@@ -81,6 +90,8 @@ class Symbols:
         """A number or a SymPy expression as a node."""
         if isinstance(value, (int, float)):
             return self.graph.const(value)
+        if isinstance(value, Placeholder):
+            return self.add(value.name, value.value)
         import sympy
 
         from ...ir.sympy_bridge import from_sympy

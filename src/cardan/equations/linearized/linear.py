@@ -15,6 +15,7 @@ from .reference import Reference
 
 if TYPE_CHECKING:
     from ..record import Equations
+    from .along import LinearizedAlong
 
 ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
 
@@ -58,7 +59,7 @@ class Linearizable:
         z: Mapping[str, Any] | None = None,
         r: Mapping[str, Any] | None = None,
         s: Mapping[str, Any] | None = None,
-        t: float = 0.0,
+        t: float | None = None,
         values: Mapping[str, float] | None = None,
         inputs: Iterable[str] | None = None,
         outputs: Iterable[str] | None = None,
@@ -74,7 +75,8 @@ class Linearizable:
             udot: Accelerations of the reference by name, 0 if left out; ``"free"``: those of the
                 motion that goes through the state by itself.
             z, r, s: Internal states, inputs, modes by name; their defaults if left out.
-            t: Time [s] where the reference does not depend on ``t``.
+            t: Time [s] at which forces and motions that depend on it are taken; if left out ``t``
+                stays a symbol, but 0 where it moves circuits.
             values: Numbers for symbols of the reference, by name.
             inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
             outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
@@ -94,3 +96,28 @@ class Linearizable:
         return linearized(
             cast("Equations", self), motion, values, inputs, outputs, independent, route
         )
+
+    def linearize_along(
+        self,
+        motion: Any,
+        *,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        independent: Iterable[str] | None = None,
+    ) -> LinearizedAlong:
+        """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
+
+        Args:
+            motion: A :class:`cardan.Trajectory`, in one mode all along.
+            inputs, outputs, independent: As for :meth:`linearize`; what is independent stays so.
+
+        Returns:
+            Arrays along ``motion.t``; transition matrix and Floquet multipliers.
+
+        Raises:
+            DerivationError: a motion of another system, one whose modes change, or one along which
+                the independent coordinates become dependent.
+        """
+        from .along import along
+
+        return along(cast("Equations", self), motion, inputs, outputs, independent)

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
@@ -21,6 +21,8 @@ from .written import Written
 
 if TYPE_CHECKING:
     import sympy
+
+    from .along import LinearizedAlong
 
 Array = NDArray[np.float64]
 KEPT = 1e-9  # forces below this part of the largest ones at hand are none
@@ -144,6 +146,17 @@ class Linearized:
             DerivationError: an unknown name, or a symbol of the reference without a value.
         """
         return self._first.numbers({**(parameters or {}), **values})
+
+    def along(self, t: ArrayLike, **values: Any) -> LinearizedAlong:
+        """A, B, C and D over times (nt,) [s] of a reference that depends on ``t``.
+
+        Args:
+            t: Times.
+            values: Parameters and symbols of the reference, as for :meth:`at`.
+        """
+        from .along import over
+
+        return over(self, t, values)
 
     def function(self) -> Function:
         """A, B, C and D as a Function of t, p and the symbols of the reference."""

@@ -19,13 +19,14 @@ from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
+from ...ir.solve import solve
 from .. import blocks
 from ..dynamics import Dynamics
 from ..kinematics import Kinematics
 from ..pressing import pressed
 from .assembled import Assembly
 from .choice import WANTED, choice
-from .given import NOMINAL, Symbols, depends, entries, places_of, substituted
+from .given import NOMINAL, Placeholder, Symbols, depends, entries, places_of, substituted
 from .pivoting import independent, independent_rows, solved
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class Reference:
     Args:
         equations: Of the system.
         q, u, udot, z, r: By name, as numbers or SymPy expressions; udot may be ``"free"``.
-        t: Time [s] where the reference does not depend on it.
+        t: Time [s]; None: it stays a symbol.
         s: Modes by name.
         values: Numbers for the symbols of the reference.
         wanted: Coordinates or speeds that are to be independent.
@@ -58,7 +59,7 @@ class Reference:
         z: Mapping[str, Any],
         r: Mapping[str, Any],
         s: Mapping[str, Any],
-        t: float,
+        t: float | None,
         values: Mapping[str, float],
         wanted: Iterable[str] | None,
     ) -> None:
@@ -145,7 +146,7 @@ class Reference:
                 for k, x in enumerate(start[letter])
             ])  # fmt: skip
 
-    def _set_positions(self, q: Mapping[str, Any], t: float) -> None:
+    def _set_positions(self, q: Mapping[str, Any], t: float | None) -> None:
         given = entries(q, self.names["q"], "coordinate")
         start = [default for _, _, default in blocks.coordinates(self.system)]
         for joint in self.system.joints:
@@ -157,12 +158,22 @@ class Reference:
         ]
         self.time = self.graph.var("t", 0)
         self.timed = depends(self.graph, nodes, self.time)
-        if not self.timed:
+        # what was simulated holds the constraints as well as it can
+        self.trusted = any(isinstance(x, Placeholder) for x in given.values())
+        if t is None and not self.trusted and not self.timed and self._driven():
+            t = 0.0
+        if t is not None and not self.timed:
             self.values[self.time] = self.graph.const(t)
         self._set("q", nodes)
         self.assembly: Assembly | None = None
-        if self.positions and self._open() > CLOSED:
+        if self.positions and not self.trusted and self._open() > CLOSED:
             self._assemble(given)
+
+    def _driven(self) -> bool:
+        """Whether circuits close differently at every time."""
+        return self.system.closed and depends(
+            self.graph, self.d.constraints.position.nodes, self.time
+        )
 
     @property
     def positions(self) -> int:
@@ -226,8 +237,17 @@ class Reference:
         """X with G[rows, columns] X = right."""
         if not rows:
             return Matrix.zeros(self.graph, 0, right.columns)
-        own = picked(G, rows, columns)
-        return solved(own, right, self.number(own))
+        return self.solve(picked(G, rows, columns), right)
+
+    def solve(self, a: Matrix, b: Matrix) -> Matrix:
+        """X with A X = B: written out, but along a simulated motion by pivots of every moment."""
+        if not self.trusted:
+            return solved(a, b, self.number(a))
+        # in a symmetric system, as kernels solve those of any batch
+        n, none = a.rows, Matrix.zeros(self.graph, a.rows, a.rows)
+        both = Matrix.vstack(Matrix.hstack(none, a.T), Matrix.hstack(a, none))
+        right = Matrix.vstack(Matrix.zeros(self.graph, n, b.columns), b)
+        return solve("symmetric_indefinite", both, right).block(slice(0, n))
 
     # speeds, accelerations, multipliers
 
@@ -238,7 +258,7 @@ class Reference:
             nodes = [n if k in given else rate for k, (n, rate) in enumerate(
                 zip(nodes, self._rates(), strict=True))]  # fmt: skip
         self._set("u", nodes)
-        if self.system.closed:
+        if self.system.closed and not self.trusted:
             rates = self.put(self.d.constraints.rates)
             if np.abs(self.number(rates)).max(initial=0.0) > CLOSED:
                 self._complete("u", rates, given)
@@ -323,7 +343,7 @@ class Reference:
         """Accelerations of the motion that starts there by itself."""
         missing, W = self.put(self.balance), self.W
         mass = W.T @ self.put(self.d.mass_matrix) @ W
-        change = W @ solved(mass, W.T @ missing, self.number(mass))
+        change = W @ self.solve(mass, W.T @ missing)
         for k, leaf in enumerate(self.block("udot")):
             self.values[leaf] = self.graph.sub(self.values[leaf], change.nodes[k])
 
@@ -334,7 +354,7 @@ class Reference:
         if self.rows_w:
             own = picked(self.G, self.rows_w, self.dependent_w).T
             right = picked(self.put(self.balance), self.dependent_w, [0])
-            found = solved(own, right, self.number(own))
+            found = self.solve(own, right)
             for row, node in zip(self.rows_w, found.nodes, strict=True):
                 nodes[row] = node
         self._set("lam", nodes)
