@@ -133,6 +133,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "tour",
             "screen",
             "health",
+            "formulas",
             "reading",
             "running",
             "resting",

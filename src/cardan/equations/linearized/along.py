@@ -1,7 +1,7 @@
 """Linear models along a motion: A, B, C and D over time, and what a small motion grows by.
 
-Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13; S. Blanes,
-F. Casas, J. A. Oteo, J. Ros, Physics Reports 470 (2009), section 5, for the exponentials.
+Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13;
+S. Blanes, F. Casas, J. A. Oteo, J. Ros, Physics Reports 470 (2009), section 5, for exponentials.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from .given import Placeholder
 
 if TYPE_CHECKING:
     from ..record import Equations
+    from .record import Linearized
 
 Array = NDArray[np.float64]
 # of changes of speeds by independent ones: beyond, others must be chosen
@@ -63,7 +64,7 @@ class LinearizedAlong:
             found = self._stepped(parts)
             gap = np.abs(found - last).max(initial=0.0)
             if gap <= 2**ORDER * rtol * np.abs(found).max(initial=0.0):
-                return found + (found - last) / (2**ORDER - 1)
+                return np.asarray(found + (found - last) / (2**ORDER - 1))
             last = found
         raise SolveError(
             f"'{self.name}': small motions are not found to {rtol:g}: A changes too fast between "
@@ -118,7 +119,7 @@ def _exponent(h: Array, first: Array, middle: Array, last: Array) -> Array:
     return one + three / 12 + bracket(-20 * one - three + inner, two + outer) / 240
 
 
-def over(found: Any, t: ArrayLike, values: dict[str, Any]) -> LinearizedAlong:
+def over(found: Linearized, t: ArrayLike, values: dict[str, Any]) -> LinearizedAlong:
     """A :class:`Linearized` at times."""
     times = np.atleast_1d(np.asarray(t, dtype=np.float64))
 
@@ -126,14 +127,15 @@ def over(found: Any, t: ArrayLike, values: dict[str, Any]) -> LinearizedAlong:
         own = found.at({**values, "t": at})
         return {name: np.broadcast_to(x, (len(at), *x.shape[-2:])) for name, x in own.items()}
 
-    names = (found.states, found.inputs, found.outputs)
-    own = {name: x.copy() for name, x in numbers(times).items()}
-    return LinearizedAlong(found.name, times, **own, **_named(names),
-                           _between=lambda at: numbers(at)["A"])  # fmt: skip
+    return _record(found, times, numbers(times), lambda at: numbers(at)["A"])
 
 
-def _named(names: tuple[tuple[str, ...], ...]) -> dict[str, tuple[str, ...]]:
-    return dict(zip(("states", "inputs", "outputs"), names, strict=True))
+def _record(
+    found: Linearized, t: Array, own: dict[str, Array], between: Callable[[Array], Array]
+) -> LinearizedAlong:
+    A, B, C, D = (own[name].copy() for name in "ABCD")
+    names = found.states, found.inputs, found.outputs
+    return LinearizedAlong(found.name, t, A, B, C, D, *names, between)
 
 
 def along(
@@ -171,12 +173,9 @@ def along(
         own = found.at({**parameters, **given, "t": times})
         return {name: np.broadcast_to(x, (len(times), *x.shape[-2:])) for name, x in own.items()}
 
-    own = {name: x.copy() for name, x in numbers(blocks, motion.t).items()}
+    own = numbers(blocks, motion.t)
     _judge(found, own["A"])
-    return LinearizedAlong(
-        found.name, motion.t, **own, **_named((found.states, found.inputs, found.outputs)),
-        _between=_dense(motion, numbers) or _spline(motion.t, own["A"]),
-    )  # fmt: skip
+    return _record(found, motion.t, own, _dense(motion, numbers) or _spline(motion.t, own["A"]))
 
 
 def _refuse_others(equations: Equations, motion: Any) -> None:
@@ -195,7 +194,7 @@ def _refuse_others(equations: Equations, motion: Any) -> None:
         )
 
 
-def _judge(found: Any, A: Array) -> None:
+def _judge(found: Linearized, A: Array) -> None:
     """Independent ones must stay so."""
     if not np.isfinite(A).all() or np.abs(A).max(initial=0.0) > LARGEST * (
         1.0 + float(np.median(np.abs(A).max(axis=(1, 2))))

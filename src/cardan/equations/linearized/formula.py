@@ -58,13 +58,21 @@ def overview(found: Linearized) -> str:
         lines.append(f"  {str(problem).removeprefix('linearize: ')}")
         lines += [line for name in "ABCD" for line in _rows(found, name)]
         return "\n".join(lines)
-    lines.append("  M y'' + (D + G) y' + (K + N) y = B r,  y = " + ", ".join(second.coordinates))
+    return "\n".join([*lines, *rows_of(second)])
+
+
+def rows_of(found: SecondOrder) -> list[str]:
+    """The equations of second order, and every matrix that is not zero."""
+    lines = ["  M y'' + (D + G) y' + (K + N) y = B r,  y = " + ", ".join(found.coordinates)]
     told = (
-        ("M", "M"), ("D", "dissipative"), ("G", "gyroscopic"), ("K", "conservative"),
-        ("N", "circulatory"), ("B", "forces"),
-    )  # fmt: skip
-    lines += [line for letter, name in told for line in _rows(second, name, letter)]
-    return "\n".join(lines)
+        ("M", "M"),
+        ("D", "dissipative"),
+        ("G", "gyroscopic"),
+        ("K", "conservative"),
+        ("N", "circulatory"),
+        ("B", "forces"),
+    )
+    return lines + [line for letter, name in told for line in _rows(found, name, letter)]
 
 
 def _about(found: Linearized) -> str:

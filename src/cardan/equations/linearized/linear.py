@@ -42,9 +42,12 @@ def linearized(
         *(at.names["u"][k] for k in at.w),
         *at.names["z"],
     )
-    return Linearized(
-        equations.system.name, states, made.inputs, made.outputs, route, at, whole, small, made
-    )
+
+    def again(wanted: list[str]) -> Linearized:
+        return linearized(equations, motion, values, inputs, outputs, wanted, route)
+
+    name = equations.system.name
+    return Linearized(name, states, made.inputs, made.outputs, route, at, whole, small, made, again)
 
 
 class Linearizable:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
@@ -69,6 +69,11 @@ class SecondOrder:
     def __repr__(self) -> str:
         return f"SecondOrder({', '.join(self.coordinates)})"
 
+    def __str__(self) -> str:
+        from .formula import rows_of
+
+        return "\n".join(rows_of(self))
+
     def _repr_latex_(self) -> str:
         from .formula import second_order_latex
 
@@ -100,6 +105,7 @@ class Linearized:
     _whole: Whole = field(repr=False)
     _reduced: Reduced = field(repr=False)
     _plant: Plant = field(repr=False)
+    _with: Callable[[list[str]], Linearized] = field(repr=False)
 
     # equations of first order
 
@@ -180,15 +186,22 @@ class Linearized:
         Args:
             coordinates: Names; all that are independent if left out. Those of a rolling wheel
                 that others do not depend on are left out: ``["lean", "steer"]`` of a bicycle.
+                Others than the independent ones become so.
 
         Raises:
-            DerivationError: unknown or dependent names, or others that enter their equations.
+            DerivationError: unknown names, such as depend on each other, or others that enter
+                their equations.
         """
         at = self._reference
         names = self.coordinates if coordinates is None else tuple(coordinates)
         places = [
             at.increments.index(name) if name in at.increments else at.slot(name) for name in names
         ]
+        if coordinates is not None and any(k not in at.y or k not in at.w for k in places):
+            # the same with these as the independent ones, if they can be
+            own = self._with([at.names["u"][k] for k in places])
+            if all(k in own._reference.y and k in own._reference.w for k in places):
+                return own.second_order(names)
         x = second_order(at, self._reduced, places)
         (D, G), (K, N) = parts_of(x.damping), parts_of(x.K)
         own = dict(

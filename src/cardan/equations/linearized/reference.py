@@ -280,8 +280,8 @@ class Reference:
     def _complete(self, letter: str, residual: Matrix, given: Mapping[int, Any]) -> None:
         """Dependent entries changed so that the constraints hold, given ones as they are."""
         weights = np.ones(self.system.nu)
-        weights[list(given)] = WANTED
-        weights[[k for k in self.w if k not in given]] = 0.5 * WANTED
+        weights[list(given)] = WANTED**2
+        weights[[k for k in self.w if k not in given]] = WANTED
         G = self.number(self.G)
         free = independent(G, weights)
         columns = [k for k in range(self.system.nu) if k not in free]

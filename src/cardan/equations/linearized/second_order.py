@@ -45,7 +45,8 @@ def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
     for k in wanted:
         if k not in at.y or k not in at.w:
             raise DerivationError(
-                f"linearize: '{names[k]}' is not independent; ask for it with independent="
+                f"linearize: '{names[k]}' depends on the others, or they on each other: "
+                f"{len(at.w)} speeds are independent, such as {', '.join(names[w] for w in at.w)}"
             )
     own_y, own_w = [at.y.index(k) for k in wanted], [at.w.index(k) for k in wanted]
     other_y = [n for n in range(len(at.y)) if n not in own_y]
