@@ -199,9 +199,9 @@ class Linearized:
         ]
         if coordinates is not None and any(k not in at.y or k not in at.w for k in places):
             # the same with these as the independent ones, if they can be
-            own = self._with([at.names["u"][k] for k in places])
-            if all(k in own._reference.y and k in own._reference.w for k in places):
-                return own.second_order(names)
+            other = self._with([at.names["u"][k] for k in places])
+            if all(k in other._reference.y and k in other._reference.w for k in places):
+                return other.second_order(names)
         x = second_order(at, self._reduced, places)
         (D, G), (K, N) = parts_of(x.damping), parts_of(x.K)
         own = dict(
@@ -280,13 +280,14 @@ class Linearized:
 
     @property
     def operations(self) -> dict[str, int]:
-        """Operations by operator of the matrices of all increments at the reference.
+        """Operations by operator of the matrices of all increments, the reference being known.
 
         These are what was derived: M, damping, stiffness, constraints and what changes them.
         """
         nodes = [x for name in DYNAMIC for x in getattr(self._whole, name).nodes]
-        graph = self._reference.graph
-        return count(graph, live(graph, nodes))
+        graph, known = self._reference.graph, list(self._reference.values.values())
+        before = set(live(graph, known))
+        return count(graph, [x for x in live(graph, nodes) if x not in before])
 
     def __repr__(self) -> str:
         return f"Linearized('{self.name}', {len(self.states)} states, {self.route})"
