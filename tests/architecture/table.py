@@ -39,6 +39,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
+    ("cardan.equations.linearized.written", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
     **{
         ("cardan.runtime.analyzed", f"Analyzed.{method}"): frozenset({f"cardan.analyses.{module}"})
@@ -150,6 +151,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "tour",
             "screen",
             "health",
+            "formulas",
             "reading",
             "running",
             "resting",

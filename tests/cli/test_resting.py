@@ -97,3 +97,16 @@ def test_linearize(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert found["inputs"] == ["torque"]
     assert status("linearize", scene, "--output", "fot") == 1
     assert "Did you mean 'foot'" in capsys.readouterr().err
+
+
+def test_formulas_of_a_linear_model(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("linearize", scene, "--symbolic", "--about", "foot=0") == 0
+    printed = capsys.readouterr().out
+    assert "M y'' + (D + G) y' + (K + N) y = B r,  y = foot" in printed
+    assert "K = [-P*load.frame.position.z + k]" in printed
+    words = ("--symbolic", "--json", "--about", "foot=phi", "--independent", "foot")
+    assert status("linearize", scene, *words) == 0
+    assert json.loads(capsys.readouterr().out)["K"] == [["-P*load.frame.position.z*cos(phi) + k"]]
+    assert status("linearize", scene, "--about", "foot=0") == 1
+    assert "go with --symbolic" in capsys.readouterr().err
+    assert status("linearize", scene, "--symbolic", "--about", "foot=") == 2

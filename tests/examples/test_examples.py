@@ -30,6 +30,7 @@ LEAVES = {
     "18_locking_beams": ("locking.html",),
     "25_identify_arm": ("motion.csv", "fit.png"),
     "19_bring_your_own_equations": ("forward_dynamics.c", "manifest.json"),
+    "20_linear_bicycle": ("matrices.txt",),
 }
 
 

@@ -6,7 +6,7 @@ import argparse
 import json
 from typing import Any
 
-from . import resting, running
+from . import formulas, resting, running
 
 DESCRIPTION = """\
 The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
@@ -20,6 +20,9 @@ examples:
         about the other one; a force along the cart's speed drives, the angle is seen
   cardan linearize bicycle.yaml --u wheel=14
         in steady motion
+  cardan linearize bicycle.yaml --symbolic --about rear_contact.u.x=v \\
+        --independent rear_contact.lean --independent steer
+        M, D, G, K and N as formulas in the speed and the parameters
   cardan linearize trolley.yaml --json > model.json
         A, B, C and D for another program"""
 
@@ -34,9 +37,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--output", metavar="NAME", action="append",
                        help="output, coordinate or speed (default: all outputs)")  # fmt: skip
 
+    formulas.arguments(parser)
+
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, linearize, report."""
+    if formulas.wanted(options):
+        return formulas.show(options)
     scene, model = resting.model(options)
     given = resting.loads(scene, model, options)
     rest = model.equilibrium(**given, u=dict(options.u), check=True)

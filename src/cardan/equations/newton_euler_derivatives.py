@@ -104,7 +104,7 @@ class Derivatives:
         self.acc: Accelerations = accelerations(k, self.along, gravity)
         self.forces: JointForces = joint_forces(k, self.acc, loads)
         self.inertias: list[Inertia] = composites(k)
-        self.flows = _flows(k)
+        self.flows = flows(k)
         self.slots = {(d.block, d.index): n for n, d in enumerate(directions)}
         self.entries: dict[tuple[int, int], int] = {}
 
@@ -275,7 +275,7 @@ class Derivatives:
                     self._add(slot, n, node)
 
 
-def _flows(k: Kinematics) -> list[Flow]:
+def flows(k: Kinematics) -> list[Flow]:
     """Flow of every body with all bodies outboard of it, about its origin in its axes."""
     result = [_flow(k, i) for i in range(len(k.system.bodies))]
     for i in range(len(result) - 1, -1, -1):

@@ -24,6 +24,7 @@ from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
+from .linearized.linear import Linearizable
 from .looped import FOLDED, LOOPED, by_bodies, repeats
 from .pressing import pressed
 from .readable import Readable
@@ -41,7 +42,7 @@ ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", 
 
 
 @dataclass(frozen=True, repr=False)
-class Equations(Readable):
+class Equations(Readable, Linearizable):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Made by :func:`cardan.derive`. Nothing is derived before it is asked for.

@@ -1,0 +1,110 @@
+"""``cardan linearize --symbolic``: the matrices of a linear model as formulas."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from typing import TYPE_CHECKING, Any
+
+from ..errors import DerivationError, ModelError
+from . import reading
+
+if TYPE_CHECKING:
+    from ..equations.record import Equations
+
+# names in an expression, but for functions
+NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*(?!\w|\.\w|\s*\()")
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what formulas take besides."""
+    group = parser.add_argument_group("formulas")
+    group.add_argument("--symbolic", action="store_true",
+                       help="M, D, G, K, N, or A, B, C, D, as formulas; nothing is "
+                       "compiled, nor an equilibrium sought")  # fmt: skip
+    group.add_argument("--about", metavar="NAME=EXPRESSION", type=expression, action="append",
+                       default=[], help="coordinate or speed (joint.u) of the motion about which, "
+                       "with any symbols; with --symbolic")  # fmt: skip
+    group.add_argument("--independent", metavar="NAME", action="append", default=[],
+                       help="coordinate from which others follow, and whose equations are "
+                       "shown; with --symbolic")  # fmt: skip
+
+
+def expression(text: str) -> tuple[str, str]:
+    """The type of ``wheel.u=v/r``."""
+    name, found, value = text.partition("=")
+    if not (found and name.strip() and value.strip()):
+        raise argparse.ArgumentTypeError(f"'{text}' does not read NAME=EXPRESSION")
+    return name.strip(), value.strip()
+
+
+def wanted(options: argparse.Namespace) -> bool:
+    """Whether formulas are asked for.
+
+    Raises:
+        ModelError: options of formulas without ``--symbolic``.
+    """
+    if not options.symbolic and (options.about or options.independent):
+        raise ModelError("--about and --independent go with --symbolic")
+    return bool(options.symbolic)
+
+
+def show(options: argparse.Namespace) -> int:
+    """Load, derive, linearize, print."""
+    from ..equations.absolute.record import Absolute
+    from ..pipeline import derive
+    from .terminal import progress
+
+    scene = reading.read(options)
+    with progress() as show:
+        show("deriving")
+        equations = derive(scene)
+        if isinstance(equations, Absolute):
+            raise ModelError(
+                "--symbolic: there are no formulas of a scene with beams; leave it out"
+            )
+        q, u = _reference(equations, options)
+        found = equations.linearize(
+            {**scene.settings.get("q", {}), **q}, u, inputs=options.input, outputs=options.output,
+            independent=options.independent or None,
+        )  # fmt: skip
+        told = found.second_order(options.independent) if options.independent else found
+        show("simplifying")
+        text = json.dumps(_formulas(found, told), indent=1) if options.json else str(told)
+    print(text)
+    return 0
+
+
+def _reference(
+    equations: Equations, options: argparse.Namespace
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Coordinates and speeds by name."""
+    import sympy
+
+    from ..equations.linearized.given import places_of
+    from ..model.files.expression import parse
+
+    q, u = dict(options.q), dict(options.u)
+    for name, text in options.about:
+        symbols = {word: sympy.Symbol(word) for word in NAME.findall(text) if word != "pi"}
+        value = parse(text, symbols, where=f"--about {name}")
+        (q if places_of(name, equations.coordinates) else u)[name] = value
+    return q, u
+
+
+def _formulas(found: Any, told: Any) -> dict[str, Any]:
+    """Names and matrices as text; null where they are too long to write out."""
+    names = ["A", "B", "C", "D"] if told is found else list(told.matrices.matrices)
+    words = ("states", "inputs", "outputs") if told is found else ("coordinates", "inputs")
+    return {word: list(getattr(told, word)) for word in words} | {
+        name: _matrix(told, name) for name in names
+    }
+
+
+def _matrix(told: Any, name: str) -> list[list[str]] | None:
+    try:
+        matrix = getattr(told, name)
+    except DerivationError:
+        return None
+    return [[str(x) for x in matrix.row(i)] for i in range(matrix.rows)]

@@ -1,0 +1,58 @@
+"""Which increments and speeds are independent."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import DerivationError
+from .pivoting import independent, independent_rows, null_space
+
+Array = NDArray[np.float64]
+WANTED = 1e3  # weight of what the user wants to be independent
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Places of speeds along which increments, and changes of speeds, are independent or not.
+
+    Attributes:
+        y, dependent_y: Increments. rows_y: Rows of G that hold the dependent ones.
+        w, dependent_w, rows_w: The same for speeds.
+    """
+
+    y: list[int]
+    dependent_y: list[int]
+    rows_y: list[int]
+    w: list[int]
+    dependent_w: list[int]
+    rows_w: list[int]
+
+
+def choice(G: Array, positions: int, wanted: Mapping[str, int]) -> Choice:
+    """By pivoting on G (m, nu), whose first rows are of position level, wanted ones first.
+
+    Raises:
+        DerivationError: something wanted cannot be independent.
+    """
+    nu = G.shape[1]
+    weights = np.ones(nu)
+    weights[list(wanted.values())] = WANTED
+    w = independent(G, weights)
+    rolled = weights.copy()
+    rolled[w] = np.maximum(rolled[w], 0.5 * WANTED)
+    held = G[:positions]
+    y = independent(held, rolled)
+    for name, slot in wanted.items():
+        if slot not in w and slot not in y:
+            raise DerivationError(
+                f"linearize: '{name}' cannot be independent besides the others: "
+                f"{null_space(G).shape[1]} speeds are"
+            )
+    other_y, other_w = ([k for k in range(nu) if k not in own] for own in (y, w))
+    return Choice(
+        y, other_y, independent_rows(held[:, other_y]), w, other_w, independent_rows(G[:, other_w])
+    )

@@ -1,0 +1,105 @@
+"""Linear models in text and LaTeX."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ...errors import DerivationError
+from ..formula import of_matrix
+
+if TYPE_CHECKING:
+    from .record import Linearized, SecondOrder
+
+GENERAL = r"\dot x = A x + B r, \quad y = C x + D r"
+
+
+def latex(found: Linearized) -> str:
+    """The equations of second order if there are some, else those of first order."""
+    try:
+        return second_order_latex(found.second_order())
+    except DerivationError:
+        pass
+    try:
+        equations = found._reference.equations
+        A, B, C, D = (of_matrix(equations, getattr(found, name)) for name in "ABCD")
+    except DerivationError:
+        return GENERAL
+    return rf"\dot x = {A} x + {B} r, \quad y = {C} x + {D} r"
+
+
+def second_order_latex(found: SecondOrder) -> str:
+    """M y'' + (D + G) y' + (K + N) y = B r; letters for what is too long."""
+    equations = found.matrices.reference.equations
+    signs = (("M", r"\ddot y"), ("damping", r"\dot y"), ("K", "y"))
+    left = [
+        f"{_matrix(equations, found, name)} {sign}"
+        for name, sign in signs
+        if not found.matrices.matrices[name].is_zero
+    ]
+    right = f"{_matrix(equations, found, 'forces')} r" if found.inputs else "0"
+    return f"{' + '.join(left)} = {right}"
+
+
+def _matrix(equations: Any, found: SecondOrder, name: str) -> str:
+    try:
+        return of_matrix(equations, getattr(found, name))
+    except DerivationError:
+        return {"damping": "(D + G)", "K": "(K + N)", "forces": "B"}.get(name, name)
+
+
+def overview(found: Linearized) -> str:
+    """The model for people: what it is about, its states, its matrices as far as they are short."""
+    lines = [f"'{found.name}' linearized about {_about(found)}"]
+    for word in ("states", "inputs", "outputs"):
+        lines.append(f"  {word:8}{', '.join(getattr(found, word)) or 'none'}")
+    try:
+        second = found.second_order()
+    except DerivationError as problem:
+        lines.append(f"  {str(problem).removeprefix('linearize: ')}")
+        lines += [line for name in "ABCD" for line in _rows(found, name)]
+        return "\n".join(lines)
+    return "\n".join([*lines, *rows_of(second)])
+
+
+def rows_of(found: SecondOrder) -> list[str]:
+    """The equations of second order, and every matrix that is not zero."""
+    lines = ["  M y'' + (D + G) y' + (K + N) y = B r,  y = " + ", ".join(found.coordinates)]
+    told = (
+        ("M", "M"),
+        ("D", "dissipative"),
+        ("G", "gyroscopic"),
+        ("K", "conservative"),
+        ("N", "circulatory"),
+        ("B", "forces"),
+    )
+    return lines + [line for letter, name in told for line in _rows(found, name, letter)]
+
+
+def _about(found: Linearized) -> str:
+    at = found._reference
+    moving = any(at.values[leaf] for leaf in at.block("u"))
+    kind = "a motion" if moving or at.timed else "rest"
+    if not found.needed:
+        return kind
+    forces = ", ".join(f"{_text(value)} along {name}" for name, value in found.needed.items())
+    return f"{kind} that is none by itself; it takes {forces}"
+
+
+def _rows(found: Any, name: str, letter: str = "") -> list[str]:
+    """A matrix row by row; nothing for one of zeros."""
+    try:
+        matrix = getattr(found, name)
+    except DerivationError:
+        return [f"  {letter or name}: too long to write out; symbolic('{name}') or at()"]
+    if not any(matrix):
+        return []
+    head = f"  {letter or name} = "
+    rows = [f"[{', '.join(_text(x) for x in matrix.row(i))}]" for i in range(matrix.rows)]
+    return [(head if n == 0 else " " * len(head)) + row for n, row in enumerate(rows)]
+
+
+def _text(expression: Any) -> str:
+    """An expression with numbers as short as they are."""
+    from sympy import sstr
+
+    return str(sstr(expression, full_prec=False))

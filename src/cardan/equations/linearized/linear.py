@@ -1,0 +1,126 @@
+"""``equations.linearize``: from a reference motion to a linear model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, cast
+
+from ...errors import DerivationError, near
+from ...ir.collector import collector_paused
+from . import differentiated, from_start
+from .first_order import plant
+from .record import Linearized
+from .reduced import reduced
+from .reference import Reference
+
+if TYPE_CHECKING:
+    from ..record import Equations
+    from .along import LinearizedAlong
+
+ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
+
+
+def linearized(
+    equations: Equations,
+    motion: Mapping[str, Any],
+    values: Mapping[str, float] | None,
+    inputs: Iterable[str] | None,
+    outputs: Iterable[str] | None,
+    independent: Iterable[str] | None,
+    route: str,
+) -> Linearized:
+    """See :meth:`cardan.equations.record.Equations.linearize`."""
+    if route not in ROUTES:
+        raise DerivationError(f"linearize: there is no route '{route}'.{near(route, ROUTES)}")
+    with collector_paused():
+        at = Reference(equations, **motion, values=values or {}, wanted=independent)
+        whole = ROUTES[route](at)
+        small = reduced(at, whole)
+        made = plant(at, whole, small, inputs, outputs)
+    states = (
+        *(at.increments[k] for k in at.y),
+        *(at.names["u"][k] for k in at.w),
+        *at.names["z"],
+    )
+
+    def again(wanted: list[str]) -> Linearized:
+        return linearized(equations, motion, values, inputs, outputs, wanted, route)
+
+    name = equations.system.name
+    return Linearized(name, states, made.inputs, made.outputs, route, at, whole, small, made, again)
+
+
+class Linearizable:
+    """Equations that can be linearized."""
+
+    def linearize(
+        self,
+        q: Mapping[str, Any] | None = None,
+        u: Mapping[str, Any] | None = None,
+        *,
+        udot: Mapping[str, Any] | str | None = None,
+        z: Mapping[str, Any] | None = None,
+        r: Mapping[str, Any] | None = None,
+        s: Mapping[str, Any] | None = None,
+        t: float | None = None,
+        values: Mapping[str, float] | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        independent: Iterable[str] | None = None,
+        route: str = "from_start",
+    ) -> Linearized:
+        """The linear model about a reference motion as formulas, constraints eliminated.
+
+        Args:
+            q, u: The reference by name, numbers or SymPy expressions in parameters, ``t`` and other
+                symbols; coordinates left out are initial values, which are assembled where
+                circuits are open, speeds 0 or what follows from the others.
+            udot: Accelerations of the reference by name, 0 if left out; ``"free"``: those of the
+                motion that goes through the state by itself.
+            z, r, s: Internal states, inputs, modes by name; their defaults if left out.
+            t: Time [s] at which forces and motions that depend on it are taken; if left out ``t``
+                stays a symbol, but 0 where it moves circuits.
+            values: Numbers for symbols of the reference, by name.
+            inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
+            outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
+                coordinates if there are none.
+            independent: Coordinates or speeds from which the others are to follow; by default what
+                describes the motions best, as ``model.linearize`` chooses.
+            route: ``"from_start"``: every quantity is its nominal part and a part of first order
+                from the start; ``"differentiated"``: the nonlinear equations are differentiated.
+
+        Raises:
+            DerivationError: unknown names, circuits that stay open, speeds that constraints forbid.
+
+        Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
+        """
+        named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
+        motion = {**named, "udot": udot or {}, "t": t}
+        return linearized(
+            cast("Equations", self), motion, values, inputs, outputs, independent, route
+        )
+
+    def linearize_along(
+        self,
+        motion: Any,
+        *,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        independent: Iterable[str] | None = None,
+    ) -> LinearizedAlong:
+        """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
+
+        Args:
+            motion: A :class:`cardan.Trajectory`, in one mode all along.
+            inputs, outputs, independent: As for :meth:`linearize`; what is independent stays so.
+
+        Returns:
+            Arrays along ``motion.t``; transition matrix and Floquet multipliers.
+
+        Raises:
+            DerivationError: a motion of another system, one whose modes change, or one along which
+                the independent coordinates become dependent.
+        """
+        from .along import along
+
+        return along(cast("Equations", self), motion, inputs, outputs, independent)

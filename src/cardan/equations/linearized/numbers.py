@@ -1,0 +1,58 @@
+"""Numbers for the symbols of a reference motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import DerivationError, near
+from .given import NOMINAL
+from .reference import Reference
+
+Array = NDArray[np.float64]
+
+
+def by_name(at: Reference, given: Mapping[str, Any]) -> dict[str, Array]:
+    """Inputs of Functions at the reference: numbers or arrays by name, the rest by default.
+
+    Raises:
+        DerivationError: an unknown name, or a symbol without a value.
+    """
+    parameters, symbols = at.names["p"], at.symbols.values
+    for name in given:
+        if name != "t" and name not in parameters and name not in symbols:
+            known = (*parameters, *symbols)
+            raise DerivationError(f"linearize: there is no symbol '{name}'.{near(name, known)}")
+    p = [given.get(x.name, x.value) for x in at.system.parameters]
+    own = {name: given.get(name, value) for name, value in symbols.items()}
+    for name, value in own.items():
+        if value is None:
+            raise DerivationError(f"linearize: symbol '{name}' needs a value: {name}=...")
+    # coordinates that were assembled follow whatever else is said
+    followed = [] if at.assembly is None else at.assembly.names
+    if followed and any(name not in ("t", *followed) for name in given):
+        own |= {name: x for name, x in _closed_again(at, p, own).items() if name not in given}
+    values = {"t": [given.get("t", 0.0)], "p": p, NOMINAL: list(own.values())}
+    return {name: stacked(row) for name, row in values.items()}
+
+
+def _closed_again(at: Reference, p: list[Any], own: Mapping[str, Any]) -> dict[str, Any]:
+    """Assembled coordinates at other numbers, state by state."""
+    assert at.assembly is not None
+    table, n = stacked([*p, *own.values()]), len(p)
+    flat = table.reshape(-1, table.shape[-1])
+    found = np.array([at.assembly.at(row[:n], row[n:]) for row in flat])
+    found = found.reshape(*table.shape[:-1], -1)
+    names = at.names["q"]
+    return {name: found[..., names.index(name)] for name in at.assembly.names}
+
+
+def stacked(entries: Sequence[Any]) -> Array:
+    """Numbers or arrays that broadcast as one array (..., n)."""
+    if not entries:
+        return np.zeros(0)
+    arrays = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in entries))
+    return np.stack(arrays, axis=-1)

@@ -1,0 +1,106 @@
+"""What surrounds the equations of motion: kinematics, internal states, outputs, to first order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ...errors import DerivationError
+from ...ir.derivative import forward
+from ...ir.function import live
+from ...ir.matrix import Matrix
+from .. import happening, outputs
+from ..directions import Direction, directions
+from .reference import Reference
+
+Columns = Callable[[Reference, Matrix, Sequence[Direction]], Matrix]
+
+
+def outward(at: Reference, columns: Columns) -> dict[str, Matrix]:
+    """Everything of :class:`whole.Whole` that no dynamics stand in, at the reference."""
+    _refuse_driven(at)
+    wrt = {letter: directions(at.k, letter, at.names) for letter in ("q", "u", "z", "r", "udot")}
+    found = observer(at, wrt["q"])
+    rates = happening.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
+    for name, letter in (("Ze", "q"), ("Zv", "u"), ("Zz", "z"), ("Zr", "r")):
+        found[name] = columns(at, rates, wrt[letter])
+    seen = declared(at)
+    for name, letter in (("ye", "q"), ("yv", "u"), ("yz", "z"), ("yr", "r"), ("ya", "udot")):
+        found[name] = columns(at, seen, wrt[letter])
+    return {name: at.put(x) for name, x in found.items()}
+
+
+def _refuse_driven(at: Reference) -> None:
+    """Inputs that move what constraints hold would be independent increments of their own."""
+    own = at.d.constraints
+    reached = set(live(at.graph, [*own.position.nodes, *own.rates.nodes]))
+    if reached & set(at.block("r")):
+        raise DerivationError(
+            "linearize: inputs prescribe motions inside closed circuits: give these as "
+            "expressions in t, or drive by a force"
+        )
+
+
+def declared(at: Reference) -> Matrix:
+    """The outputs of the scene; accelerations in them are those of the block udot."""
+    udot = Matrix(at.graph, at.system.nu, 1, at.block("udot"))
+    if any(atom.quantity == "acceleration" for atom in at.system.atoms.values()):
+        acc = outputs.system_accelerations(at.d, udot)
+        at.k.acceleration = lambda frame: outputs.acceleration(at.d, acc, frame)
+    nodes = at.k.resolve([o.node for o in at.system.outputs])
+    return Matrix(at.graph, len(nodes), 1, nodes)
+
+
+def observer(at: Reference, along: Sequence[Direction]) -> dict[str, Matrix]:
+    """N, E and its rate: N E = d(qdot) along N less the rate of N, joint by joint."""
+    g, nu, k = at.graph, at.system.nu, at.k
+    nodes = [at.graph.var("q", m) for m in range(at.system.nq)]
+    N = [[d.seeds.get(q, 0) for q in nodes] for d in along]
+    E = [[0] * nu for _ in range(nu)]
+    if not _plain(at):
+        seeds = dict(k.time_seeds)
+        seeds |= dict(zip(at.block("u"), at.block("udot"), strict=True))
+        for n, direction in enumerate(along):
+            change = forward(g, k.rates.nodes, direction.seeds)
+            turned = forward(g, N[n], seeds)
+            left = [g.sub(a, b) for a, b in zip(change, turned, strict=True)]
+            for slot, node in enumerate(_speeds(at, left)):
+                E[slot][n] = node
+    by_rows = Matrix(g, nu, nu, [x for row in E for x in row])
+    return {
+        "N": Matrix(g, nu, len(nodes), [x for row in N for x in row]).T,
+        "E": by_rows,
+        "Edot": _rate(at, by_rows),
+    }
+
+
+def _rate(at: Reference, x: Matrix) -> Matrix:
+    seeds = dict(at.k.time_seeds)
+    seeds |= dict(zip(at.block("u"), at.block("udot"), strict=True))
+    return Matrix(at.graph, x.rows, x.columns, forward(at.graph, x.nodes, seeds))
+
+
+def _plain(at: Reference) -> bool:
+    """Whether speeds are the rates of coordinates, one by one."""
+    return list(at.k.rates.nodes) == at.block("u")
+
+
+def _speeds(at: Reference, rates: list[int]) -> list[int]:
+    """Speeds (nu) that belong to rates of the coordinates."""
+    g, found = at.graph, [0] * at.system.nu
+    for i, joint in enumerate(at.system.joints):
+        if joint.q < 0:
+            continue
+        q = at.k.coordinates[i]
+        own = Matrix(g, q.rows, 1, rates[joint.q : joint.q + q.rows])
+        if not own.is_zero:
+            u = joint.element.speeds_of(q, own, **at.k.data[i])
+            found[joint.u : joint.u + u.rows] = u.nodes
+    if not at.equations.chosen:
+        return found
+    # the joint speeds as the scene knows them, told in those that the user chose
+    slots = at.block("u")
+    total = list[int]()
+    for speed in at.equations.chosen:
+        change = forward(g, [speed.node], dict(zip(slots, found, strict=True)))
+        total += at.k.resolve(change)
+    return total

@@ -1,0 +1,371 @@
+"""The motion about which equations are linearized: positions, speeds, accelerations, multipliers.
+
+What is named stands; dependent coordinates are assembled, dependent speeds, accelerations and the
+multipliers follow from linear systems, as expressions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import DerivationError, near
+from ...ir.derivative import forward
+from ...ir.function import Block, Function, Output
+from ...ir.graph import ONE, ZERO
+from ...ir.interpreter import evaluate
+from ...ir.matrix import Matrix
+from ...ir.solve import solve
+from .. import blocks
+from ..dynamics import Dynamics
+from ..kinematics import Kinematics
+from ..pressing import pressed
+from .assembled import Assembly
+from .choice import WANTED, choice
+from .given import NOMINAL, Placeholder, Symbols, depends, entries, places_of, substituted
+from .pivoting import independent, independent_rows, solved
+
+if TYPE_CHECKING:
+    from ..record import Equations
+
+Array = NDArray[np.float64]
+CLOSED = 1e-9
+TRIED = 0.37  # [s], where expressions in t are looked at
+FREE = "free"
+
+
+class Reference:
+    """A reference motion.
+
+    Args:
+        equations: Of the system.
+        q, u, udot, z, r: By name, as numbers or SymPy expressions; udot may be ``"free"``.
+        t: Time [s]; None: it stays a symbol.
+        s: Modes by name.
+        values: Numbers for the symbols of the reference.
+        wanted: Coordinates or speeds that are to be independent.
+    """
+
+    def __init__(
+        self,
+        equations: Equations,
+        q: Mapping[str, Any],
+        u: Mapping[str, Any],
+        udot: Mapping[str, Any] | str,
+        z: Mapping[str, Any],
+        r: Mapping[str, Any],
+        s: Mapping[str, Any],
+        t: float | None,
+        values: Mapping[str, float],
+        wanted: Iterable[str] | None,
+    ) -> None:
+        self.equations, self.system = equations, equations.system
+        if pressed(self.system):
+            raise DerivationError(
+                f"linearize: the friction of '{pressed(self.system)[0].name}' follows from "
+                "reactions; model.linearize does it in numbers"
+            )
+        self.k = Kinematics(self.system, equations.chosen)
+        self.d = Dynamics(self.k, "kane" if equations.chosen else "composite")
+        self.graph, self.names = self.k.graph, {b.name: b.entries for b in self._blocks}
+        self.values: dict[int, int] = {}
+        self.symbols = Symbols(self.graph, self._known(), values)
+        self._set_constants(z, r, s)
+        self._set_positions(q, t)
+        if self.symbols.unused():
+            raise DerivationError(f"linearize: values: no symbol '{self.symbols.unused()[0]}'")
+        self._choose([] if wanted is None else list(wanted))
+        self._set_speeds(u)
+        self._set_accelerations(udot)
+        self._set_multipliers()
+
+    # blocks and numbers
+
+    @property
+    def _blocks(self) -> list[Block]:
+        return list(self.equations.blocks.values())
+
+    def block(self, letter: str) -> list[int]:
+        """Leaves of a block."""
+        return [self.graph.var(letter, k) for k in range(len(self.names[letter]))]
+
+    def _known(self) -> dict[str, int]:
+        found = {name: self.graph.var("p", k) for k, name in enumerate(self.names["p"])}
+        return {"t": self.graph.var("t", 0)} | found
+
+    def put(self, x: Matrix) -> Matrix:
+        """Expressions at the reference."""
+        return Matrix(self.graph, x.rows, x.columns, substituted(self.graph, x.nodes, self.values))
+
+    def number(self, x: Matrix, p: Array | None = None) -> Array:
+        """Values of expressions at the default parameters; symbols without value have any."""
+        output = Output("x", (x.rows, x.columns), x.nodes)
+        function = Function("x", self.graph, self.inputs, (output,))
+        flat = evaluate(function, self.tried(p))["x"]
+        return np.array([float(v) for v in flat]).reshape(x.rows, x.columns)
+
+    @property
+    def inputs(self) -> tuple[Block, ...]:
+        """What matrices at the reference may read."""
+        names = self.symbols.names
+        own = Block(NOMINAL, names, ("",) * len(names))
+        return (*(b for b in self._blocks if b.name in ("t", "p")), own)
+
+    def tried(self, p: Array | None = None) -> dict[str, Any]:
+        """Values of the inputs at which pivots are chosen and the reference is checked."""
+        rng = np.random.default_rng(5)
+        free = rng.uniform(0.5, 1.5, len(self.symbols.names))
+        own = [
+            x if v is None else v for v, x in zip(self.symbols.values.values(), free, strict=True)
+        ]
+        given = [x.value for x in self.system.parameters] if p is None else p
+        return {"t": [TRIED], "p": given, NOMINAL: own}
+
+    # what is given
+
+    def _set(self, letter: str, nodes: Sequence[int]) -> None:
+        self.values.update(zip(self.block(letter), nodes, strict=True))
+
+    def _set_constants(
+        self, z: Mapping[str, Any], r: Mapping[str, Any], s: Mapping[str, Any]
+    ) -> None:
+        """Internal states, inputs and modes."""
+        start = blocks.defaults(self.system)
+        for letter, given, what in (
+            ("z", z, "internal state"),
+            ("r", r, "input"),
+            ("s", s, "mode"),
+        ):
+            chosen = entries(given, self.names[letter], what)
+            self._set(letter, [
+                self.symbols.node(chosen[k]) if k in chosen else self.graph.const(float(x))
+                for k, x in enumerate(start[letter])
+            ])  # fmt: skip
+
+    def _set_positions(self, q: Mapping[str, Any], t: float | None) -> None:
+        given = entries(q, self.names["q"], "coordinate")
+        start = [default for _, _, default in blocks.coordinates(self.system)]
+        for joint in self.system.joints:
+            if joint.q >= 0 and joint.q0 is not None:
+                start[joint.q : joint.q + len(joint.q0)] = joint.q0
+        nodes = [
+            self.symbols.node(given[k]) if k in given else self.graph.const(float(x))
+            for k, x in enumerate(start)
+        ]
+        self.time = self.graph.var("t", 0)
+        self.timed = depends(self.graph, nodes, self.time)
+        # what was simulated holds the constraints as well as it can
+        self.trusted = any(isinstance(x, Placeholder) for x in given.values())
+        if t is None and not self.trusted and not self.timed and self._driven():
+            t = 0.0
+        if t is not None and not self.timed:
+            self.values[self.time] = self.graph.const(t)
+        self._set("q", nodes)
+        self.assembly: Assembly | None = None
+        if self.positions and not self.trusted and self._open() > CLOSED:
+            self._assemble(given)
+
+    def _driven(self) -> bool:
+        """Whether circuits close differently at every time."""
+        return self.system.closed and depends(
+            self.graph, self.d.constraints.position.nodes, self.time
+        )
+
+    @property
+    def positions(self) -> int:
+        """Constraints of position level."""
+        return self.d.constraints.positions if self.system.closed else 0
+
+    def _open(self) -> float:
+        return float(np.abs(self.number(self.put(self.d.constraints.position))).max(initial=0.0))
+
+    def _assemble(self, given: Mapping[int, Any]) -> None:
+        """Coordinates that are not given become symbols with the values that close the circuits."""
+        if self.timed:
+            raise DerivationError(
+                "linearize: the coordinates do not close the circuits at all times; give those of "
+                "all joints as expressions in t, or a motion that was simulated"
+            )
+        self.assembly = Assembly(self, sorted(given))
+        for k, name in zip(self.assembly.moved, self.assembly.names, strict=True):
+            node = self.symbols.add(name, float(self.assembly.found[k]))
+            self.values[self.graph.var("q", k)] = node
+
+    # independent increments and speeds
+
+    @cached_property
+    def G(self) -> Matrix:
+        """G at the reference (m, nu)."""
+        if not self.system.closed:
+            return Matrix.zeros(self.graph, 0, self.system.nu)
+        return self.put(self.d.constraints.jacobian)
+
+    def _choose(self, wanted: list[str]) -> None:
+        """Which increments and speeds are independent, and which rows of G hold the others."""
+        slots = {name: self.slot(name) for name in wanted}
+        found = choice(self.number(self.G), self.positions, slots)
+        self.y, self.w = found.y, found.w
+        self.dependent_y, self.dependent_w = found.dependent_y, found.dependent_w
+        self.rows_y, self.rows_w = found.rows_y, found.rows_w
+
+    def slot(self, name: str) -> int:
+        """Number of a speed, by its name or that of the coordinate it is the rate of.
+
+        Raises:
+            DerivationError: there is none.
+        """
+        places = places_of(name, self.names["u"])
+        if len(places) != 1:
+            known = (*self.increments, *self.names["u"])
+            raise DerivationError(f"linearize: there is no speed '{name}'.{near(name, known)}")
+        return places[0]
+
+    @cached_property
+    def increments(self) -> tuple[str, ...]:
+        """Name of every increment: the coordinate, or ``along`` a speed that is no rate of one."""
+        rates = {node: k for k, node in enumerate(self.k.rates.nodes)}
+        return tuple(
+            self.names["q"][rates[leaf]] if leaf in rates else f"along {name}"
+            for leaf, name in zip(self.block("u"), self.names["u"], strict=True)
+        )
+
+    def by_dependent(self, G: Matrix, rows: list[int], columns: list[int], right: Matrix) -> Matrix:
+        """X with G[rows, columns] X = right."""
+        if not rows:
+            return Matrix.zeros(self.graph, 0, right.columns)
+        return self.solve(picked(G, rows, columns), right)
+
+    def solve(self, a: Matrix, b: Matrix) -> Matrix:
+        """X with A X = B: written out, but along a simulated motion by pivots of every moment."""
+        if not self.trusted:
+            return solved(a, b, self.number(a))
+        # in a symmetric system, as kernels solve those of any batch
+        n, none = a.rows, Matrix.zeros(self.graph, a.rows, a.rows)
+        both = Matrix.vstack(Matrix.hstack(none, a.T), Matrix.hstack(a, none))
+        right = Matrix.vstack(Matrix.zeros(self.graph, n, b.columns), b)
+        return solve("symmetric_indefinite", both, right).block(slice(0, n))
+
+    # speeds, accelerations, multipliers
+
+    def _set_speeds(self, u: Mapping[str, Any]) -> None:
+        given = entries(u, self.names["u"], "speed")
+        nodes = [self.symbols.node(given[k]) if k in given else ZERO for k in range(self.system.nu)]
+        if self.timed:
+            nodes = [n if k in given else rate for k, (n, rate) in enumerate(
+                zip(nodes, self._rates(), strict=True))]  # fmt: skip
+        self._set("u", nodes)
+        if self.system.closed and not self.trusted:
+            rates = self.put(self.d.constraints.rates)
+            if np.abs(self.number(rates)).max(initial=0.0) > CLOSED:
+                self._complete("u", rates, given)
+
+    def _rates(self) -> list[int]:
+        """Speeds of coordinates that are expressions in t."""
+        if self.equations.chosen:
+            raise DerivationError("linearize: give u for coordinates that depend on t")
+        found = [ZERO] * self.system.nu
+        for i, joint in enumerate(self.system.joints):
+            if joint.q < 0:
+                continue
+            q = self.put(self.k.coordinates[i])
+            qdot = Matrix(self.graph, q.rows, 1, forward(self.graph, q.nodes, {self.time: ONE}))
+            u = joint.element.speeds_of(q, qdot, **self.k.data[i])
+            found[joint.u : joint.u + u.rows] = u.nodes
+        return found
+
+    def _complete(self, letter: str, residual: Matrix, given: Mapping[int, Any]) -> None:
+        """Dependent entries changed so that the constraints hold, given ones as they are."""
+        weights = np.ones(self.system.nu)
+        weights[list(given)] = WANTED**2
+        weights[[k for k in self.w if k not in given]] = WANTED
+        G = self.number(self.G)
+        free = independent(G, weights)
+        columns = [k for k in range(self.system.nu) if k not in free]
+        rows = independent_rows(G[:, columns])
+        over = [self.names["u"][k] for k in given if k in columns]
+        change = self.by_dependent(self.G, rows, columns, picked(residual, rows, [0]))
+        if over and np.abs(self.number(change)[[columns.index(k) for k in given if k in columns]]
+                           ).max() > CLOSED:  # fmt: skip
+            raise DerivationError(
+                f"linearize: the constraints do not allow the given speeds: '{over[0]}' follows "
+                "from the others; leave it out"
+            )
+        for n, k in enumerate(columns):
+            if k not in given:
+                leaf = self.graph.var(letter, k)
+                self.values[leaf] = self.graph.sub(self.values[leaf], change.nodes[n])
+
+    def _set_accelerations(self, udot: Mapping[str, Any] | str) -> None:
+        given = {} if isinstance(udot, str) else entries(udot, self.names["udot"], "acceleration")
+        nodes = forward(self.graph, [self.values[x] for x in self.block("u")], {self.time: ONE})
+        for k, value in given.items():
+            nodes[k] = self.symbols.node(value)
+        self._set("udot", nodes)
+        if self.system.closed:
+            own = self.d.constraints
+            missing = own.jacobian @ Matrix(self.graph, self.system.nu, 1, self.block("udot"))
+            residual = self.put(missing - own.gamma)
+            if np.abs(self.number(residual)).max(initial=0.0) > CLOSED:
+                self._complete("udot", residual, given)
+        if isinstance(udot, str):
+            if udot != FREE:
+                raise DerivationError(f"linearize: udot is by name, or '{FREE}', not '{udot}'")
+            self._set_free()
+
+    @cached_property
+    def W(self) -> Matrix:
+        """Changes of all speeds by the independent ones (nu, nw)."""
+        return self.spread(self.G, self.rows_w, self.dependent_w, self.w)
+
+    def spread(self, G: Matrix, rows: list[int], dependent: list[int], free: list[int]) -> Matrix:
+        """What G x = 0 leaves: all entries by the free ones (nu, n)."""
+        change = self.by_dependent(G, rows, dependent, -picked(G, rows, free))
+        return self.joined(free, dependent, Matrix.identity(self.graph, len(free)), change)
+
+    def joined(self, free: list[int], dependent: list[int], a: Matrix, b: Matrix) -> Matrix:
+        """Rows of free and dependent entries in their places."""
+        place = {k: a.row(n) for n, k in enumerate(free)}
+        place |= {k: b.row(n) for n, k in enumerate(dependent)}
+        nodes = [x for k in range(len(place)) for x in place[k]]
+        return Matrix(self.graph, len(place), a.columns, nodes)
+
+    @cached_property
+    def balance(self) -> Matrix:
+        """M udot + h - f at any state (nu, 1), constraint forces not counted."""
+        udot = Matrix(self.graph, self.system.nu, 1, self.block("udot"))
+        return self.d.inverse(udot)
+
+    def _set_free(self) -> None:
+        """Accelerations of the motion that starts there by itself."""
+        missing, W = self.put(self.balance), self.W
+        mass = W.T @ self.put(self.d.mass_matrix) @ W
+        change = W @ self.solve(mass, W.T @ missing)
+        for k, leaf in enumerate(self.block("udot")):
+            self.values[leaf] = self.graph.sub(self.values[leaf], change.nodes[k])
+
+    def _set_multipliers(self) -> None:
+        """lam by the rows that hold the dependent speeds; redundant ones carry nothing."""
+        m = len(self.names["lam"])
+        nodes = [ZERO] * m
+        if self.rows_w:
+            own = picked(self.G, self.rows_w, self.dependent_w).T
+            right = picked(self.put(self.balance), self.dependent_w, [0])
+            found = self.solve(own, right)
+            for row, node in zip(self.rows_w, found.nodes, strict=True):
+                nodes[row] = node
+        self._set("lam", nodes)
+
+    @cached_property
+    def needed(self) -> Matrix:
+        """Forces along the independent speeds that keep the reference going (nw, 1)."""
+        return self.W.T @ self.put(self.balance)
+
+
+def picked(x: Matrix, rows: Sequence[int], columns: Sequence[int]) -> Matrix:
+    """Chosen rows and columns."""
+    nodes = [x.nodes[i * x.columns + j] for i in rows for j in columns]
+    return Matrix(x.graph, len(rows), len(columns), nodes)
