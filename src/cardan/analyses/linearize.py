@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, listed, near
-from .contract import Contract, Moment, contract_of
+from .contract import Contract, Moment, contract_of, dense
 from .equilibrium import Equilibrium, equilibrium
 from .first_order import FirstOrder, first_order, pushed
 from .linear_model import LinearModel
@@ -62,6 +62,7 @@ def linearize(
     B, driven = _inputs(system, at, found, inputs)
     C, D, told = _outputs(system, at, found, outputs)
     D = D if inputs is None else _columns(system, D, driven)
+    nz = len(system.internals)
     increments = tuple(system.increments[k] for k in found.e)
     states = (*increments, *(system.speeds[k] for k in found.v), *system.internals)
     return LinearModel(
@@ -78,7 +79,11 @@ def linearize(
         mass=_mass(system, at, found),
         x=np.concatenate([at.q, at.u, at.z]),
         acceleration=float(np.abs(_left(system, at, held)).max(initial=0.0)),
+        choice=(found.e, found.v),
+        units=np.concatenate([system.columns[found.e], system.columns[found.v], np.ones(nz)]),
+        along=system.increments,
         increments=found.increments,
+        speeds=found.speeds,
     )
 
 
@@ -176,11 +181,8 @@ def _outputs(
     return C, D, tuple(chosen)
 
 
-def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array | None:
-    """M of the independent increments (n, n); None where rolling takes speeds but no positions."""
+def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array:
+    """M of the independent speeds (nv, nv)."""
     n = len(found.e)
-    if list(found.e) != list(found.v):
-        return None
-    allowed = found.increments[:, :n]
-    M = system.tangents(at).M
-    return np.asarray(allowed.T @ (M @ allowed))
+    moving = found.speeds[:, n : n + len(found.v)]
+    return np.asarray(moving.T @ dense(system.tangents(at).M @ moving))
