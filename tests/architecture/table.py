@@ -55,6 +55,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
             ("statics", "statics"),
             ("linearize", "linearize"),
             ("modes", "modes"),
+            ("trim", "trim"),
             ("partition", "reduced"),
             ("residual", "implicit"),
             ("ensemble", "ensembles"),

@@ -51,6 +51,11 @@ class FirstOrder:
     increments: Array
     speeds: Array
 
+    @property
+    def choice(self) -> Choice:
+        """Which are independent, for others to choose alike."""
+        return self.e, self.v
+
 
 def first_order(
     system: Contract,

@@ -202,9 +202,7 @@ class LinearModel:
         M = self.mass if coordinates is None else 0.5 * (M + M.T)
         rate = rows @ self.A
         inner = M @ left[:, len(self.A) - self.z :]
-        return SecondOrder(
-            self.name, names, M, -M @ by_rate, -M @ by_y, M @ (rate @ self.B), inner
-        )
+        return SecondOrder(self.name, names, M, -M @ by_rate, -M @ by_y, M @ (rate @ self.B), inner)
 
     def _along(self, names: tuple[str, ...]) -> list[int]:
         """Places of increments along speeds."""

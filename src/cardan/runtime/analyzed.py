@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ..analyses.redundancy import Redundancy
     from ..analyses.singular import Singular
     from ..analyses.static_path import StaticPath
+    from ..analyses.steady_motion import SteadyMotion
     from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
@@ -184,6 +185,18 @@ class Analyzed(Described):
         from ..analyses.linearize import linearize
 
         return linearize(self._itself, x, **options)
+
+    def trim(self, wanted: Mapping[str, float] | None = None, **options: Any) -> SteadyMotion:
+        """A steady motion with wanted values, and the inputs, parameters and forces it takes.
+
+        Args:
+            wanted: Coordinates, speeds and outputs by name -> value.
+            options: ``free``, ``q``, ``u``, ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.trim.trim`.
+        """
+        from ..analyses.trim import trim
+
+        return trim(self._itself, wanted, **options)
 
     def modes(self, count: int | None = None, x: Any = None, **options: Any) -> Modes:
         """Frequencies, damping and shapes about an equilibrium or a steady motion.
