@@ -184,8 +184,8 @@ class LinearModel:
         nv = len(self.states) - self.n - self.z
         if coordinates is None and list(self.choice[0]) != list(self.choice[1]):
             raise ModelError(
-                f"'{self.name}' has {self.n} positions for {nv} speeds: rolling has no equations of "
-                "second order of all. Name those that others do not change: "
+                f"'{self.name}' has {self.n} positions for {nv} speeds: rolling has no "
+                "equations of second order of all. Name those that others do not change: "
                 "second_order(['...']); or take A and B"
             )
         names = tuple(self.states[: self.n] if coordinates is None else coordinates)

@@ -43,8 +43,9 @@ def linearize(
 
     Args:
         model: The compiled model.
-        x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays, assembled as runs
-            assemble them. If all are left out the equilibrium next to the initial position.
+        x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays,
+            assembled as runs assemble them. If all are left out the equilibrium next to the initial
+            position.
         inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
         outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
             coordinates if there are none.

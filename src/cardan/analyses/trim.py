@@ -130,7 +130,8 @@ def _moved(
 def _units(J: Array) -> Array:
     """What a unit step changes of every condition."""
     size = np.abs(J).max(axis=1, initial=0.0)
-    return np.where(size > OPEN * size.max(initial=0.0), size, max(size.max(initial=0.0), 1e-300))
+    largest = float(size.max(initial=1e-300))
+    return np.asarray(np.where(size > OPEN * largest, size, largest))
 
 
 def _open(problem: Trimming, guess: Guess) -> Array:
@@ -138,7 +139,7 @@ def _open(problem: Trimming, guess: Guess) -> Array:
     J = problem.matrix(guess)
     _, sizes, V = np.linalg.svd(J / _units(J)[:, None])
     rank = int(np.sum(sizes > OPEN * sizes.max(initial=0.0)))
-    return V[rank:]
+    return np.asarray(V[rank:])
 
 
 def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:

@@ -94,8 +94,10 @@ class Trimming:
         return self._accelerated(replace(at, u=u), np.zeros(len(u)))
 
     def _told(self, start: Mapping[str, Any], name: str) -> bool:
-        places = [read("u", self.system.model, {n: v})[0].tolist() for n, v in start.items()]
-        return self.system.speeds.index(name) in sum(places, [])
+        return self.system.speeds.index(name) in self._places(start)
+
+    def _places(self, start: Mapping[str, Any]) -> list[int]:
+        return [int(k) for k in read("u", self.system.model, start)[0]]
 
     def _mechanism(self, at: Moment) -> Mechanism:
         return self.system._at(at)
@@ -125,7 +127,7 @@ class Trimming:
     @cached_property
     def _named(self) -> list[int]:
         """Speeds that are spoken of."""
-        own = read("u", self.system.model, self.given)[0].tolist()
+        own = self._places(self.given)
         spoken = {*self.wanted, *self.kinds}
         return own + [k for k, name in enumerate(self.system.speeds) if name in spoken]
 
@@ -178,7 +180,7 @@ class Trimming:
         values = dict(zip(system.coordinates, at.q.tolist(), strict=True))
         values |= dict(zip(system.speeds, at.u.tolist(), strict=True))
         if any(name in system.outputs for name in self.wanted):
-            own = system.model.outputs(at.q, at.u, tau=guess.tau, **system._rest(at))
+            own = system.model.outputs(at.q, at.u, **system._rest(at))
             values |= dict(zip(system.outputs, np.ravel(own).tolist(), strict=False))
         return values
 
@@ -250,7 +252,7 @@ class Trimming:
                 found[name] = float(at.r[system.inputs.index(name)])
             elif kind == "parameter":
                 default = system.model.parameters[name]
-                found[name] = float((at.parameters or {}).get(name, default))
+                found[name] = float(np.asarray((at.parameters or {}).get(name, default)))
             elif kind == "force":
                 found[name] = float(guess.tau[self._speed(name)])
             else:
@@ -317,8 +319,7 @@ class Trimming:
 
     def settled(self, name: str) -> bool:
         """Whether a speed has a value that was asked for."""
-        places = read("u", self.system.model, self.given)[0].tolist()
-        return name in {*self.wanted, *self.kinds} or self.system.speeds.index(name) in places
+        return name in {*self.wanted, *self.kinds} or self._told(self.given, name)
 
     def resting(self, name: str) -> Trimming:
         """The same with a speed that is 0."""
@@ -378,7 +379,7 @@ def asked(
     for name, value in aims.items():
         if name not in known:
             raise ModelError(
-                f"trim: there is no coordinate, speed or output '{name}' to want.{near(name, known)}"
+                f"trim: '{name}' is no coordinate, speed or output to want.{near(name, known)}"
             )
         if not np.isfinite(value):
             raise SolveError(f"trim: '{name}' is wanted at {value!r}; it must be finite")
