@@ -18,8 +18,9 @@ from .spectrum import Spectrum, spectrum
 Array = NDArray[np.float64]
 RESTS = 1e-9  # accelerations below this are none
 SHOWN = 10
+POINTS = 600  # of a plot
 ROUNDED = 1e-13  # real parts below this part of the modulus are printed as 0
-GROWING = 1e-7  # real parts, over the largest modulus, that are more than rounding
+DRIFTING = 1e-7  # real parts, over the largest modulus, that are rounding where none decays
 CLOSED = 1e-9  # of what accelerates coordinates: parts that others have in it
 SINGULAR = 1e13  # condition of the mobility of coordinates that depend on each other
 
@@ -107,16 +108,13 @@ class LinearModel:
     @property
     def stable(self) -> bool:
         """Whether no small motion grows exponentially."""
-        values = self.eigenvalues
-        size = float(np.abs(values).max(initial=0.0))
-        return bool(values.real.max(initial=0.0) <= GROWING * size)
+        return not self.spectrum.growing.any()
 
     @property
     def drifts(self) -> bool:
         """Whether some small motion grows with time, as one at constant speed does."""
-        values, defective = self.eigenvalues, self.spectrum.defective
-        size = float(np.abs(values).max(initial=0.0))
-        return bool(np.any(defective & (values.real >= -GROWING * size)))
+        found = self.spectrum
+        return bool(np.any(found.defective & (found.values.real >= -DRIFTING * found.size)))
 
     @property
     def M(self) -> Array:
@@ -231,6 +229,55 @@ class LinearModel:
         s = 1j * np.asarray(omega, dtype=np.float64)[..., None, None]
         inner = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(np.complex128))
         return np.asarray(self.C @ inner + self.D)
+
+    def plot(
+        self,
+        path: Any = None,
+        omega: ArrayLike | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+    ) -> Any:
+        """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
+
+        Args:
+            path: Picture file, or None.
+            omega: Angular frequencies (n,) [rad/s]; a decade around the eigenvalues if left out.
+            inputs, outputs: Of which; all if left out.
+
+        Raises:
+            ModelError: unknown names, nothing to draw, or a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ..view.loci import plot_response
+
+        chosen = [
+            list(known) if names is None else listed(word, names, known[0] if known else "tip")
+            for word, names, known in (
+                ("inputs", inputs, self.inputs),
+                ("outputs", outputs, self.outputs),
+            )
+        ]
+        for names, known in zip(chosen, (self.inputs, self.outputs), strict=True):
+            missing = next((name for name in names if name not in known), None)
+            if missing is not None or not names:
+                raise ModelError(
+                    f"plot: no such input or output: '{missing or ''}'.{near(missing or '', known)}"
+                )
+        over = self._around() if omega is None else np.asarray(omega, dtype=np.float64)
+        response = self.frequency_response(over)
+        curves = {
+            f"{y} by {r}": response[:, self.outputs.index(y), self.inputs.index(r)]
+            for y in chosen[1]
+            for r in chosen[0]
+        }
+        return plot_response(self.name, over, curves, path)
+
+    def _around(self) -> Array:
+        """Angular frequencies a decade around what moves (n,)."""
+        sizes = np.abs(self.eigenvalues)
+        moving = sizes[sizes > DRIFTING * sizes.max(initial=0.0)]
+        low, high = (float(moving.min()), float(moving.max())) if len(moving) else (1.0, 1.0)
+        return np.geomspace(low / 10, high * 10, POINTS)
 
     def to_control(self) -> Any:
         """The same as ``control.StateSpace`` with names.

@@ -20,9 +20,9 @@ Complex = NDArray[np.complex128]
 # entries below this part of the largest are rounding: what nothing depends on is told apart exactly
 ROUNDED = 4e-15
 ALIKE = 1e-9  # of the largest modulus: eigenvalues that meet
-# left against right vectors: of their products entry by entry, which do not know units; and of
-# both, for values of this part of the largest that rounding has parted
-DEFECTIVE = 1e-6
+DEFECTIVE = 1e-6  # cosines between left and right vectors of values without vectors of their own
+KNOWN = 1e-10  # of the largest modulus: what states that were searched for leave of matrices
+NONE = 1e-13  # of the largest entry of a vector: entries that are none
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +35,8 @@ class Spectrum:
         left: wᴴ A = value wᴴ, columns (n, n), with wᴴ v = 1; NaN where defective.
         defective: Which of them have no vectors of their own (n,).
         groups: Places of eigenvalues that meet, of one each where they do not.
+        rounding: How far eigenvalues may be off (n,) where matrices are known to :data:`KNOWN`:
+            much where they are nearly defective.
     """
 
     values: Complex
@@ -42,6 +44,12 @@ class Spectrum:
     left: Complex
     defective: NDArray[np.bool_]
     groups: tuple[NDArray[np.intp], ...]
+    rounding: Array
+
+    @property
+    def growing(self) -> NDArray[np.bool_]:
+        """Which motions grow exponentially (n,), beyond all rounding."""
+        return np.asarray(self.values.real > self.rounding)
 
     @property
     def size(self) -> float:
@@ -74,7 +82,7 @@ def spectrum(A: Array, units: Array) -> Spectrum:
     n = len(A)
     if n == 0:
         none = np.zeros((0, 0), dtype=np.complex128)
-        return Spectrum(none.diagonal(), none, none, np.zeros(0, dtype=bool), ())
+        return Spectrum(none.diagonal(), none, none, np.zeros(0, bool), (), np.zeros(0))
     scaled = A * units / units[:, None]
     least = ROUNDED * float(np.abs(scaled).max())
     balanced, scaling = matrix_balance(np.where(np.abs(scaled) > least, scaled, 0.0), permute=False)
@@ -83,16 +91,18 @@ def spectrum(A: Array, units: Array) -> Spectrum:
     order = _order(values)
     values, left, right = values[order], left[:, order], right[:, order]
     groups = _groups(values)
-    defective = _alone(values, left, right)
+    cosines = _cosines(left, right)
+    defective = cosines < DEFECTIVE
     for group in groups:
         if len(group) > 1:
             left, defective = _paired(left, right, group, defective)
     weight = np.einsum("ik,ik->k", left.conj(), right)
     left = np.where(defective, np.nan, left / np.where(defective, 1.0, weight.conj()))
+    off = KNOWN * float(np.abs(values).max()) / np.maximum(cosines, 1e-300)
     # back to the units of the matrix, the largest entry of a right vector 1
     right, left = right * units[:, None], left / units[:, None]
     top = np.take_along_axis(right, np.abs(right).argmax(axis=0)[None], axis=0)
-    return Spectrum(values, right / top, left * top.conj(), defective, groups)
+    return Spectrum(values, right / top, left * top.conj(), defective, groups, off)
 
 
 def _order(values: Complex) -> NDArray[np.intp]:
@@ -111,12 +121,19 @@ def _groups(values: Complex) -> tuple[NDArray[np.intp], ...]:
     return tuple(found)
 
 
-def _alone(values: Complex, left: Complex, right: Complex) -> NDArray[np.bool_]:
-    """Where left and right vectors are perpendicular, as those of defective values are."""
+def _cosines(left: Complex, right: Complex) -> Array:
+    """Between left and right vectors (n,), where both are something.
+
+    What a motion drives without being driven, as position by speed, disturbs no eigenvalue.
+    """
+    sizes = np.abs(left), np.abs(right)
+    some = [x > NONE * x.max(axis=0) for x in sizes]
+    lengths = [
+        np.linalg.norm(x * other, axis=0) for x, other in zip(sizes, some[::-1], strict=True)
+    ]
     inner = np.abs(np.einsum("ik,ik->k", left.conj(), right))
-    parts = np.einsum("ik,ik->k", np.abs(left), np.abs(right))
-    still = np.abs(values) <= DEFECTIVE * float(np.abs(values).max())
-    return np.asarray((inner <= DEFECTIVE * parts) | (still & (inner < DEFECTIVE)))
+    product = lengths[0] * lengths[1]
+    return np.asarray(np.divide(inner, product, out=np.zeros(len(inner)), where=product > 1e-300))
 
 
 def _paired(

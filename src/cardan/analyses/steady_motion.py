@@ -39,6 +39,7 @@ class SteadyMotion:
         iterations: Linear systems solved.
         converged: Whether it is one.
         message: The same as a sentence.
+        asked: As ``trim`` takes it, beginning here: to find it anew.
         at, tau, choice: For analyses that go on from here.
     """
 
@@ -52,6 +53,7 @@ class SteadyMotion:
     iterations: int
     converged: bool
     message: str
+    asked: Mapping[str, Any] = field(repr=False)
     at: Moment = field(repr=False)
     tau: Array = field(repr=False)
     choice: Choice = field(repr=False)

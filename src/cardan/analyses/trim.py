@@ -97,7 +97,7 @@ def _search(problem: Trimming, guess: Guess) -> tuple[Guess, int, bool]:
     for k in range(1, NEWTON + 1):
         J, miss = problem.matrix(guess), problem.miss(guess)
         unit = _units(J)
-        step = -np.linalg.lstsq(J / unit[:, None], miss / unit, rcond=OPEN)[0]
+        step = np.asarray(-np.linalg.lstsq(J / unit[:, None], miss / unit, rcond=OPEN)[0], float)
         size = float(np.abs(step).max(initial=0.0))
         share = min(1.0, reach / max(size, 1e-300))
         met = bool(np.all(np.abs(miss) <= MET * unit))
@@ -183,7 +183,22 @@ def _record(
         iterations=spent,
         converged=not message,
         message=message or kind,
+        asked=_anew(problem, guess, wanted),
         at=at,
         tau=guess.tau,
         choice=problem.first(guess).choice,
     )
+
+
+def _anew(problem: Trimming, guess: Guess, wanted: Mapping[str, float]) -> dict[str, Any]:
+    """How the same is asked for, beginning where it was found."""
+    system, values = problem.system, problem.values(guess)
+    speeds = {name: value for name, value in values.items() if name in system.speeds}
+    return {
+        "wanted": {name: float(value) for name, value in wanted.items()},
+        "free": list(problem.kinds),
+        "q": guess.at.q,
+        "u": {**problem.given, **speeds},
+        "inputs": dict(zip(system.inputs, guess.at.r.tolist(), strict=True)),
+        "t": guess.at.t,
+    }

@@ -387,13 +387,22 @@ def asked(
     both = next((name for name in kinds if name in aims), None)
     if both is not None:
         raise ModelError(f"trim: '{both}' is wanted and free: leave one out")
-    start = named("u", u, "'spin': 30")
-    read("u", system.model, start)
+    start = by_entry(system.model, named("u", u, "'spin': 30"))
     base = dict(named("parameters", parameters, "'mass': 2"))
     system.changed(base)
     if not np.isfinite(t):
         raise SolveError(f"t={t!r}: it must be finite")
     return Trimming(system, aims, kinds, start, base, system.given_inputs(inputs), float(t))
+
+
+def by_entry(model: Any, given: Mapping[str, Any]) -> dict[str, float]:
+    """Speeds by their own names, of joints and speeds with values.
+
+    Raises:
+        ModelError, ArgumentError, SolveError: unknown names, values of a wrong shape, not finite.
+    """
+    places, values = read("u", model, given)
+    return {model.speeds[k]: float(x) for k, x in zip(places, values, strict=True)}
 
 
 def _kind(system: Relative, name: str) -> str:
