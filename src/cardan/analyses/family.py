@@ -23,7 +23,7 @@ from .linearize import linearize
 from .loading import TIME
 from .spectrum import Spectrum, spectrum
 from .trim import trim
-from .trim_problem import by_entry
+from .trim_asked import by_entry
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

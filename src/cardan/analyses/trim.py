@@ -23,7 +23,8 @@ from ..errors import ModelError, SolveError, SolveWarning
 from .contract import contract_of
 from .relative import Relative
 from .steady_motion import SteadyMotion
-from .trim_problem import Guess, Trimming, asked
+from .trim_asked import asked
+from .trim_problem import Guess, Trimming
 
 Array = NDArray[np.float64]
 TIGHT = 1e-11  # steps without units that end the search

@@ -12,6 +12,7 @@ from .plot import CURVES, MARKS, done, empty
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+ROUNDED = 1e-10  # of the largest eigenvalue: real parts that are none
 ROUND = 0.1  # whirl beyond this goes round
 
 
@@ -33,6 +34,9 @@ def plot_locus(
     grid = figure.add_gridspec(2, 2)
     plane = figure.add_subplot(grid[:, 0])
     parts = figure.add_subplot(grid[0, 1]), figure.add_subplot(grid[1, 1])
+    # rounding would fill an axis on which nothing else is
+    least = ROUNDED * float(np.abs(values).max(initial=0.0))
+    values = np.where(np.abs(values.real) > least, values, 1j * values.imag)
     for column in values.T:
         (line,) = plane.plot(column.real, column.imag, "-", linewidth=1.0)
         plane.plot(column.real[0], column.imag[0], "o", color=line.get_color(), markersize=4)
@@ -89,6 +93,9 @@ def plot_campbell(
     top = float(np.nanmax(frequencies, initial=0.0)) * 1.05
     for order, places in critical.items():
         axis.plot(speed, order * np.abs(speed), "--", color="black", linewidth=0.8)
+        end = min(float(np.abs(speed).max()), 0.98 * top / order)
+        side = -end if np.abs(speed.min()) > np.abs(speed.max()) else end
+        axis.annotate(f"{order}x", (side, order * end), ha="right", va="bottom")
         axis.plot(places, order * np.abs(places), "o", color="black", fillstyle="none")
     axis.set(xlabel=f"{label} [rad/s]", ylabel="frequency [rad/s]", ylim=(0, top or 1.0))
     axis.grid(alpha=0.3)
