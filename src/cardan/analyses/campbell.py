@@ -3,8 +3,8 @@
 A motion whirls forward where points go round as the rotor turns: of a complex displacement d with
 components x, y across the axis, |x + i y| is the part that goes forward and |x - i y| that which
 goes backward. Displacements and tilts of the bodies that spin count. Where coordinates turn along
-with the rotor, a forward whirl at w is one at w + speed seen from the ground, a backward one at
-|w - speed|.
+with the rotor, a forward whirl at w is one at speed + w seen from the ground, a backward one at
+speed - w: forward where that is positive.
 
 Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
 """
@@ -43,7 +43,7 @@ class Campbell:
         label: As it was given.
         turning: Whether coordinates turn along; frequencies are as seen from the ground.
         frequencies: (n, k) [rad/s], a column for every motion; NaN where it does not oscillate.
-        whirl: From -1, backward, over 0, along a line, to 1, forward (n, k).
+        whirl: As seen from there (n, k): from -1, backward, over 0, along a line, to 1, forward.
     """
 
     locus: Locus
@@ -215,8 +215,10 @@ def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[
         return (np.nan, 0.0) if not diagram.turning else (abs(speed), 0.0)
     shape = member.spectrum.right[:, place]
     way = _whirl(member, shape if value.imag > 0 else shape.conj(), *diagram.rotor)
-    frequency = abs(value.imag)
-    return (abs(frequency + np.sign(way) * abs(speed)) if diagram.turning else frequency), way
+    if not diagram.turning:
+        return abs(value.imag), way
+    seen = abs(value.imag) * np.sign(way) + abs(speed)
+    return abs(seen), float(abs(way) * np.sign(seen))
 
 
 def _rotor(member: Member) -> tuple[Array, tuple[str, ...]]:

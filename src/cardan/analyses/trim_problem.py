@@ -21,6 +21,7 @@ from .searches import search_from
 Array = NDArray[np.float64]
 FORCE = ".force"
 NAMED, LEADING = 1e6, 1e3  # preference of speeds that are spoken of, and of the others
+SLOW = 1e-4  # of the speed of vibrations by a unit: speeds below which nothing is seen to change
 STEP = 1e-5  # of central differences by what is free: their error of 1e-10 slows no search
 
 
@@ -308,7 +309,10 @@ class Trimming:
         along = own.along[found.v] / system.columns[found.v][:, None]
         by_u = own.by_u[found.v] / system.columns[found.v][:, None]
         jerk = along @ at.u + by_u @ at.udot
-        scale = np.abs(along).max(initial=0.0) * np.abs(at.u).max(initial=0.0)
+        stiff = float(np.abs(along).max(initial=0.0))
+        # below this speeds are rounding, against those of vibrations
+        moving = max(float(np.abs(at.u).max(initial=0.0)), SLOW * stiff**0.5)
+        scale = stiff * moving
         scale += np.abs(by_u).max(initial=0.0) * np.abs(at.udot).max(initial=0.0)
         if np.abs(jerk).max(initial=0.0) <= tolerance * scale:
             return ""
