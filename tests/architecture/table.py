@@ -143,6 +143,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "running",
             "resting",
             "varying",
+            "wanting",
             "report_page",
             "sheet",
             "sheet_page",

@@ -25,6 +25,7 @@ WORKING = {
     "statics": (ARM, "--sweep", "gravity.z=-1,-9.81"),
     "modes": (ARM,),
     "linearize": (ARM,),
+    "trim": (ARM, "--want", "elbow=0.5", "--free", "elbow.force"),
     "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),

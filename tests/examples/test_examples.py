@@ -28,6 +28,7 @@ LEAVES = {
     "16_spin_up_blade": ("spin_up.html",),
     "17_flexible_pendulum": ("pendulum.html", "example.c", "tables.h"),
     "18_locking_beams": ("locking.html",),
+    "21_campbell": ("campbell.png", "locus.png"),
 }
 
 

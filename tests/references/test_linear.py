@@ -93,7 +93,9 @@ def satellite(kind: str) -> cd.Model:
     """x flies ahead, z points down, y is against the orbit's normal; orbit rate 1."""
     scene = cd.Model("satellite", gravity=(0, 0, 0))
     orbit = scene.body("orbit", mass=0, inertia=(0, 0, 0))
-    inertia = [scene.parameter(f"I{axis}", value) for axis, value in zip("xyz", INERTIAS[0])]
+    inertia = [
+        scene.parameter(f"I{axis}", value) for axis, value in zip("xyz", INERTIAS[0], strict=True)
+    ]
     body = scene.body("body", mass=1.0, inertia=inertia)
     scene.joint("circle", cd.Revolute("y"), scene.ground, orbit, motion=-cd.t)
     scene.joint("attitude", cd.Spherical(rotation="XYZ"), orbit.at(0, 0, -1), body)
