@@ -179,6 +179,32 @@ def test_damping_inside_a_shaft(turning: bool) -> None:
     assert found.values[-1, forward].real > 0
 
 
+@pytest.mark.slow
+def test_shaft_of_a_beam() -> None:
+    EI, length, m, across, along = 100.0, 1.0, 2.0, 0.02, 0.035
+    section = cd.section.general(EA=1e7, GA=1e10, GJ=1e3, EI=EI, rhoA=1e-6, rhoI=1e-12)
+    scene = cd.Model("shaft", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
+    scene.joint("drive", cd.Revolute("z"), scene.ground, hub)
+    beam = scene.beam("shaft", hub, (0, 0, length), section, elements=1)
+    # x of the beam's end goes along it
+    disk = scene.body("disk", mass=m, inertia=(along, across, across))
+    scene.joint("keyed", cd.Fixed(), beam.end, disk)
+    found = cd.compile(scene).campbell(drive=(0, 60), hold={"drive": 0}, count=4)
+    assert found.turning
+    K = EI * np.array([[12 / length**3, -6 / length**2], [-6 / length**2, 4 / length]])
+    M = np.diag([m, across])
+    for speed, row, whirl in zip(found.speed, found.frequencies, found.whirl, strict=True):
+        # w^2 M z = K z + w W G z of complex displacement and slope, seen from the ground
+        G = np.diag([0, along * speed])
+        below = np.hstack([np.linalg.solve(M, K), np.linalg.solve(M, G)])
+        for way in np.linalg.eigvals(np.vstack([np.eye(2, 4, 2), below])).real:
+            nearest = int(np.abs(row - abs(way)).argmin())
+            assert row[nearest] == pytest.approx(abs(way), rel=3e-6)
+            if speed:
+                assert whirl[nearest] == pytest.approx(np.sign(way), abs=1e-3)
+
+
 def test_pictures(bar: cd.CompiledModel, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     bar.root_locus(P=(0, 3), count=5).plot(tmp_path / "locus.png")

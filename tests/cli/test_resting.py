@@ -127,6 +127,9 @@ def test_families(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert change == pytest.approx([0, 0.5 / np.sqrt(2 * 0.35)], abs=1e-9)
     assert status("linearize", scene, "--want", "foot=0.3", "--free", "torque") == 0
     assert "frequency" in capsys.readouterr().out
+    assert status("linearize", scene, "--vary", "foot=0,30", "--campbell", "--json") == 0
+    # a bar turned past its spring is no rotor: nothing else moves
+    assert json.loads(capsys.readouterr().out)["critical"] == []
     assert status("linearize", scene, "--campbell") == 1
     assert "say what changes" in capsys.readouterr().err
     assert status("linearize", scene, "--vary", "P=normal(0, 1)") == 1

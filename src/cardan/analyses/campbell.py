@@ -4,7 +4,8 @@ A motion whirls forward where points go round as the rotor turns: of a complex d
 components x, y across the axis, |x + i y| is the part that goes forward and |x - i y| that which
 goes backward. Displacements and tilts of the bodies that spin count. Where coordinates turn along
 with the rotor, a forward whirl at w is one at speed + w seen from the ground, a backward one at
-speed - w: forward where that is positive.
+speed - w: forward where that is positive. What does not go round, such as the vibration of a blade,
+has no one frequency there: it keeps that of the axes that turn along.
 
 Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
 """
@@ -29,6 +30,7 @@ from .stability_change import follow
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
+ROUND = 0.1  # whirl of motions that go round
 SHOWN = 8
 
 
@@ -215,7 +217,7 @@ def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[
         return (np.nan, 0.0) if not diagram.turning else (abs(speed), 0.0)
     shape = member.spectrum.right[:, place]
     way = _whirl(member, shape if value.imag > 0 else shape.conj(), *diagram.rotor)
-    if not diagram.turning:
+    if not diagram.turning or abs(way) < ROUND:
         return abs(value.imag), way
     seen = abs(value.imag) * np.sign(way) + abs(speed)
     return abs(seen), float(abs(way) * np.sign(seen))

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, SolveError, SolveWarning
 from .contract import contract_of
+from .equilibrium import equilibrium
 from .relative import Relative
 from .steady_motion import SteadyMotion
 from .trim_asked import asked
@@ -75,6 +76,24 @@ def trim(
             "model.equilibrium(u={'...': speed}, hold={'...': 0}) tells the force in holding"
         )
     problem = asked(system, wanted, free, u, inputs, parameters, t)
+    problem, guess, spent, met, moving = _from(problem, q)
+    if not met and (beside := _resting(model, problem, q)) is not None:
+        # forces of what is wanted lead further than the first guess of what is free
+        other = _from(problem, beside)
+        if other[3]:
+            problem, guess, spent, met, moving = other
+    message = _said(problem, guess, met, moving)
+    found = _record(problem, guess, spent, message, wanted or {})
+    if not found.converged:
+        if check:
+            raise SolveError(found.message)
+        warnings.warn(found.message, SolveWarning, stacklevel=3)
+    return found
+
+
+def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
+    """The search from a position: the problem it ended with, where, after how many steps, whether
+    conditions hold, and the speed with which accelerations change; "" if none do."""
     for _ in range(AGAIN):
         guess = problem.begin(q)
         problem = problem.searching(guess)
@@ -83,13 +102,24 @@ def trim(
         if not moving or problem.settled(moving):
             break
         problem = problem.resting(moving)
-    message = _said(problem, guess, met, moving)
-    found = _record(problem, guess, spent, message, wanted or {})
-    if not found.converged:
-        if check:
-            raise SolveError(found.message)
-        warnings.warn(found.message, SolveWarning, stacklevel=3)
-    return found
+    return problem, guess, spent, met, moving
+
+
+def _resting(model: Any, problem: Trimming, q: Any) -> Array | None:
+    """The position in which forces hold wanted coordinates; None where there is none."""
+    places = problem.system.speeds
+    held = {name: value for name, value in problem.wanted.items() if f"{name}.u" in places}
+    inputs = dict(zip(problem.system.inputs, problem.r.tolist(), strict=True))
+    given: dict[str, Any] = {"hold": held, "inputs": inputs, "parameters": dict(problem.base)}
+    if problem.given:
+        given["u"] = dict(problem.given)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SolveWarning)
+            found = equilibrium(model, q=q, t=problem.t, **given)
+    except (ModelError, SolveError):
+        return None
+    return found.q if found.converged else None
 
 
 def _search(problem: Trimming, guess: Guess) -> tuple[Guess, int, bool]:
