@@ -25,7 +25,6 @@ from scipy.optimize import brentq
 from ..errors import ModelError, SolveWarning
 from .family import Member, family
 from .locus import END, Locus, locus
-from .stability_change import follow
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -89,20 +88,18 @@ class Campbell:
 
     def _between(self, i: int, k: int, order: int) -> float:
         """A critical speed between two rows."""
-        members, low = self.locus.family, self.locus.members[i]
-        value = self.values[i, k]
-        start = int(np.abs(low.values - value).argmin())
+        members = self.locus.family
+        low, high = (self.locus.members[j].s for j in (i, i + 1))
 
         def off(s: float) -> float:
-            member = members.at(s, low)
-            place = follow(low, member)[0][start]
+            # the motion is the one next to the line between the rows
+            share = (s - low) / (high - low)
+            value = (1 - share) * self.values[i, k] + share * self.values[i + 1, k]
+            member = members.at(s, self.locus.members[i])
             speed = members.told(s)[self.label]
-            return _seen(self, member, int(place), speed)[0] - order * abs(speed)
+            return _seen(self, member, _place(member, value), speed)[0] - order * abs(speed)
 
-        ends = low.s, self.locus.members[i + 1].s
-        if off(ends[0]) * off(ends[1]) > 0:
-            return float(np.mean(self.speed[i : i + 2]))
-        s = brentq(off, *ends, xtol=1e-14, rtol=1e-14) if off(ends[1]) != 0 else ends[1]
+        s = brentq(off, low, high, xtol=1e-14, rtol=1e-14)
         return members.told(float(s))[self.label]
 
     @cached_property
@@ -226,12 +223,13 @@ def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[
 def _rotor(member: Member) -> tuple[Array, tuple[str, ...]]:
     """Direction (3,) about which the fastest body turns, and those that turn like it."""
     state, turning = member.state, dict[str, Array]()
-    for body in state.model.bodies:
+    known = "frame_jacobian" not in state.model.manifest.get("absent", ())
+    for body in state.model.bodies if known else ():
         J = state.model.frame_jacobian(body, state.q, **_rest(member))
         turning[body] = J[:3] @ state.u
     speeds = {body: float(np.linalg.norm(omega)) for body, omega in turning.items()}
-    fastest = max(speeds, key=lambda body: speeds[body])
-    if speeds[fastest] == 0:
+    fastest = max(speeds, key=lambda body: speeds[body], default="")
+    if not speeds.get(fastest):
         return np.array([0.0, 0.0, 1.0]), tuple(turning)
     spinning = tuple(body for body, speed in speeds.items() if speed > 0.5 * speeds[fastest])
     return turning[fastest] / speeds[fastest], spinning
