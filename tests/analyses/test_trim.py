@@ -36,6 +36,10 @@ def test_circles_of_a_coin(coin: cd.CompiledModel, case: dict[str, float]) -> No
     assert found.converged
     assert found["rolls.u.spin"] == pytest.approx(case["spin_rel"], rel=1e-12)
     assert found.linear.acceleration < 1e-12
+    # modes are those of the same first-order equations, not of the turning of the contact
+    slow = found.model.modes(x=found).values
+    growth = found.linear.eigenvalues
+    assert np.abs(growth[:, None] - slow[np.abs(slow) > 1e-6]).min(axis=0).max() < 1e-9
     # the other way round: which lean belongs to these rates
     rates = {"rolls.u.spin": case["spin_rel"], "rolls.u.yaw": case["W"]}
     other = coin.trim(rates, q={"rolls.lean": lean + 0.1})
