@@ -47,6 +47,7 @@ def test_circles_of_a_coin(coin: cd.CompiledModel, case: dict[str, float]) -> No
     assert set(found.loose) == {"rolls.x", "rolls.y", "rolls.yaw", "rolls.spin"}
 
 
+@pytest.mark.slow
 def test_stability_of_circles_by_a_run(coin: cd.CompiledModel) -> None:
     case = COIN["reference"]["cases"][2]
     lean = math.pi / 2 - math.radians(case["axis_incl_deg"])

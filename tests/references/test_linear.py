@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from spread import some
 
 HERE = Path(__file__).parent
 BICYCLE = HERE.parents[1] / "examples" / "bicycle.yaml"
@@ -199,7 +200,9 @@ def test_a_damper_on_the_platform(spin: float, stable: bool) -> None:
 # the sleeping top
 
 
-@pytest.mark.parametrize(("Ia", "It", "m", "length"), [(0.1, 0.5, 2.0, 0.4), (0.6, 0.5, 1.0, 0.3)])
+@pytest.mark.parametrize(
+    ("Ia", "It", "m", "length"), some([(0.1, 0.5, 2.0, 0.4), (0.6, 0.5, 1.0, 0.3)], 2)
+)
 def test_sleeping_top(Ia: float, It: float, m: float, length: float) -> None:
     scene = cd.Model("top", gravity=(0, 0, -G))
     center = It - m * length**2
@@ -218,7 +221,7 @@ def test_sleeping_top(Ia: float, It: float, m: float, length: float) -> None:
 # the coin that rolls upright
 
 
-@pytest.mark.parametrize("r", [0.1, 0.35])
+@pytest.mark.parametrize("r", some([0.1, 0.35], 2))
 def test_upright_coin(r: float) -> None:
     scene = cd.Model("coin", gravity=(0, 0, -G))
     disk = scene.body("disk", mass=2.0, inertia=(r**2 / 2, r**2, r**2 / 2))
