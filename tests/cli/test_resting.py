@@ -110,3 +110,40 @@ def test_formulas_of_a_linear_model(scene: str, capsys: pytest.CaptureFixture[st
     assert status("linearize", scene, "--about", "foot=0") == 1
     assert "go with --symbolic" in capsys.readouterr().err
     assert status("linearize", scene, "--symbolic", "--about", "foot=") == 2
+
+
+def test_trim(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("trim", scene, "--want", "foot=0.25", "--free", "torque", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["free"]["torque"] == pytest.approx(0.5)
+    assert found["stable"] is True
+    assert status("trim", scene, "--want", "foot=0.25", "--free", "k", "--set", "torque=1") == 0
+    assert "k = 4  (free)" in capsys.readouterr().out
+    assert status("trim", scene, "--want", "foot=0.25") == 1
+    assert "no steady motion" in capsys.readouterr().err
+    assert status("trim", scene, "--hold", "foot=0.25") == 1
+    assert "--free JOINT.force" in capsys.readouterr().err
+
+
+def test_families(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    assert status("linearize", scene, "--vary", "P=linspace(0, 3, 7)", "--plot", "l.png") == 0
+    assert "divergence begins at P = 2" in capsys.readouterr().out
+    assert (tmp_path / "l.png").is_file()
+    assert status("linearize", scene, "--vary", "P=0,3", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["stability_changes"][0]["values"]["P"] == pytest.approx(2)
+    assert len(found["stable"]) == len(found["eigenvalues"]) == 31
+    assert status("linearize", scene, "--sensitivity", "k", "--json") == 0
+    change = json.loads(capsys.readouterr().out)["derivatives"]["k"][0]
+    # w = sqrt(k / J)
+    assert change == pytest.approx([0, 0.5 / np.sqrt(2 * 0.35)], abs=1e-9)
+    assert status("linearize", scene, "--want", "foot=0.3", "--free", "torque") == 0
+    assert "frequency" in capsys.readouterr().out
+    assert status("linearize", scene, "--vary", "foot=0,30", "--campbell", "--json") == 0
+    # a bar turned past its spring is no rotor: nothing else moves
+    assert json.loads(capsys.readouterr().out)["critical"] == []
+    assert status("linearize", scene, "--campbell") == 1
+    assert "say what changes" in capsys.readouterr().err
+    assert status("linearize", scene, "--vary", "P=normal(0, 1)") == 1
+    assert "not chances" in capsys.readouterr().err

@@ -31,6 +31,7 @@ LEAVES = {
     "25_identify_arm": ("motion.csv", "fit.png"),
     "19_bring_your_own_equations": ("forward_dynamics.c", "manifest.json"),
     "20_linear_bicycle": ("matrices.txt",),
+    "21_campbell": ("campbell.png", "locus.png"),
 }
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,10 @@ from .contract import Contract, Moment, Tangents, dense
 from .saddle import Dense, Singular, split
 
 Array = NDArray[np.float64]
+# places of the independent increments and speeds
+Choice: TypeAlias = tuple[NDArray[np.intp], NDArray[np.intp]]
 LEADING = 1e3  # times the share in motions that others need to be chosen instead
+DEPENDENT = 1e10  # condition beyond which a choice of independent ones is none
 # speeds up to which full matrices are made: a few dozen of 70 MB each
 FULL = 3000
 
@@ -48,9 +51,18 @@ class FirstOrder:
     increments: Array
     speeds: Array
 
+    @property
+    def choice(self) -> Choice:
+        """Which are independent, for others to choose alike."""
+        return self.e, self.v
+
 
 def first_order(
-    system: Contract, at: Moment, held: Sequence[int] = (), tau: Array | None = None
+    system: Contract,
+    at: Moment,
+    held: Sequence[int] = (),
+    tau: Array | None = None,
+    choice: Choice | None = None,
 ) -> FirstOrder:
     """Small motions about a motion that is at a given moment.
 
@@ -59,6 +71,7 @@ def first_order(
         at: A state on the constraints; accelerations are those of the motion.
         held: Speeds (places) that are held.
         tau: Forces along the speeds (nu,) that act besides those of the scene, such as hold.
+        choice: Independent increments and speeds, where they are not to be chosen anew.
 
     Raises:
         ModelError: so many speeds that full matrices are out of the question.
@@ -73,8 +86,10 @@ def first_order(
     found = system.tangents(at)
     G, R = (dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
     hold = np.eye(nu)[list(held)]
-    allowed, e = _choice(np.concatenate([G[system.positions], hold]), system.leading)
-    moving, v = _choice(np.concatenate([G, hold]), system.leading)
+    weights = np.where(system.leading, LEADING, 1.0)
+    kept, wanted = (None, None) if choice is None else choice
+    allowed, e = chosen(np.concatenate([G[system.positions], hold]), weights, kept)
+    moving, v = chosen(np.concatenate([G, hold]), weights, wanted)
     # speeds that keep R e + G v = 0 where increments change, with the independent ones as they are
     kept = np.concatenate([G, hold, np.eye(nu)[v]])
     gap = np.concatenate([R @ allowed, np.zeros((len(kept) - len(G), len(e)))])
@@ -125,15 +140,28 @@ def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
     return found
 
 
-def _choice(G: Array, leading: NDArray[np.bool_]) -> tuple[Array, NDArray[np.intp]]:
+def chosen(
+    G: Array, weights: Array, wanted: NDArray[np.intp] | None = None
+) -> tuple[Array, NDArray[np.intp]]:
     """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen.
 
-    What leads is chosen first: coordinates of joints do not depend on who looks at them.
+    Args:
+        G: Constraints (m, n), without units.
+        weights: How much each entry is preferred (n,): coordinates of joints do not depend on who
+            looks at them.
+        wanted: The choice, where it is made.
+
+    Raises:
+        SolveError: what is wanted does not determine the others.
     """
     basis = split(G)[2]
     k = basis.shape[1]
-    weighted = basis.T * np.where(leading, LEADING, 1.0)
-    chosen = np.sort(qr(weighted, mode="r", pivoting=True)[1][:k]) if k else np.zeros(0, np.intp)
+    rows = wanted
+    if rows is None:
+        order = qr(basis.T * weights, mode="r", pivoting=True)[1] if k else np.zeros(0, np.intp)
+        rows = np.sort(order[:k])
+    if len(rows) != k or (k and np.linalg.cond(basis[rows]) > DEPENDENT):
+        raise SolveError("independent coordinates were chosen elsewhere: they are none here")
     if k == len(basis):
-        return np.eye(k), chosen
-    return basis @ np.linalg.inv(basis[chosen]), chosen
+        return np.eye(k), rows
+    return basis @ np.linalg.inv(basis[rows]), rows

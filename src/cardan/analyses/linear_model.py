@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, final
@@ -9,13 +10,19 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError
+from ..errors import ModelError, listed, near
+from .first_order import Choice
+from .second_order import SecondOrder, reduced
+from .spectrum import Spectrum, spectrum
 
 Array = NDArray[np.float64]
 RESTS = 1e-9  # accelerations below this are none
 SHOWN = 10
+POINTS = 600  # of a plot
 ROUNDED = 1e-13  # real parts below this part of the modulus are printed as 0
-GROWING = 1e-7  # real parts, over the largest modulus, that are more than rounding
+DRIFTING = 1e-7  # real parts, over the largest modulus, that are rounding where none decays
+CLOSED = 1e-9  # of what accelerates coordinates: parts that others have in it
+SINGULAR = 1e13  # condition of the mobility of coordinates that depend on each other
 
 
 @final
@@ -31,10 +38,14 @@ class LinearModel:
         inputs, outputs: Names of r and y.
         n: Number of independent increments.
         z: Number of internal states.
-        mass: M of the independent increments, see :attr:`M`.
+        mass: M of the independent speeds (nv, nv).
         x: The state about which it stands (of the whole model).
         acceleration: Largest acceleration there: 0 at equilibria and in steady motions.
+        choice: Which increments and speeds are independent, as places of speeds.
+        units: Of x (nx,): the size of the system for lengths, 1 else.
+        along: Names of the increments along all speeds (nu,).
         increments: Increments along all speeds by x (nu, nx).
+        speeds: Changes of all speeds by x (nu, nx).
     """
 
     name: str
@@ -47,67 +58,226 @@ class LinearModel:
     outputs: tuple[str, ...]
     n: int
     z: int
-    mass: Array | None = field(repr=False)
+    mass: Array = field(repr=False)
     x: Array = field(repr=False)
     acceleration: float
+    choice: Choice = field(repr=False)
+    units: Array = field(repr=False)
+    along: tuple[str, ...] = field(repr=False)
     increments: Array = field(repr=False)
+    speeds: Array = field(repr=False)
 
     @cached_property
+    def spectrum(self) -> Spectrum:
+        """Eigenvalues of A with right and left vectors, and which of them are defective."""
+        rate = max(float(np.abs(np.linalg.eigvals(self.A)).max(initial=0.0)), 1e-300)
+        units = self.units.copy()
+        units[self.n : len(units) - self.z] *= rate
+        return spectrum(self.A, units)
+
+    @property
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Of A (nx,) [1/s], those that grow fastest first, of pairs that above the axis first."""
-        values = np.linalg.eigvals(self.A).astype(np.complex128)
-        size = max(float(np.abs(values).max(initial=0.0)), 1e-300)
-        order = np.lexsort((-values.imag, np.abs(values.imag), -np.round(values.real / size, 9)))
-        return np.asarray(values[order])
+        return self.spectrum.values
+
+    @property
+    def participation(self) -> NDArray[np.complex128]:
+        """Share of every state in every eigenvalue (nx, nx): columns add up to 1.
+
+        NaN where eigenvalues are defective: such motions have no shares.
+        """
+        return self.spectrum.right * self.spectrum.left.conj()
+
+    def shape(self, k: int) -> dict[str, complex]:
+        """Right eigenvector of eigenvalue k by name, its largest entry 1."""
+        return dict(zip(self.states, self.spectrum.right[:, self._number(k)].tolist(), strict=True))
+
+    def adjoint(self, k: int) -> dict[str, complex]:
+        """Left eigenvector of eigenvalue k by name: how much a start there excites it.
+
+        NaN where it is defective.
+        """
+        return dict(zip(self.states, self.spectrum.left[:, self._number(k)].tolist(), strict=True))
+
+    def _number(self, k: int) -> int:
+        count = len(self.states)
+        if not isinstance(k, int | np.integer) or not -count <= k < count:
+            raise ModelError(f"'{self.name}' has {count} eigenvalues: there is no number {k!r}")
+        return int(k)
 
     @property
     def stable(self) -> bool:
         """Whether no small motion grows exponentially."""
-        values = self.eigenvalues
-        size = float(np.abs(values).max(initial=0.0))
-        return bool(values.real.max(initial=0.0) <= GROWING * size)
+        return not self.spectrum.growing.any()
+
+    @property
+    def drifts(self) -> bool:
+        """Whether some small motion grows with time, as one at constant speed does."""
+        found = self.spectrum
+        return bool(np.any(found.defective & (found.values.real >= -DRIFTING * found.size)))
 
     @property
     def M(self) -> Array:
         """Mass matrix (n, n) of M y'' + damping y' + K y = forces, y the independent increments.
 
         Raises:
-            ModelError: rolling without slipping allows fewer speeds than positions.
+            ModelError: rolling without slipping allows fewer speeds than positions; then
+                :meth:`second_order` with the names of some.
         """
-        return self._second[0]
+        return self._second.M
 
     @property
     def damping(self) -> Array:
         """What multiplies y' (n, n): damping and gyroscopic forces; see :attr:`M`."""
-        return self._second[1]
+        return self._second.damping
+
+    @property
+    def dissipative(self) -> Array:
+        """Damping (n, n), symmetric; see :attr:`M`."""
+        return self._second.dissipative
+
+    @property
+    def gyroscopic(self) -> Array:
+        """Gyroscopic forces by y' (n, n), skew; see :attr:`M`."""
+        return self._second.gyroscopic
 
     @property
     def K(self) -> Array:
-        """Stiffness (n, n); see :attr:`M`."""
-        return self._second[2]
+        """What multiplies y (n, n): stiffness and circulatory forces; see :attr:`M`."""
+        return self._second.K
+
+    @property
+    def conservative(self) -> Array:
+        """Stiffness (n, n), symmetric; see :attr:`M`."""
+        return self._second.conservative
+
+    @property
+    def circulatory(self) -> Array:
+        """Circulatory forces by y (n, n), skew; see :attr:`M`."""
+        return self._second.circulatory
 
     @property
     def forces(self) -> Array:
         """What multiplies the inputs (n, nr) in the equations of :attr:`M`."""
-        return self._second[0] @ self.B[self.n : 2 * self.n]
+        return self._second.forces
 
     @cached_property
-    def _second(self) -> tuple[Array, Array, Array]:
-        """M, damping and K: y' = A11 y + w, w' = A21 y + A22 w."""
-        if self.mass is None:
+    def _second(self) -> SecondOrder:
+        return self.second_order()
+
+    def second_order(self, coordinates: Iterable[str] | None = None) -> SecondOrder:
+        """Equations of second order of some coordinates, if theirs are closed.
+
+        Args:
+            coordinates: Names of coordinates, or increments ``along`` speeds; all that are
+                independent if left out. Those of a rolling wheel that others do not depend on
+                are left out: ``["lean", "steer"]`` of a bicycle.
+
+        Returns:
+            M, damping, K and their parts. Forces along the coordinates belong to M.
+
+        Raises:
+            ModelError: unknown names; coordinates that depend on others, or on each other.
+        """
+        nv = len(self.states) - self.n - self.z
+        if coordinates is None and list(self.choice[0]) != list(self.choice[1]):
             raise ModelError(
-                f"'{self.name}' has {self.n} positions for {len(self.states) - self.n - self.z} "
-                "speeds: rolling has no equations of second order alone. Take A and B"
+                f"'{self.name}' has {self.n} positions for {nv} speeds: rolling has no "
+                "equations of second order of all. Name those that others do not change: "
+                "second_order(['...']); or take A and B"
             )
-        n, M = self.n, self.mass
-        turn, stiff, damp = self.A[:n, :n], self.A[n : 2 * n, :n], self.A[n : 2 * n, n : 2 * n]
-        return M, -M @ (turn + damp), -M @ (stiff - damp @ turn)
+        names = tuple(self.states[: self.n] if coordinates is None else coordinates)
+        places = self._along(names)
+        rows = self.increments[places]
+        by_y, by_rate, left = reduced(rows, self.A, self.z)
+        reach = rows @ self.A[:, self.n : self.n + nv]
+        lighter = reach @ np.linalg.solve(self.mass, self.speeds[places, self.n : self.n + nv].T)
+        if np.linalg.cond(lighter) > SINGULAR:
+            raise ModelError(f"second_order: {', '.join(names)} depend on each other; name fewer")
+        self._closed(names, rows, left)
+        M = np.linalg.inv(lighter)
+        # M of the independent ones is known as it stands
+        M = self.mass if coordinates is None else 0.5 * (M + M.T)
+        rate = rows @ self.A
+        inner = M @ left[:, len(self.A) - self.z :]
+        return SecondOrder(self.name, names, M, -M @ by_rate, -M @ by_y, M @ (rate @ self.B), inner)
+
+    def _along(self, names: tuple[str, ...]) -> list[int]:
+        """Places of increments along speeds."""
+        listed("coordinates", names, "steer")
+        for name in names:
+            if name not in self.along:
+                raise ModelError(
+                    f"second_order: there is no increment '{name}'.{near(name, self.along)}"
+                )
+        return [self.along.index(name) for name in names]
+
+    def _closed(self, names: tuple[str, ...], rows: Array, left: Array) -> None:
+        """Refuse coordinates whose equations others enter."""
+        inside = len(self.A) - self.z
+        whole = np.abs(rows @ self.A @ self.A)[:, :inside]
+        off = np.abs(left[:, :inside])
+        if off.max(initial=0.0) > CLOSED * max(float(whole.max(initial=0.0)), 1e-300):
+            row, column = np.unravel_index(int(off.argmax()), off.shape)
+            raise ModelError(
+                f"second_order: '{names[row]}' depends on '{self.states[column]}' too: its "
+                "equations are not closed. Name more coordinates, or take A and B"
+            )
 
     def frequency_response(self, omega: ArrayLike) -> NDArray[np.complex128]:
         """y by r at angular frequencies (...) [rad/s]: (..., ny, nr)."""
         s = 1j * np.asarray(omega, dtype=np.float64)[..., None, None]
         inner = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(np.complex128))
         return np.asarray(self.C @ inner + self.D)
+
+    def plot(
+        self,
+        path: Any = None,
+        omega: ArrayLike | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+    ) -> Any:
+        """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
+
+        Args:
+            path: Picture file, or None.
+            omega: Angular frequencies (n,) [rad/s]; a decade around the eigenvalues if left out.
+            inputs, outputs: Of which; all if left out.
+
+        Raises:
+            ModelError: unknown names, nothing to draw, or a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ..view.loci import plot_response
+
+        chosen = [
+            list(known) if names is None else listed(word, names, known[0] if known else "tip")
+            for word, names, known in (
+                ("inputs", inputs, self.inputs),
+                ("outputs", outputs, self.outputs),
+            )
+        ]
+        for names, known in zip(chosen, (self.inputs, self.outputs), strict=True):
+            missing = next((name for name in names if name not in known), None)
+            if missing is not None or not names:
+                raise ModelError(
+                    f"plot: no such input or output: '{missing or ''}'.{near(missing or '', known)}"
+                )
+        over = self._around() if omega is None else np.asarray(omega, dtype=np.float64)
+        response = self.frequency_response(over)
+        curves = {
+            f"{y} by {r}": response[:, self.outputs.index(y), self.inputs.index(r)]
+            for y in chosen[1]
+            for r in chosen[0]
+        }
+        return plot_response(self.name, over, curves, path)
+
+    def _around(self) -> Array:
+        """Angular frequencies a decade around what moves (n,)."""
+        sizes = np.abs(self.eigenvalues)
+        moving = sizes[sizes > DRIFTING * sizes.max(initial=0.0)]
+        low, high = (float(moving.min()), float(moving.max())) if len(moving) else (1.0, 1.0)
+        return np.geomspace(low / 10, high * 10, POINTS)
 
     def to_control(self) -> Any:
         """The same as ``control.StateSpace`` with names.
@@ -133,6 +303,7 @@ class LinearModel:
         if self.acceleration > RESTS:
             about = f"a motion that accelerates by {self.acceleration:.3g}, at this instant"
         kind = "no small motion grows" if self.stable else "unstable"
+        kind += ", but some drift" if self.stable and self.drifts else ""
         lines = [
             f"'{self.name}' linearized about {about}: {kind}",
             f"  states  {_listed(self.states)}",

@@ -9,17 +9,18 @@ Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), c
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError, listed, near
-from .contract import Contract, Moment, contract_of
+from .contract import Contract, Moment, contract_of, dense
 from .equilibrium import Equilibrium, equilibrium
-from .first_order import FirstOrder, first_order, pushed
+from .first_order import Choice, FirstOrder, first_order, pushed
 from .linear_model import LinearModel
 from .static_problem import Problem
+from .steady_motion import SteadyMotion
 
 Array = NDArray[np.float64]
 
@@ -36,18 +37,21 @@ def linearize(
     r: Any = None,
     t: float = 0.0,
     parameters: Mapping[str, float] | None = None,
+    choice: Choice | None = None,
 ) -> LinearModel:
     """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
     Args:
         model: The compiled model.
-        x: State (nx,), or an equilibrium; or q, u, z: by name or as arrays, assembled as runs
-            assemble them. If all are left out the equilibrium next to the initial position.
+        x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays,
+            assembled as runs assemble them. If all are left out the equilibrium next to the initial
+            position.
         inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
         outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
             coordinates if there are none.
         r: Inputs by name or (nr,) [of the state]. t: Time [s].
         parameters: Values by name, else those of the model.
+        choice: Independent increments and speeds, as ``choice`` of another linear model has them.
 
     Returns:
         Independent increments, speeds, then internal states; with names.
@@ -56,12 +60,14 @@ def linearize(
         ModelError: unknown names, circuits that cannot be assembled.
         SolveError: accelerations are not determined there.
     """
-    at, held, tau, model = moment(model, x, q, u, z, r, t, parameters)
-    system = contract_of(model)
-    found = first_order(system, at, held, tau)
+    about = stance(model, x, q, u, z, r, t, parameters)
+    at, held = about.at, about.held
+    system = contract_of(about.model)
+    found = first_order(system, at, held, about.tau, choice or about.choice)
     B, driven = _inputs(system, at, found, inputs)
     C, D, told = _outputs(system, at, found, outputs)
     D = D if inputs is None else _columns(system, D, driven)
+    nz = len(system.internals)
     increments = tuple(system.increments[k] for k in found.e)
     states = (*increments, *(system.speeds[k] for k in found.v), *system.internals)
     return LinearModel(
@@ -77,14 +83,33 @@ def linearize(
         z=len(system.internals),
         mass=_mass(system, at, found),
         x=np.concatenate([at.q, at.u, at.z]),
-        acceleration=float(np.abs(_left(system, at, held)).max(initial=0.0)),
+        acceleration=_left(system, at, held, about.choice),
+        choice=(found.e, found.v),
+        units=np.concatenate([system.columns[found.e], system.columns[found.v], np.ones(nz)]),
+        along=system.increments,
         increments=found.increments,
+        speeds=found.speeds,
     )
 
 
-def moment(
-    model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, parameters: Any
-) -> tuple[Moment, list[int], Array, Any]:
+class Stance(NamedTuple):
+    """A state that is meant.
+
+    Attributes:
+        model: With the parameters that hold there.
+        at: The state with its accelerations.
+        held, tau: Speeds (places) that are held, forces along all of them (nu,).
+        choice: Independent increments and speeds in which it is steady, None for any.
+    """
+
+    model: Any
+    at: Moment
+    held: list[int]
+    tau: Array
+    choice: Choice | None
+
+
+def stance(model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, parameters: Any) -> Stance:
     """The state that is meant, what is held there by which forces, and the model.
 
     An equilibrium has its multipliers already.
@@ -94,21 +119,23 @@ def moment(
         values = dict(zip(model.inputs, given.tolist(), strict=True))
         x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
     if isinstance(x, Equilibrium):
-        system = contract_of(x.model)
-        held, tau = Problem(system).held(x.point, x.load)
-        return x.point.at, held, tau, x.model
+        held, tau = Problem(contract_of(x.model)).held(x.point, x.load)
+        return Stance(x.model, x.point.at, held, tau, None)
+    if isinstance(x, SteadyMotion):
+        return Stance(x.model, x.at, [], x.tau, x.choice)
     if parameters:
         model = model.with_parameters(dict(parameters))
     system = contract_of(model)
     at = system.state(x, q, u, z, float(t), system.given_inputs(r), None)
     still = np.zeros(len(system.columns))
-    return system.accelerations(at, still), [], still, model
+    return Stance(model, system.accelerations(at, still), [], still, None)
 
 
-def _left(system: Contract, at: Moment, held: list[int]) -> Array:
-    """Accelerations (nu,), without units of length."""
-    found: Array = (at.udot - system.steady(at)) / system.columns
-    return np.delete(found, held)
+def _left(system: Contract, at: Moment, held: list[int], choice: Choice | None) -> float:
+    """The largest acceleration, without units of length; of a steady motion along its speeds."""
+    found = (at.udot - system.steady(at)) / system.columns
+    left = np.delete(found, held) if choice is None else found[choice[1]]
+    return float(np.abs(left).max(initial=0.0))
 
 
 def _inputs(
@@ -176,11 +203,8 @@ def _outputs(
     return C, D, tuple(chosen)
 
 
-def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array | None:
-    """M of the independent increments (n, n); None where rolling takes speeds but no positions."""
+def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array:
+    """M of the independent speeds (nv, nv)."""
     n = len(found.e)
-    if list(found.e) != list(found.v):
-        return None
-    allowed = found.increments[:, :n]
-    M = system.tangents(at).M
-    return np.asarray(allowed.T @ (M @ allowed))
+    moving = found.speeds[:, n : n + len(found.v)]
+    return np.asarray(moving.T @ dense(system.tangents(at).M @ moving))

@@ -23,8 +23,8 @@ from scipy.sparse.linalg import ArpackError
 from ..errors import ModelError, SolveError, SolveWarning
 from .contract import Contract, Moment, contract_of
 from .equilibrium import Equilibrium
-from .first_order import first_order
-from .linearize import moment
+from .first_order import Choice, first_order
+from .linearize import stance
 from .mode_shapes import Modes
 from .saddle import (
     Factor,
@@ -76,11 +76,12 @@ def modes(
     """
     if count is not None and (not isinstance(count, int | np.integer) or count < 1):
         raise ModelError(f"modes: count={count!r}: a number of modes, at least 1")
-    at, held, tau, model = moment(model, x, q, u, None, r, t, parameters)
+    model, at, held, tau, choice = stance(model, x, q, u, None, r, t, parameters)
     system = contract_of(model)
-    _steady(system, at, held)
+    if choice is None:
+        _steady(system, at, held)
     still = not np.any(at.u)
-    values, shapes = _found(system, at, held, tau, count, damped, still)
+    values, shapes = _found(system, at, held, tau, choice, count, damped, still)
     momentum = _momentum(model, at)
     return Modes(model, at, values, shapes, system.increments, system.owners, momentum, system.size)
 
@@ -109,8 +110,8 @@ def _steady(system: Contract, at: Moment, held: list[int]) -> None:
 
 
 def _found(
-    system: Contract, at: Moment, held: list[int], tau: Array, count: int | None, damped: bool,
-    still: bool,
+    system: Contract, at: Moment, held: list[int], tau: Array, choice: Choice | None,
+    count: int | None, damped: bool, still: bool,
 ) -> tuple[Complex, Any]:  # fmt: skip
     """Eigenvalues (k,) [1/s] and shapes (nu, k), from the lowest frequency."""
     found = system.tangents(at)
@@ -141,7 +142,7 @@ def _found(
             shift = SHIFT * max(1.0, 100 * float(np.abs(at.u / system.columns).max(initial=0.0)))
             values, shapes = near_quadratic(*turned, M, G, shift, 2 * (count or FEW), by)
         else:
-            values, shapes = _first(system, at, held, tau)
+            values, shapes = _first(system, at, held, tau, choice)
     except (np.linalg.LinAlgError, Singular, ArpackError) as problem:
         raise SolveError(
             f"modes of '{system.name}': the mass matrix is singular on what constraints allow (a "
@@ -173,9 +174,11 @@ def _real(
     return values.astype(np.complex128), shapes
 
 
-def _first(system: Contract, at: Moment, held: list[int], tau: Array) -> tuple[Complex, Complex]:
+def _first(
+    system: Contract, at: Moment, held: list[int], tau: Array, choice: Choice | None
+) -> tuple[Complex, Complex]:
     """Modes of the equations of first order, without units."""
-    small = first_order(system, at, held, tau)
+    small = first_order(system, at, held, tau, choice)
     values, vectors = np.linalg.eig(small.A.astype(np.complex128))
     shapes = (small.increments @ vectors) / system.columns[:, None]
     return values, shapes

@@ -29,7 +29,8 @@ COMMANDS = {
     "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
     "statics": (".statics", "equilibria under loads that change, and where stability ends"),
     "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
-    "linearize": (".linearize", "the linear model with names and eigenvalues"),
+    "linearize": (".linearize", "the linear model, root loci, Campbell diagrams"),
+    "trim": (".trim", "what a wanted steady motion takes, and whether it is stable"),
     "identify": (".identify", "masses, inertias and friction from measured motions and forces"),
     "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
     "report": (".report", "speed against error of every integrator on a scene"),
@@ -49,7 +50,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
                                              many runs that differ
-  cardan modes arm.urdf --hold elbow=0.3     how it vibrates; where it rests: equilibrium, statics
+  cardan modes arm.urdf --hold elbow=0.3     how it vibrates; how it rests: equilibrium, statics
   cardan identify arm.urdf --data run.csv    its masses and inertias, from measurements
   cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure

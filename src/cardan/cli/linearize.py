@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Callable
 from typing import Any
 
-from . import formulas, resting, running
+from ..errors import ModelError
+from . import formulas, resting, running, varying, wanting
 
 DESCRIPTION = """\
 The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
-steady motion (--u), with names and eigenvalues; constraints are eliminated exactly."""
+steady motion (--u, --want), with names and eigenvalues; constraints are eliminated exactly. What
+changes (--vary) gives a root locus, or a Campbell diagram, with the places where stability does."""
 
 EPILOG = """\
 examples:
@@ -18,11 +21,18 @@ examples:
         about its equilibrium: states, eigenvalues, damping ratios
   cardan linearize trolley.yaml --q pole=3.14 --input cart --output pole
         about the other one; a force along the cart's speed drives, the angle is seen
-  cardan linearize bicycle.yaml --u wheel=14
+  cardan linearize rotor.yaml --u spin=14
         in steady motion
   cardan linearize bicycle.yaml --symbolic --about rear_contact.u.x=v \\
         --independent rear_contact.lean --independent steer
         M, D, G, K and N as formulas in the speed and the parameters
+  cardan linearize bicycle.yaml --want rear_contact.lean=0 \\
+        --vary 'rear_hub.u=linspace(0, -33, 34)' --plot locus.png
+        the eigenvalues of a bicycle that goes faster and faster
+  cardan linearize rotor.yaml --vary 'spin=0,300' --campbell --plot campbell.png
+        frequencies over the speed, whirl, critical speeds
+  cardan linearize column.yaml --sensitivity P --sensitivity bar.mass
+        how eigenvalues change with parameters
   cardan linearize trolley.yaml --json > model.json
         A, B, C and D for another program"""
 
@@ -36,6 +46,20 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                        help="input, or joint whose force drives (default all inputs)")  # fmt: skip
     group.add_argument("--output", metavar="NAME", action="append",
                        help="output, coordinate or speed (default: all outputs)")  # fmt: skip
+    wanting.arguments(group)
+    family = parser.add_argument_group("what changes")
+    family.add_argument("--vary", metavar="NAME=VALUES", type=varying.vary, action="append",
+                        help="parameter, input or joint whose speed it is: FROM,TO, "
+                        "linspace(FROM,TO,COUNT) or a list; repeat: they go together")  # fmt: skip
+    family.add_argument("--coordinate", metavar="NAME", action="append",
+                        help="whose motions count in a locus (default all)")  # fmt: skip
+    family.add_argument("--campbell", action="store_true",
+                        help="frequencies and whirl over the speed that varies")  # fmt: skip
+    family.add_argument("--sensitivity", metavar="NAME", action="append",
+                        help="derivatives of eigenvalues by a parameter; repeat")  # fmt: skip
+    parser.add_argument("--plot", metavar="PATH.png", type=running.file(".png", ".pdf", ".svg"),
+                        help="locus, Campbell diagram or frequency response "
+                        "(needs matplotlib)")  # fmt: skip
 
     formulas.arguments(parser)
 
@@ -45,11 +69,41 @@ def run(options: argparse.Namespace) -> int:
     if formulas.wanted(options):
         return formulas.show(options)
     scene, model = resting.model(options)
-    given = resting.loads(scene, model, options)
-    rest = model.equilibrium(**given, u=dict(options.u), check=True)
-    found = model.linearize(rest, inputs=options.input, outputs=options.output)
-    print(json.dumps(numbers(found), indent=1) if options.json else found)
+    trimmed = bool(options.want or options.free)
+    given = wanting.asked(scene, model, options) if trimmed else {
+        **resting.loads(scene, model, options), "u": dict(options.u)
+    }  # fmt: skip
+    found, table = _found(model, given, trimmed, options)
+    if options.plot is not None:
+        found.plot(options.plot)
+    print(json.dumps(table(found), indent=1) if options.json else found)
     return 0
+
+
+def _found(
+    model: Any, given: dict[str, Any], trimmed: bool, options: argparse.Namespace
+) -> tuple[Any, Callable[[Any], dict[str, Any]]]:
+    """What was asked for, and what makes numbers of it.
+
+    Raises:
+        ModelError: options that do not go together.
+    """
+    if options.vary:
+        swept = dict(options.vary)
+        odd = next((n for n, values in swept.items() if not hasattr(values, "tolist")), None)
+        if odd is not None:
+            raise ModelError(f"--vary {odd}: a locus needs values in their order, not chances")
+        if options.campbell:
+            return model.campbell(swept, **given), diagram
+        return model.root_locus(swept, coordinates=options.coordinate, **given), locus
+    if options.campbell or options.coordinate:
+        raise ModelError("--campbell and --coordinate go with --vary: say what changes")
+    rest = (model.trim if trimmed else model.equilibrium)(**given, check=True)
+    if options.sensitivity:
+        if options.plot is not None:
+            raise ModelError("--plot does not go with --sensitivity: there is nothing to draw")
+        return model.sensitivity(options.sensitivity, rest), changes
+    return rest.model.linearize(rest, inputs=options.input, outputs=options.output), numbers
 
 
 def numbers(found: Any) -> dict[str, Any]:
@@ -62,4 +116,41 @@ def numbers(found: Any) -> dict[str, Any]:
         "stable": found.stable,
         "eigenvalues": [[v.real, v.imag] for v in found.eigenvalues.tolist()],
         **matrices,
+    }
+
+
+def locus(found: Any) -> dict[str, Any]:
+    """A root locus for JSON."""
+    return {
+        "message": found.message,
+        "values": {name: column.tolist() for name, column in found.values.items()},
+        "stable": found.stable.tolist(),
+        "eigenvalues": [[[v.real, v.imag] for v in row] for row in found.eigenvalues.tolist()],
+        "stability_changes": [
+            {"kind": c.kind, "lost": c.lost, "frequency": c.frequency, "values": dict(c.values)}
+            for c in found.changes
+        ],
+    }
+
+
+def diagram(found: Any) -> dict[str, Any]:
+    """A Campbell diagram for JSON; frequencies [rad/s]."""
+    rows = [[resting.finite(f) for f in row] for row in found.frequencies.tolist()]
+    return {
+        **locus(found.locus),
+        "speed": found.speed.tolist(),
+        "frequencies": rows,
+        "whirl": found.whirl.tolist(),
+        "critical": found.critical(),
+    }
+
+
+def changes(found: Any) -> dict[str, Any]:
+    """Derivatives of eigenvalues for JSON, null where there are none."""
+    return {
+        "eigenvalues": [[v.real, v.imag] for v in found.eigenvalues.tolist()],
+        "derivatives": {
+            name: [[resting.finite(v.real), resting.finite(v.imag)] for v in found[name].tolist()]
+            for name in found.parameters
+        },
     }

@@ -14,14 +14,18 @@ from .identified import Identified
 if TYPE_CHECKING:
     from ..analyses.actuation import Actuation
     from ..analyses.assembly import Assembly
+    from ..analyses.campbell import Campbell
     from ..analyses.ensembles import Ensemble
     from ..analyses.equilibrium import Equilibrium
     from ..analyses.linear_model import LinearModel
+    from ..analyses.locus import Locus
     from ..analyses.mode_shapes import Modes
     from ..analyses.reduced import Partition
     from ..analyses.redundancy import Redundancy
+    from ..analyses.sensitivity import Sensitivity
     from ..analyses.singular import Singular
     from ..analyses.static_path import StaticPath
+    from ..analyses.steady_motion import SteadyMotion
     from ..analyses.stiffness import Stiffness
     from ..analyses.sweep import Sweep
     from ..analyses.workspace import Workspace
@@ -184,6 +188,57 @@ class Analyzed(Identified):
         from ..analyses.linearize import linearize
 
         return linearize(self._itself, x, **options)
+
+    def trim(self, wanted: Mapping[str, float] | None = None, **options: Any) -> SteadyMotion:
+        """A steady motion with wanted values, and the inputs, parameters and forces it takes.
+
+        Args:
+            wanted: Coordinates, speeds and outputs by name -> value.
+            options: ``free``, ``q``, ``u``, ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.trim.trim`.
+        """
+        from ..analyses.trim import trim
+
+        return trim(self._itself, wanted, **options)
+
+    def root_locus(self, swept: Mapping[str, Any] | None = None, **options: Any) -> Locus:
+        """Eigenvalues as parameters, inputs or speeds change: ``model.root_locus(P=(0, 10))``.
+
+        Args:
+            swept: Parameter, input or joint whose speed it is -> (start, end) or values (n,); also
+                as keywords.
+            options: ``count``, ``coordinates``, ``q``, ``u``, ``hold``, ``wanted``, ``free``,
+                ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.locus.root_locus`.
+        """
+        from ..analyses.locus import root_locus
+
+        return root_locus(self._itself, swept, **options)
+
+    def campbell(self, swept: Mapping[str, Any] | None = None, **options: Any) -> Campbell:
+        """Frequencies of a rotor over its speed: ``model.campbell(spin=(0, 300))``.
+
+        Args:
+            swept: Joint, parameter or input that is the speed -> (start, end) or values (n,)
+                [rad/s]; also as a keyword.
+            options: ``count``, ``turning``, ``q``, ``u``, ``hold``, ``wanted``, ``free``,
+                ``inputs``, ``parameters``, ``t``, ``check``; see
+                :func:`cardan.analyses.campbell.campbell`.
+        """
+        from ..analyses.campbell import campbell
+
+        return campbell(self._itself, swept, **options)
+
+    def sensitivity(self, parameters: Any, about: Any = None) -> Sensitivity:
+        """Derivatives of eigenvalues by parameters, the motion moving along with them.
+
+        Args:
+            parameters: Their names.
+            about: An equilibrium or a trimmed motion; if left out that next to the start.
+        """
+        from ..analyses.sensitivity import sensitivity
+
+        return sensitivity(self._itself, parameters, about)
 
     def modes(self, count: int | None = None, x: Any = None, **options: Any) -> Modes:
         """Frequencies, damping and shapes about an equilibrium or a steady motion.

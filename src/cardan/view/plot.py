@@ -67,14 +67,14 @@ def plot_points(title: str, points: Curve, path: Any) -> Any:
     Returns:
         The Matplotlib figure.
     """
-    figure = _empty((12, 4.4))
+    figure = empty((12, 4.4))
     for axis, (i, j) in zip(figure.subplots(1, 3), ((0, 1), (0, 2), (1, 2)), strict=True):
         axis.plot(points[:, i], points[:, j], ".", markersize=2)
         axis.set_xlabel(f"{'xyz'[i]} [m]")
         axis.set_ylabel(f"{'xyz'[j]} [m]")
         axis.set_aspect("equal", adjustable="datalim")
         axis.grid(alpha=0.3)
-    return _done(figure, title, path)
+    return done(figure, title, path)
 
 
 def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: Any) -> Any:
@@ -89,21 +89,21 @@ def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: 
     Returns:
         The Matplotlib figure.
     """
-    figure = _empty((9, 5.4))
+    figure = empty((9, 5.4))
     axis = figure.subplots()
     for k, (name, (along, up)) in enumerate(lines.items()):
         axis.plot(along, up, MARKS[k % len(MARKS)] + "-", label=name, linewidth=1.2, markersize=4)
     axis.set(xscale="log", yscale="log", xlabel=label, ylabel=other)
     axis.grid(alpha=0.3)
     axis.legend(fontsize="small", ncols=2)
-    return _done(figure, title, path)
+    return done(figure, title, path)
 
 
 def _figure(
     title: str, label: str, over: Curve, panels: Panels, path: Any, held: Collection[str] = ()
 ) -> Any:
     """Panels below each other, written to a file if there is one; what is held as stairs."""
-    figure = _empty((9, 2.4 * len(panels) + 0.6))
+    figure = empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
     for axis, (name, curves) in zip(axes, panels, strict=True):
         for curve, values in curves.items():
@@ -114,10 +114,10 @@ def _figure(
         if 0 < len(curves) <= CURVES:
             axis.legend(fontsize="small", ncols=2, loc="upper right")
     axes[-1].set_xlabel(label)
-    return _done(figure, title, path)
+    return done(figure, title, path)
 
 
-def _empty(size: tuple[float, float]) -> Any:
+def empty(size: tuple[float, float]) -> Any:
     """An empty figure.
 
     Raises:
@@ -130,7 +130,7 @@ def _empty(size: tuple[float, float]) -> Any:
     return Figure(figsize=size, layout="constrained")
 
 
-def _done(figure: Any, title: str, path: Any) -> Any:
+def done(figure: Any, title: str, path: Any) -> Any:
     """The figure with its headline, written to a file if there is one.
 
     Raises:

@@ -1,0 +1,57 @@
+"""``cardan trim``: what a wanted steady motion takes."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from . import resting, running, wanting
+
+DESCRIPTION = """\
+Inputs, parameters, forces and speeds with which a wanted steady motion, or a rest, holds: a bicycle
+in a turn, a rotor at its speed, an arm at its angle; and whether it is stable."""
+
+EPILOG = """\
+examples:
+  cardan trim arm.yaml --want elbow=0.5 --free motor
+        the input that holds this angle
+  cardan trim bicycle.yaml --want rear_contact.lean=-0.1 --u rear_hub=-15 --free steer.force
+        the torque along the steering axis in a steady turn
+  cardan trim governor.yaml --want arm=0.7 --free spin.u --u spin=5
+        the speed at which the arm stands like that, looked for from 5 rad/s
+  cardan trim crane.yaml --want height=2 --free load.mass --json
+        an output and a parameter, for another program
+
+exit status 1: there is none; the message tells what cannot be met, or is left over"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the command takes."""
+    group = resting.arguments(parser)
+    group.add_argument("--u", metavar="JOINT=VALUE", type=running.named, action="append",
+                       default=[], help="speed that stays, or starts if it is free")  # fmt: skip
+    wanting.arguments(group)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load, compile, search, report."""
+    scene, model = resting.model(options)
+    found = model.trim(**wanting.asked(scene, model, options), check=True)
+    print(json.dumps(numbers(found), indent=1) if options.json else found)
+    return 0
+
+
+def numbers(found: Any) -> dict[str, Any]:
+    """A trimmed motion for JSON."""
+    return {
+        "message": found.message,
+        "stable": found.stable,
+        "free": dict(found.free),
+        "wanted": dict(found.wanted),
+        "loose": list(found.loose),
+        "iterations": found.iterations,
+        "q": dict(zip(found.model.coordinates, found.q.tolist(), strict=True)),
+        "u": dict(zip(found.model.speeds, found.u.tolist(), strict=True)),
+        "eigenvalues": [[v.real, v.imag] for v in found.linear.eigenvalues.tolist()],
+    }
