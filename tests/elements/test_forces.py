@@ -13,12 +13,13 @@ import sympy
 
 import cardan as cd
 from cardan.elements.forces import FORCES
-from cardan.elements.forces.force import Action, ForceElement, Places
+from cardan.elements.forces.force import Action, ForceElement, Load, Places
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.derivative import gradient
 from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from cardan.spatial.exponential import exp
+from cardan.spatial.tangent import tangent
 from elements.written_of import converted
 from spatial.numbers_of import block, close, difference, moving, numbers
 
@@ -52,7 +53,19 @@ INSTANCES: dict[str, ForceElement] = {
     "contact with a plane": cd.Contact("B", "A", radius=1.5, stiffness=1e3, damping=0.1, mu=0.2),
     "contact of spheres": cd.Contact("A", "B", radius=1.0, stiffness=1e3, other_radius=0.9),
     "watch": cd.Watch(1.0),
+    "central gravity": cd.CentralGravity("A", 3.0, "B"),
+    "gravity gradient": cd.GravityGradient("A", 3.0, "B"),
+    "gravity gradient, torque alone": cd.GravityGradient("A", 3.0, "B", force=False),
+    "flattened planet": cd.J2("A", 3.0, 0.1, 0.7, pole=(0.2, -0.5, 1.0), bodies="B"),
+    "flattened planet, extended body": cd.J2("A", 3.0, 0.1, 0.7, bodies="B", gradient=True),
 }
+# of a body, where an element acts by mass
+WEIGHT = {
+    "mass": (1, 1, [2.0]),
+    "com": (3, 1, [0.2, -0.1, 0.4]),
+    "inertia": (3, 3, [0.9, 0.1, -0.2, 0.1, 1.3, 0.05, -0.2, 0.05, 0.8]),
+}
+BY_MASS = [name for name, element in INSTANCES.items() if element.masses() is not None]
 FRAMES, JOINTS = {"A": 0, "B": 1}, {"one": 0, "two": 1, "rotor": 2}
 # positions and rotation vectors of two frames, coordinates of three joints; then their rates
 STATE = {
@@ -91,7 +104,13 @@ class Moving:
         return block(self.graph, f"v_x{frame}", 3)
 
     def angular_velocity(self, frame: int) -> Matrix:
-        return block(self.graph, f"v_r{frame}", 3)
+        return tangent(block(self.graph, f"r{frame}", 3)).T @ block(self.graph, f"v_r{frame}", 3)
+
+    def arm(self, start: int, end: int) -> Matrix:
+        return self.rotation(end).T @ (self.position(end) - self.position(start))
+
+    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
+        return self.rotation(end).T @ (self.rotation(start) @ x)
 
     def q(self, joint: int) -> Matrix:
         return block(self.graph, f"q{joint}", len(STATE[f"q{joint}"]))
@@ -118,10 +137,25 @@ class Bench:
         frames = {role: FRAMES[name] for role, name in self.element.frames().items()}
         joints = {role: JOINTS[name] for role, name in self.element.joints().items()}
         joints |= {"rotor": JOINTS["rotor"]}
+        for name in self.element.masses() or ():
+            frames |= {"body": FRAMES[name]}
+            for key, (rows, columns, entries) in WEIGHT.items():
+                nodes = [self.motion.graph.const(x) for x in entries]
+                self.data[key] = Matrix(self.motion.graph, rows, columns, nodes)
         z = block(self.motion.graph, "z", len(self.element.internals()))
         s = block(self.motion.graph, "s", len(self.element.modes()))
         at = Places(self.motion, self.data, frames, joints, z, s)
-        return self.element.act(at)
+        return tuple(map(self.in_ground, self.element.act(at)))
+
+    def in_ground(self, action: Action) -> Action:
+        """The same with its loads in ground axes."""
+        loads = []
+        for load in action.loads:
+            if load.axes:
+                r = self.motion.rotation(load.axes)
+                load = Load(load.frame, r @ load.torque, r @ load.force)
+            loads.append(load)
+        return replace(action, loads=tuple(loads))
 
     def value(self, x: Matrix | Scalar, kind: str = "mp", **values: Any) -> Any:
         return numbers(x, kind, **(self.parameters | self.state | values))
@@ -150,14 +184,15 @@ def test_every_element_is_tested() -> None:
 def test_power_is_what_the_potential_loses(bench: Bench) -> None:
     paths = {name: moving(STATE[name], RATES[name]) for name in STATE}
     stored = [action for action in bench.actions if action.potential is not None]
-    assert len(stored) == bool(getattr(bench.element, "stiffness", 0))
+    spring, field = bool(getattr(bench.element, "stiffness", 0)), bench.element.masses() is not None
+    assert len(stored) == (spring or (field and getattr(bench.element, "force", True)))
     for action in stored:
 
         def energy(t: Any, action: Action = action) -> Any:
             return bench.value(action.potential, **{k: path(t) for k, path in paths.items()})
 
         assert close([bench.value(bench.power(action)) + difference(energy)], 0)
-        assert energy(0) > 0
+        assert energy(0) > 0 or field
 
 
 DAMPERS = [name for name in INSTANCES if "damp" in name or name == "elastic drive"]
@@ -173,7 +208,10 @@ def test_dampers_take_power(name: str) -> None:
         assert bench.value(bench.power(damper), **rates) < 0
 
 
-@pytest.mark.parametrize("name", [n for n, e in INSTANCES.items() if e.kind == "spring_damper"])
+BETWEEN = [n for n, e in INSTANCES.items() if e.kind == "spring_damper"] + BY_MASS
+
+
+@pytest.mark.parametrize("name", BETWEEN)
 def test_forces_between_frames_are_balanced(name: str) -> None:
     """Force and moment about the origin of what acts between two frames sum to zero."""
     bench = Bench(INSTANCES[name])
@@ -309,6 +347,8 @@ def test_next_to_the_meeting_point_the_force_has_its_full_size(away: float) -> N
     [
         (cd.SpringDamper("A", "B", 2.0, length=1.0), "length"),
         (cd.TorsionSpring("one", 2.0), "rest"),
+        (cd.CentralGravity("A", 3.0, "B"), "mu"),
+        (cd.J2("A", 3.0, 0.1, 0.7, bodies="B"), "j2"),
     ],
 )
 def test_a_spring_that_is_driven_has_no_potential(element: ForceElement, name: str) -> None:
@@ -335,6 +375,9 @@ BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
     "true": (lambda: cd.JointForce("one", True), "joint_force: force is True; give"),
     "entry": (lambda: cd.JointForce("two", (x, "a")), r"joint_force: force\[1\] is 'a'; give"),
     "ratio": (lambda: cd.Drive("one", 0.1, ratio="50"), "drive: ratio is '50'; give a finite"),
+    "mu": (lambda: cd.CentralGravity("A", -1.0), "central_gravity: mu is -1; give 0 or more"),
+    "bodies": (lambda: cd.J2("A", 1.0, 0.1, 1.0, bodies=3), "j2: 3 is no body; give a body"),
+    "force": (lambda: cd.GravityGradient("A", 1.0, force=1), "force is True or False, not 1"),
     "shaft": (lambda: cd.Drive("one", 0.1, stiffness=nan), "drive: stiffness is nan; give"),
 }
 

@@ -118,6 +118,7 @@ KINDS: dict[str, Schema] = {
     "version": {"const": keys.VERSION},
     "text": TEXT,
     "texts": NAMES,
+    "members": one_or(TEXT),
     "names": {**NAMES, "minItems": 1, "maxItems": 6},
     "mesh": TEXT,
     "flag": {"type": "boolean"},

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
 from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
+from ..model.masses import pulled
 from ..model.model import Model
 from ..model.origins import located
 from . import announcements, internals, motion
@@ -101,9 +103,10 @@ def _build(
     places = internals.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
     forces = tuple(
-        _force(model, assembly, name, places[name])
+        one
         for name, force in scene.forces.items()
         if not isinstance(force.element, LineLoad)
+        for one in _forces(scene, assembly, name, places[name])
     )
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
@@ -203,6 +206,23 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
             )
         convert.define(name, convert.graph.atom(name))
     return atoms
+
+
+def _forces(
+    model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]
+) -> tuple[Force, ...]:
+    """A force element; once for every body where it acts by mass."""
+    force, user = _force(model, assembly, name, slots), model.forces[name]
+    if user.element.masses() is None:
+        return (force,)
+    return tuple(
+        replace(
+            force,
+            data=force.data | assembly.weights[body],
+            frames=force.frames | {"body": assembly.frame(body, body.name)},
+        )
+        for body in pulled(model, user)
+    )
 
 
 def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:

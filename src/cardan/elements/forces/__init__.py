@@ -1,6 +1,7 @@
 """The force elements, by kind."""
 
 from .actuator import Actuator
+from .central_gravity import CentralGravity
 from .contact import Contact
 from .controller import Controller
 from .damping import Damping
@@ -8,6 +9,8 @@ from .drive import Drive
 from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
+from .gravity_gradient import GravityGradient
+from .j2 import J2
 from .joint_force import JointForce
 from .line_load import LineLoad
 from .lock import Lock
@@ -34,6 +37,9 @@ FORCES: dict[str, type[ForceElement]] = {
         Stop,
         Lock,
         Contact,
+        CentralGravity,
+        GravityGradient,
+        J2,
         Watch,
     )
 }

@@ -166,6 +166,11 @@ class Values:
             known = self.frames[id(item.node)] = self.frame(item, None)
         return known
 
+    def members(self, item: Item) -> tuple[Place, ...]:
+        """A body by its name, or several."""
+        entries = item.entries() if item.is_list else [item]
+        return tuple(self.place(entry) for entry in entries)
+
     def frame(self, item: Item, name: str | None) -> Place:
         """A frame on a body."""
         given = self.record(keys.FRAME, item, "a frame")
