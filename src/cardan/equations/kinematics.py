@@ -358,6 +358,12 @@ class Kinematics:
         at = self.place(frame)
         return self.ground_rotation[f.body] @ (self.v[f.body] + self.omega[f.body].cross(at))
 
+    def spin(self, frame: int) -> Matrix:
+        f = self.system.frames[frame]
+        if f.body < 0:
+            return Matrix.zeros(self.graph, 3)
+        return paths.own_axes(self, frame).T @ self.omega[f.body]
+
     def arm(self, start: int, end: int) -> Matrix:
         return paths.arm(self, start, end)
 

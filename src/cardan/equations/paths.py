@@ -16,25 +16,25 @@ def arm(k: Kinematics, start: int, end: int) -> Matrix:
     first, last = (k.system.frames[frame].body for frame in (start, end))
     top = _meeting(k, first, last)
     span = _point(k, end, top) - _point(k, start, top)
-    return _own_axes(k, end).T @ _down(k, span, last, top)
+    return own_axes(k, end).T @ _down(k, span, last, top)
 
 
 def seen(k: Kinematics, x: Matrix, start: int, end: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those of another."""
     first, last = (k.system.frames[frame].body for frame in (start, end))
     top = _meeting(k, first, last)
-    x = _up(k, _own_axes(k, start) @ x, first, top)
-    return _own_axes(k, end).T @ _down(k, x, last, top)
+    x = _up(k, own_axes(k, start) @ x, first, top)
+    return own_axes(k, end).T @ _down(k, x, last, top)
 
 
 def into_body(k: Kinematics, x: Matrix, start: int, body: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those the vectors of a body are told in."""
     first = k.system.frames[start].body
     top = _meeting(k, first, body)
-    return _down(k, _up(k, _own_axes(k, start) @ x, first, top), body, top)
+    return _down(k, _up(k, own_axes(k, start) @ x, first, top), body, top)
 
 
-def _own_axes(k: Kinematics, frame: int) -> Matrix:
+def own_axes(k: Kinematics, frame: int) -> Matrix:
     """R from axes of a frame to those of its body."""
     f = k.system.frames[frame]
     return k.fixed_to(f.body, k.matrix(3, 3, f.rotation))

@@ -22,7 +22,7 @@ from .closed_forms import closed_forms
 from .convert import Converter
 from .legs import Axes
 from .pictures import pictures
-from .rotors import with_rotors
+from .rotors import with_carried, with_rotors
 from .segments import segments, settle
 from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
@@ -106,7 +106,7 @@ def _build(
         one
         for name, force in scene.forces.items()
         if not isinstance(force.element, LineLoad)
-        for one in _forces(scene, assembly, name, places[name])
+        for one in _forces(model, assembly, name, places[name])
     )
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
@@ -221,7 +221,7 @@ def _forces(
             data=force.data | assembly.weights[body],
             frames=force.frames | {"body": assembly.frame(body, body.name)},
         )
-        for body in pulled(model, user)
+        for body in with_carried(assembly.model, pulled(model, user))
     )
 
 
@@ -258,7 +258,7 @@ def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, 
             listed = near(name, assembly.joint_number).replace(" Known:", " Joints:")
             raise ModelError(f"force '{force}' ({element.kind}): joint '{name}' {what}.{listed}")
         found[role] = assembly.joint_number[name]
-    if f"{force}.rotor" in assembly.rotors:
+    if element.rotor() is not None:
         found["rotor"] = assembly.joint_number[f"{force}.rotor"]
     return found
 

@@ -14,6 +14,7 @@ from .j2 import J2
 from .joint_force import JointForce
 from .line_load import LineLoad
 from .lock import Lock
+from .rotor import Rotor
 from .spring_damper import SpringDamper
 from .stop import Stop
 from .torque import Torque
@@ -31,6 +32,7 @@ FORCES: dict[str, type[ForceElement]] = {
         JointForce,
         Damping,
         Drive,
+        Rotor,
         Actuator,
         Controller,
         Friction,

@@ -29,6 +29,9 @@ class Motion(Protocol):
     def rotation(self, frame: int) -> Matrix: ...
     def velocity(self, frame: int) -> Matrix: ...
     def angular_velocity(self, frame: int) -> Matrix: ...
+    def spin(self, frame: int) -> Matrix:
+        """Angular velocity of a frame (3, 1), in its own axes."""
+
     def arm(self, start: int, end: int) -> Matrix:
         """From the origin of a frame to that of another (3, 1), in axes of the latter."""
 
@@ -60,6 +63,29 @@ class JointLoad:
 
     joint: int
     force: Matrix
+
+
+@dataclass(frozen=True)
+class RotorBody:
+    """The body ``<element>.rotor`` that an element needs besides those of the scene.
+
+    It turns about a line of what carries it, and has inertia about that line alone.
+
+    Attributes:
+        inertia: About the line [kg m^2].
+        joint: Name of the joint along whose axis, in whose parent it turns; "" for ``axis`` in
+            ``frame``.
+        ratio: Its turns per turn of that joint, where it follows that; else it has a coordinate.
+        frame, axis: What carries it, and the line.
+        speed: At which it turns, where that is prescribed [rad/s].
+    """
+
+    inertia: Any
+    joint: str = ""
+    ratio: Any = None
+    frame: Any = None
+    axis: Any = None
+    speed: Any = None
 
 
 @dataclass(frozen=True)
@@ -207,6 +233,10 @@ class ForceElement(ABC):
     def change(self, at: Places, jumped: Jumped) -> Change:
         """What becomes of its own states at events, its own and those of others."""
         return Change()
+
+    def rotor(self) -> RotorBody | None:
+        """The body it needs besides those of the scene; its joint has the role ``rotor``."""
+        return None
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         """Inertia (nu, nu) it adds to the speeds of a joint, by role; such as a geared rotor."""
