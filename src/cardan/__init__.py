@@ -59,6 +59,7 @@ _PUBLIC: dict[str, str] = {
             "Force",
             "Torque",
             "SpringDamper",
+            "Maxwell",
             "TorsionSpring",
             "JointForce",
             "Damping",

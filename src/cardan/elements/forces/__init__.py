@@ -14,6 +14,7 @@ from .j2 import J2
 from .joint_force import JointForce
 from .line_load import LineLoad
 from .lock import Lock
+from .maxwell import Maxwell
 from .rotor import Rotor
 from .spring_damper import SpringDamper
 from .stop import Stop
@@ -28,6 +29,7 @@ FORCES: dict[str, type[ForceElement]] = {
         Torque,
         LineLoad,
         SpringDamper,
+        Maxwell,
         TorsionSpring,
         JointForce,
         Damping,
