@@ -28,6 +28,9 @@ LEAVES = {
     "16_spin_up_blade": ("spin_up.html",),
     "17_flexible_pendulum": ("pendulum.html", "example.c", "tables.h"),
     "18_locking_beams": ("locking.html",),
+    "22_orbit": ("orbit.nc",),
+    "23_dual_spin": ("dual_spin.html",),
+    "24_computed_torque": ("arm.html",),
 }
 
 
