@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import numpy as np
 import pytest
 import sympy as sp
 
 import cardan as cd
+from laws.cases import call
 
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
 
@@ -58,22 +62,12 @@ def test_pendulum_of_foucault(latitude: float) -> None:
 def test_free_body_on_a_ship() -> None:
     """Whatever the six coordinates of the base do, by expressions and an input."""
     scene = cd.Model("ship", gravity=(0, 0, -9.81))
-    heave = scene.input("heave")
-    moves = {
-        "surge": (cd.Prismatic("x"), 2 * cd.t + sp.Rational(1, 5) * sp.sin(cd.t)),
-        "sway": (cd.Prismatic("y"), sp.cos(cd.t / 2)),
-        "heave_slide": (cd.Prismatic("z"), heave),
-        "yaw": (cd.Revolute("z"), sp.Rational(1, 3) * cd.t),
-        "pitch": (cd.Revolute("y"), sp.sin(2 * cd.t) / 10),
-        "roll": (cd.Revolute("x"), sp.sin(3 * cd.t + 1) / 4),
-    }
-    place = scene.ground
-    for name, (kind, path) in moves.items():
-        carried = scene.body(f"on_{name}")
-        scene.joint(name, kind, place, carried, motion=path)
-        place = carried
+    ship, half = scene.body("ship"), sp.Rational(1, 2)
+    moves = (half * sp.sin(cd.t / 3), sp.sin(2 * cd.t) / 10, sp.sin(3 * cd.t + 1) / 4)
+    places = (2 * cd.t + half * sp.sin(cd.t), sp.cos(cd.t / 2), scene.input("heave"))
+    scene.joint("sea", cd.Free("ZYX"), scene.ground, ship, motion=(*moves, *places))
     ball = scene.body("ball", mass=0.4, inertia=(0.01, 0.02, 0.03))
-    scene.joint("flight", cd.Free(), place.at(1, 2, 3), ball)
+    scene.joint("flight", cd.Free(), ship.at(1, 2, 3), ball)
     model = cd.compile(scene)
     times = np.linspace(0, 2, 81)
     motion = model.simulate(2.0, inputs={"heave": (times, 0.3 * np.sin(1.5 * times))}, **TIGHT)
@@ -83,3 +77,48 @@ def test_free_body_on_a_ship() -> None:
     wanted = straight[0] + np.outer(motion.t / motion.t[-1], straight[-1] - straight[0])
     np.testing.assert_allclose(straight, wanted, atol=1e-8)
     assert np.ptp(found, axis=0).min() > 0.1
+
+
+KINDS = {
+    "free": (cd.Free("zxy"), 6),
+    "free, turning along": (cd.Free("YXZ"), 6),
+    "spherical": (cd.Spherical("ZXZ"), 3),
+    "universal": (cd.Universal((1, 2, 0), (0, 1, -1)), 2),
+    "cylindrical": (cd.Cylindrical((1, 1, 1)), 2),
+    "planar": (cd.Planar("y"), 3),
+    "planar, from behind": (cd.Planar("-x"), 3),
+}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_joint_is_its_steps(name: str, tmp_path: Path) -> None:
+    """Prescribed one by one, in Python and from a file, or free: the same pose."""
+    kind, count = KINDS[name]
+    q = [0.3, -0.5, 0.8, 0.2, 0.7, -0.4][:count]
+    motion: list[float | None] = [*q[:-1], None]
+    scenes = [cd.Model("moved"), cd.Model("free")]
+    for scene, given in zip(scenes, (motion, None), strict=True):
+        body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
+        scene.joint("way", kind, scene.ground.at(0.1, 0, 0), body.at(0, 0.2, 0), motion=given)
+    scenes[0].save(tmp_path / "scene.yaml")
+    (free,) = call(cd.derive(scenes[1]), "pose", "body", q=np.array(q)).values()
+    for scene in (scenes[0], cd.load(tmp_path / "scene.yaml")):
+        (found,) = call(cd.derive(scene), "pose", "body", q=np.array(q[-1:])).values()
+        np.testing.assert_allclose(found, free, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("kind", "more", "message"),
+    [
+        (cd.Free(), {"motion": [0] * 7}, r"free\): motion= can prescribe .*cd.Free\(\"ZYX\"\)"),
+        (cd.Free("ZYX"), {"motion": [0] * 5}, "motion= has 5 values; give 6, for angle1, .*, pz"),
+        (cd.Universal(), {"motion": [0, 0], "q0": [0, 0]}, "q0= does not go with motion= for"),
+    ],
+)
+def test_bad_motions_leave_nothing(kind: Any, more: dict[str, Any], message: str) -> None:
+    scene = cd.Model("bad")
+    body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
+    with pytest.raises(cd.ModelError, match=message):
+        scene.joint("way", kind, scene.ground, body, **more)
+    assert list(scene.bodies) == ["body"]
+    assert not scene.joints

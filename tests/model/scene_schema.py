@@ -124,7 +124,12 @@ KINDS: dict[str, Schema] = {
     "flag": {"type": "boolean"},
     "scalar": EXPRESSION,
     "law": EXPRESSION,
-    "motion": EXPRESSION,
+    "motion": {
+        "anyOf": [
+            EXPRESSION,
+            {"type": "array", "items": {"anyOf": [EXPRESSION, {"type": "null"}]}},
+        ]
+    },
     "value": reference("rows"),
     "vector": reference("vector"),
     "direction": reference("direction"),
