@@ -38,7 +38,7 @@ def binary() -> cd.Model:
     strength = scene.parameter("G", 0.4)
     center = star.at(0.02, 0, 0)
     scene.force("pull", cd.CentralGravity(center, strength * 3.0))
-    scene.force("tide", cd.GravityGradient(center, strength * 3.0, "moon"))
+    scene.force("tide", cd.GravityGradient(center, strength * 3.0, moon))
     scene.force("bulge", cd.J2(center, strength * 3.0, 0.04, 0.4))
     return scene
 
