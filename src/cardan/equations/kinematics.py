@@ -12,13 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cached_property
 
-from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
-from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
-from ..ir.rewrite import rebuild
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from . import paths

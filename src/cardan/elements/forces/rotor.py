@@ -109,7 +109,7 @@ class Rotor(ForceElement):
         momentum = axis * (at.data["momentum"][0] / norm(*axis))
         torque = momentum.cross(at.motion.spin(frame))
         load = Load(frame, torque, Matrix.zeros(at.motion.graph, 3), axes=frame)
-        return (Action((load,), potential=momentum[0] * 0),)
+        return (Action((load,)),)
 
     def _driven(self, at: Places) -> tuple[Action, ...]:
         rotor = at.joints["rotor"]
