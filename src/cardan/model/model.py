@@ -15,7 +15,15 @@ from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
 from .body import Body, placed, tensor
-from .connections import Force, Joint, by_names, couple_of, element_of, limits_of
+from .connections import (
+    Force,
+    Joint,
+    by_names,
+    check_cut,
+    couple_of,
+    element_of,
+    limits_of,
+)
 from .driven import chain, several
 from .frame import Frame, Located, Place, triple
 from .include import Included, include
@@ -233,13 +241,7 @@ class Model(Vocabulary):
             raise ModelError(
                 f"{who}: it cannot both follow motion= and another joint; leave out one"
             )
-        if not isinstance(cut, bool):
-            raise ModelError(f"{who}: cut is True or False, not {cut!r}")
-        if cut and (motion is not None or couple is not None):
-            raise ModelError(
-                f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
-                "another joint of the circuit"
-            )
+        check_cut(who, cut, motion is not None or couple is not None)
         if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
             raise ModelError(f"{who}: at= needs bodies, not frames: it makes the frames itself")
         made = Joint(
