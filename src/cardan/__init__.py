@@ -26,6 +26,7 @@ _PUBLIC: dict[str, str] = {
     "t": "model",
     "inertia": "model.inertia",
     "shape": "model.shape",
+    "orbit": "model.orbit",
     "table": "elements.tables",
     "section": "elements.sections",
     "material": "elements.material",
@@ -58,6 +59,7 @@ _PUBLIC: dict[str, str] = {
             "Force",
             "Torque",
             "SpringDamper",
+            "Maxwell",
             "TorsionSpring",
             "JointForce",
             "Damping",
@@ -69,7 +71,11 @@ _PUBLIC: dict[str, str] = {
             "Contact",
             "Watch",
             "Drive",
+            "Rotor",
             "LineLoad",
+            "CentralGravity",
+            "GravityGradient",
+            "J2",
         ),
         "elements.forces",
     ),
@@ -117,7 +123,7 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
-_MODULES = frozenset({"inertia", "section", "shape", "sample", "stability"})
+_MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load"}
 
 __all__ = ["__version__", *_PUBLIC]

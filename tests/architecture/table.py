@@ -136,7 +136,7 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
-    "elements.forces": frozenset({"force"}),
+    "elements.forces": frozenset({"force", "gravitation", "line"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),

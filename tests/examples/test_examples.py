@@ -32,6 +32,9 @@ LEAVES = {
     "19_bring_your_own_equations": ("forward_dynamics.c", "manifest.json"),
     "20_linear_bicycle": ("matrices.txt",),
     "21_campbell": ("campbell.png", "locus.png"),
+    "22_orbit": ("orbit.nc",),
+    "23_dual_spin": ("dual_spin.html",),
+    "24_computed_torque": ("arm.html",),
 }
 
 

@@ -13,11 +13,12 @@ from laws.cases import EPS, call, derived, deviation, slots, states
 from laws.circuits import EVERY
 from mechanisms import ZOO
 
-# the rotor of a drive turns on the declared parent: with that exchanged it is another machine
+# the rotor of a drive turns on the declared parent: with that exchanged it is another machine;
+# that of a body has a joint that nobody declares
 MEMBERS = [
     name
     for name, member in ZOO.items()
-    if not any(isinstance(f.element, cd.Drive) for f in member.build().forces.values())
+    if not any(isinstance(f.element, cd.Drive | cd.Rotor) for f in member.build().forces.values())
     and not derived(name).system.closed
 ]
 

@@ -4,12 +4,12 @@ A new mechanism is one function and one ``Mechanism`` in the ``MEMBERS`` of its 
 iterate this list.
 """
 
-from . import backwards, forced, guided, joints, pendulums, rotations, trees
+from . import backwards, forced, guided, joints, pendulums, rotations, space, trees
 from .mechanism import METHODS, Mechanism, State
 
 ZOO: dict[str, Mechanism] = {
     member.name: member
-    for family in (pendulums, joints, guided, backwards, trees, rotations, forced)
+    for family in (pendulums, joints, guided, backwards, trees, rotations, forced, space)
     for member in family.MEMBERS
 }
 

@@ -118,12 +118,18 @@ KINDS: dict[str, Schema] = {
     "version": {"const": keys.VERSION},
     "text": TEXT,
     "texts": NAMES,
+    "members": one_or(TEXT),
     "names": {**NAMES, "minItems": 1, "maxItems": 6},
     "mesh": TEXT,
     "flag": {"type": "boolean"},
     "scalar": EXPRESSION,
     "law": EXPRESSION,
-    "motion": EXPRESSION,
+    "motion": {
+        "anyOf": [
+            EXPRESSION,
+            {"type": "array", "items": {"anyOf": [EXPRESSION, {"type": "null"}]}},
+        ]
+    },
     "value": reference("rows"),
     "vector": reference("vector"),
     "direction": reference("direction"),

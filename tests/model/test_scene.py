@@ -146,6 +146,10 @@ FITTING: dict[str, dict[str, Any]] = {
     "lock": {"locked": True},
     "contact": {"sphere": "a", "other": "ground", "normal": "x"},
     "watch": {"then": "end", "direction": "up"},
+    "rotor": {"axis": "x", "momentum": None, "speed": None, "torque": 2.0},
+    "central_gravity": {"center": "ground", "bodies": "a"},
+    "gravity_gradient": {"center": "ground", "bodies": "a", "force": False},
+    "j2": {"center": "ground", "pole": "x", "bodies": "a", "gradient": True},
     "line_load": {"beam": "b", "force": [0, 1.5, 0], "moment": [0, 0, 2.0], "follower": True},
 }  # fmt: skip
 

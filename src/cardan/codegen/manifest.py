@@ -47,7 +47,9 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     """
     system = equations.system
     joints = [_joint(equations, i) for i in range(len(system.joints))]
-    limits = [row for force in system.forces for row in _limits(system, force)]
+    # of those that act on several bodies once
+    once = {force.name: force for force in system.forces}.values()
+    limits = [row for force in once for row in _limits(system, force)]
     absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
     data: dict[str, Any] = {
         "abi": ABI,
@@ -189,7 +191,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
         "parents": [b.parent for b in system.bodies],
         "kinds": [flat.kind(j) for j in system.joints],
         "rotations": [_rotation(j) for j in system.joints],
-        "forces": [force.name for force in system.forces],
+        "forces": list(dict.fromkeys(force.name for force in system.forces)),
         "unknown": unknown,
         **({"curves": curves} if any(curves) else {}),
         **({"samples": samples} if samples else {}),

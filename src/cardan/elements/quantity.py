@@ -11,6 +11,7 @@ from ..ir.graph import Graph
 # of files go by it. ``Any`` is a value: a number, an expression or rows of them.
 Direction = Any  # "x", "-z" or three values
 Place = Any  # a frame, a body or its name
+Bodies = Any  # a body or its name, several, or () for all that have mass
 JointName = str  # the name of a joint
 BeamName = Any  # a beam or its name
 LocalNames = Any  # names of the element's own coordinates

@@ -12,21 +12,19 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cached_property
 
-from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
-from ..ir.function import live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
-from ..ir.rewrite import rebuild
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
+from . import paths
 from .carried import XYZ, Cuts
 from .chosen_speeds import by_speeds, speeds_of_joints
 from .closures import Closures
 from .joint_motion import JointMotion, JointPose, joint_motion, joint_pose, turn
 from .memo import Memo
-from .placeholders import placeholder
+from .placeholders import resolved
 
 
 class Kinematics:
@@ -364,6 +362,18 @@ class Kinematics:
         at = self.place(frame)
         return self.ground_rotation[f.body] @ (self.v[f.body] + self.omega[f.body].cross(at))
 
+    def spin(self, frame: int) -> Matrix:
+        f = self.system.frames[frame]
+        if f.body < 0:
+            return Matrix.zeros(self.graph, 3)
+        return paths.own_axes(self, frame).T @ self.omega[f.body]
+
+    def arm(self, start: int, end: int) -> Matrix:
+        return paths.arm(self, start, end)
+
+    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
+        return paths.seen(self, x, start, end)
+
     def q(self, joint: int) -> Matrix:
         return self.coordinates[joint]
 
@@ -378,23 +388,4 @@ class Kinematics:
         Raises:
             DerivationError: an expression divides by what is always 0 in this scene, or the like.
         """
-        if not self.system.atoms and not self._replace:
-            return tuple(nodes)
-        g = self.graph
-        replace = {n: r for n, r in self._replace.items() if n < len(self.system.graph)}
-        for i in live(g, nodes):
-            # symbols of a joint's own are no atoms of the system: the joint resolves them
-            if g.nodes[i][0] == "atom" and g.nodes[i][1] in self.system.atoms:
-                replace[i] = placeholder(self, self.system.atoms[g.nodes[i][1]])
-        if not replace:
-            return tuple(nodes)
-        try:
-            return tuple(rebuild(g, nodes, replace, into=g)[1])
-        except (ZeroDivisionError, ValueError) as problem:
-            atoms = [
-                (g.nodes[i][1], g.value(n)) for i, n in replace.items() if g.nodes[i][0] == "atom"
-            ]
-            listed = ", ".join(f"'{name}' is {v:g}" for name, v in atoms if v is not None)
-            raise DerivationError(
-                f"{problem}: in this scene {listed} at all times. Rewrite the expression without it"
-            ) from problem
+        return resolved(self, self._replace, nodes)

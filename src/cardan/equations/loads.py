@@ -12,6 +12,7 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from ..topology.system import Force
 from .kinematics import Kinematics
+from .paths import into_body
 
 # body -> (torque, force), (3, 1) each, at its origin in its axes
 Wrenches: TypeAlias = "dict[int, tuple[Matrix, Matrix]]"
@@ -137,11 +138,11 @@ def _rotors(
 
 
 def _add_wrench(k: Kinematics, wrenches: Wrenches, load: Load) -> None:
-    """Carry a load in ground axes to the origin and the axes of its body."""
+    """Carry a load to the origin and the axes of its body."""
     frame = k.system.frames[load.frame]
-    to_body = k.body_rotation(frame.body).T
-    force = to_body @ load.force
-    torque = to_body @ load.torque + k.place(load.frame).cross(force)
+    force = into_body(k, load.force, load.axes, frame.body)
+    torque = into_body(k, load.torque, load.axes, frame.body)
+    torque = torque + k.place(load.frame).cross(force)
     if frame.body in wrenches:
         before = wrenches[frame.body]
         torque, force = before[0] + torque, before[1] + force
@@ -156,8 +157,10 @@ def _add_joint(joints: dict[int, Matrix], load: JointLoad) -> None:
 def _power(k: Kinematics, action: Action) -> Scalar:
     total = Scalar(k.graph, ZERO)
     for load in action.loads:
-        total = total + load.force.dot(k.velocity(load.frame))
-        total = total + load.torque.dot(k.angular_velocity(load.frame))
+        velocity, omega = k.velocity(load.frame), k.angular_velocity(load.frame)
+        if load.axes:
+            velocity, omega = (k.seen(x, 0, load.axes) for x in (velocity, omega))
+        total = total + load.force.dot(velocity) + load.torque.dot(omega)
     for joint_load in action.joint_loads:
         total = total + joint_load.force.dot(k.u(joint_load.joint))
     return total

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 from ..elements.forces.force import Motion
 from ..errors import DerivationError
+from ..ir.function import live
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..topology.system import Atom, System
 
 
@@ -16,6 +18,37 @@ class Moving(Motion, Protocol):
 
     system: System
     acceleration: Callable[[int], Matrix] | None
+
+
+def resolved(k: Moving, given: Mapping[int, int], nodes: Sequence[int]) -> tuple[int, ...]:
+    """Nodes with placeholders put in.
+
+    Args:
+        k: The motion.
+        given: Other nodes that are replaced, with what stands for them.
+        nodes: The expressions.
+
+    Raises:
+        DerivationError: an expression divides by what is always 0 in this scene, or the like.
+    """
+    if not k.system.atoms and not given:
+        return tuple(nodes)
+    g = k.graph
+    replace = {n: r for n, r in given.items() if n < len(k.system.graph)}
+    for i in live(g, nodes):
+        # symbols of a joint's own are no atoms of the system: the joint resolves them
+        if g.nodes[i][0] == "atom" and g.nodes[i][1] in k.system.atoms:
+            replace[i] = placeholder(k, k.system.atoms[g.nodes[i][1]])
+    if not replace:
+        return tuple(nodes)
+    try:
+        return tuple(rebuild(g, nodes, replace, into=g)[1])
+    except (ZeroDivisionError, ValueError) as problem:
+        atoms = [(g.nodes[i][1], g.value(n)) for i, n in replace.items() if g.nodes[i][0] == "atom"]
+        listed = ", ".join(f"'{name}' is {v:g}" for name, v in atoms if v is not None)
+        raise DerivationError(
+            f"{problem}: in this scene {listed} at all times. Rewrite the expression without it"
+        ) from problem
 
 
 def placeholder(k: Moving, atom: Atom) -> int:

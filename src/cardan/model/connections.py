@@ -145,6 +145,21 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
     return lower, upper, speed, effort
 
 
+def check_cut(who: str, cut: Any, moved: bool) -> None:
+    """Whether a joint may be cut as asked.
+
+    Raises:
+        ModelError: neither True nor False, or a joint that something moves.
+    """
+    if not isinstance(cut, bool):
+        raise ModelError(f"{who}: cut is True or False, not {cut!r}")
+    if cut and moved:
+        raise ModelError(
+            f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
+            "another joint of the circuit"
+        )
+
+
 def couple_of(who: str, kind: JointElement, couple: tuple[Any, ...] | None) -> Couple | None:
     """What a joint follows by its kind or by ``couple``, checked.
 

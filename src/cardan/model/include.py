@@ -16,8 +16,9 @@ from . import checks
 from .beam import Beam
 from .beam_arguments import add_nodes
 from .body import Body
-from .connections import Couple, Joint
+from .connections import Couple, Force, Joint
 from .frame import Frame, Place
+from .masses import pulled
 from .parameters import Output
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
         copy.joint(joint)
     copy.placeholders()
     for force in other.forces.values():
-        model.force(copy.name(force.name), copy.element(force.element))
+        model.force(copy.name(force.name), copy.element(force))
     for output in other.outputs.values():
         name = copy.name(output.name)
         checks.new("output", name, model.outputs)
@@ -249,8 +250,12 @@ class _Copy:
                 entry, place=places[0], wrt=places[1], in_=places[2]
             )
 
-    def element(self, element: ForceElement) -> ForceElement:
-        """A force element that acts on the new frames and joints."""
+    def element(self, force: Force) -> ForceElement:
+        """A force element that acts on the new frames, joints and bodies."""
+        element = force.element
+        if element.masses() is not None:
+            # all bodies are all of the old model
+            element = dataclasses.replace(element, bodies=pulled(self.other, force))  # type: ignore[type-var]
         places = [p for p in element.frames().values() if isinstance(p, str)]
         places += [element.beam] if isinstance(element, LineLoad) else []
         names = frozenset([*element.joints().values(), *places])

@@ -15,7 +15,16 @@ from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
 from .body import Body, placed, tensor
-from .connections import Force, Joint, by_names, couple_of, element_of, limits_of
+from .connections import (
+    Force,
+    Joint,
+    by_names,
+    check_cut,
+    couple_of,
+    element_of,
+    limits_of,
+)
+from .driven import chain, several
 from .frame import Frame, Located, Place, triple
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
@@ -198,7 +207,9 @@ class Model(Vocabulary):
                 :class:`RollingDisk`, :class:`PointOnCurve`). Where the child has ``pose=`` and the
                 parent is a body, the frame on the parent follows from the poses. The child may be
                 nearer to the ground than the parent.
-            motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed.
+            motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed. One
+                for each coordinate of a joint with several: that becomes a chain of joints
+                ``<name>.<coordinate>``; None in it moves freely.
             cut: Ask for this joint to close a circuit; without it circuits are cut where that
                 leaves the fewest speeds.
             q0, u0: Initial values.
@@ -218,6 +229,9 @@ class Model(Vocabulary):
         """
         checks.new("joint", name, self.joints)
         element = element_of(name, kind, axis)
+        if several(motion):
+            rest = {"q0": q0, "u0": u0, "limits": limits, "at": at, "couple": couple}
+            return chain(self, name, element, (parent, child), motion, rest | {"cut": cut or None})
         who = f"joint '{name}' ({element.kind})"
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
@@ -227,13 +241,7 @@ class Model(Vocabulary):
             raise ModelError(
                 f"{who}: it cannot both follow motion= and another joint; leave out one"
             )
-        if not isinstance(cut, bool):
-            raise ModelError(f"{who}: cut is True or False, not {cut!r}")
-        if cut and (motion is not None or couple is not None):
-            raise ModelError(
-                f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
-                "another joint of the circuit"
-            )
+        check_cut(who, cut, motion is not None or couple is not None)
         if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
             raise ModelError(f"{who}: at= needs bodies, not frames: it makes the frames itself")
         made = Joint(

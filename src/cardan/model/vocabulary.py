@@ -6,11 +6,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
+from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.revolute import Revolute
 from ..errors import ModelError, near
 from . import checks
 from .beam import Beam
-from .connections import Joint
+from .connections import Force, Joint
 from .frame import Located, Place
 from .parameters import Constraint, Declared, Output, Placeholder
 from .units import unit as unit_of
@@ -24,6 +26,7 @@ class Vocabulary(ABC):
     name: str
     joints: dict[str, Joint]
     beams: dict[str, Beam]
+    forces: dict[str, Force]
     parameters: dict[str, Declared]
     inputs: dict[str, Declared]
     outputs: dict[str, Output]
@@ -142,10 +145,11 @@ class Vocabulary(ABC):
         return _symbol(name)
 
     def joint_kinds(self) -> dict[str, JointElement]:
-        """Kinds of the joints by name, those of released ends of beams included."""
+        """Kinds of the joints by name, those of released ends and of free rotors included."""
         released = (beam.releases() for beam in self.beams.values())
         named = {name: kind for kinds in released for name, kind in kinds.items()}
-        return named | {name: joint.kind for name, joint in self.joints.items()}
+        turning = {f"{n}.rotor": Revolute() for n, f in self.forces.items() if _turns(f.element)}
+        return named | turning | {name: joint.kind for name, joint in self.joints.items()}
 
     def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
         kinds = self.joint_kinds()
@@ -182,6 +186,12 @@ class Vocabulary(ABC):
             self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k)
             symbols.append(_symbol(text))
         return symbols
+
+
+def _turns(element: ForceElement) -> bool:
+    """Whether an element has a rotor with a coordinate of its own."""
+    rotor = element.rotor()
+    return rotor is not None and rotor.ratio is None and rotor.speed is None
 
 
 def _symbol(name: str) -> Any:

@@ -58,6 +58,8 @@ class Assembly:
         self.nq = self.nu = 0
         self.unchecked: list[tuple[str, Nodes]] = []
         self.home: dict[UserBody, tuple[int, Placement]] = {}
+        # mass, com and inertia as written, in axes of the user's body
+        self.weights: dict[UserBody, dict[str, tuple[int, int, Nodes]]] = {}
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
         self.data: dict[str, dict[str, tuple[int, int, Nodes]]] = {}
@@ -336,7 +338,9 @@ class Assembly:
             mass = convert.scalar(body.mass, f"{name}.mass", "kg")
             com = convert.vector(body.com, f"{name}.com", "m")
             entries = convert.vector(body.inertia, f"{name}.inertia", "kg m^2", labels=ENTRIES)
-            first, tensor = moved_mass(self.graph, placement, mass, com, symmetric(entries))
+            own = symmetric(entries)
+            first, tensor = moved_mass(self.graph, placement, mass, com, own)
+        self.weights[body] = {"mass": (1, 1, (mass,)), "com": (3, 1, com), "inertia": (3, 3, own)}
         if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
             self.unchecked.append((name, (mass, *entries)))
         return mass, first, tensor

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
 from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
+from ..model.masses import pulled
 from ..model.model import Model
 from ..model.origins import located
 from . import announcements, internals, motion
@@ -20,7 +22,7 @@ from .closed_forms import closed_forms
 from .convert import Converter
 from .legs import Axes
 from .pictures import pictures
-from .rotors import with_rotors
+from .rotors import with_carried, with_rotors
 from .segments import segments, settle
 from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
@@ -101,9 +103,10 @@ def _build(
     places = internals.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
     forces = tuple(
-        _force(model, assembly, name, places[name])
+        one
         for name, force in scene.forces.items()
         if not isinstance(force.element, LineLoad)
+        for one in _forces(model, assembly, name, places[name])
     )
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
@@ -205,6 +208,23 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     return atoms
 
 
+def _forces(
+    model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]
+) -> tuple[Force, ...]:
+    """A force element; once for every body where it acts by mass."""
+    force, user = _force(model, assembly, name, slots), model.forces[name]
+    if user.element.masses() is None:
+        return (force,)
+    return tuple(
+        replace(
+            force,
+            data=force.data | assembly.weights[body],
+            frames=force.frames | {"body": assembly.frame(body, body.name)},
+        )
+        for body in with_carried(assembly.model, pulled(model, user))
+    )
+
+
 def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
     """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
@@ -233,7 +253,7 @@ def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, 
             listed = near(name, assembly.joint_number).replace(" Known:", " Joints:")
             raise ModelError(f"force '{force}' ({element.kind}): joint '{name}' {what}.{listed}")
         found[role] = assembly.joint_number[name]
-    if f"{force}.rotor" in assembly.rotors:
+    if element.rotor() is not None:
         found["rotor"] = assembly.joint_number[f"{force}.rotor"]
     return found
 

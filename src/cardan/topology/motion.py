@@ -128,7 +128,7 @@ def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> 
     if len(joint.kind.coordinates) != 1:
         raise ModelError(
             f"{who}: motion= prescribes one coordinate, this kind has "
-            f"{len(joint.kind.coordinates)}; chain joints with one coordinate by massless bodies"
+            f"{len(joint.kind.coordinates)}; give a value for each"
         )
     allowed = {"t"} | {entry.name for entry in inputs}
     allowed |= {p.name for p in convert.parameters if p.declared}

@@ -1,17 +1,21 @@
-"""Drives whose rotor is a body: they add a body and a joint to the scene."""
+"""Rotors that are bodies: their elements add a body and a joint to the scene."""
 
 from __future__ import annotations
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..elements.forces.drive import Drive
+from ..elements.forces.force import RotorBody
 from ..elements.joints.revolute import Revolute
+from ..elements.written import is_expression
 from ..errors import ModelError
 from ..model.body import Body
-from ..model.connections import Couple, Joint
+from ..model.connections import Couple, Force, Joint
+from ..model.frame import Place
 from ..model.model import Model
+from ..model.parameters import Declared
 
 
 @dataclass(frozen=True)
@@ -28,49 +32,95 @@ class Rotors:
 
 
 def with_rotors(model: Model) -> tuple[Model, Rotors]:
-    """The model with the rotors of its drives as bodies ``<drive>.rotor``.
+    """The model with the rotors of its elements as bodies ``<element>.rotor``.
 
     Returns:
-        The model itself where no drive needs one, else a copy; and what was added.
+        The model itself where no element needs one, else a copy; and what was added.
     """
-    drives = {
-        name: force.element
-        for name, force in model.forces.items()
-        if isinstance(force.element, Drive) and force.element.rotor() is not None
-    }
-    if not drives:
+    wanted = [
+        (force, rotor)
+        for force in model.forces.values()
+        if (rotor := force.element.rotor()) is not None
+    ]
+    if not wanted:
         return model, Rotors()
     extended = copy.copy(model)
     extended.bodies, extended.joints = dict(model.bodies), dict(model.joints)
+    extended.parameters = dict(model.parameters)
     rotors = Rotors()
-    for name, drive in drives.items():
-        _add(extended, name, drive, rotors)
+    for force, rotor in wanted:
+        parent = None if rotor.joint else model.place(f"force '{force.name}'", rotor.frame)
+        _add(extended, force, rotor, parent, rotors)
     return extended, rotors
 
 
-def _add(model: Model, name: str, drive: Drive, rotors: Rotors) -> None:
-    """The rotor turns about the axis of the driven joint, carried by the parent of that."""
-    rotor, joint = drive.rotor(), model.joints.get(drive.joint)
-    if joint is None or rotor is None:
+def with_carried(model: Model, bodies: Sequence[Body]) -> tuple[Body, ...]:
+    """Bodies and the rotors that they carry.
+
+    Args:
+        model: The scene with its rotors.
+        bodies: Bodies of the user.
+    """
+    added = (f"{force.name}.rotor" for force in model.forces.values() if force.element.rotor())
+    carried = (model.bodies[n] for n in added if model.joints[n].parent.body in bodies)
+    return (*bodies, *carried)
+
+
+def _add(
+    model: Model, force: Force, rotor: RotorBody, parent: Place | None, rotors: Rotors
+) -> None:
+    """The rotor, and the joint that carries it; ``parent`` where it is on no joint."""
+    who, own = f"force '{force.name}' ({force.element.kind})", f"{force.name}.rotor"
+    if own in model.bodies or own in model.joints:
+        raise ModelError(f"{who}: the name '{own}' of its rotor is taken")
+    if rotor.joint and rotor.joint not in model.joints:
+        # the build names it
         return
+    axis = _axis_of(model, who, rotor.joint) if rotor.joint else rotor.axis
+    body = Body(model, own, 0, (0, 0, 0), _about(axis, rotor.inertia))
+    model.bodies[own] = body
+    couple = motion = None
+    if parent is None:
+        parent = model.joints[rotor.joint].parent
+        rotors.place[own] = rotor.joint
+    if rotor.ratio is not None:
+        couple = Couple(rotor.joint, rotor.ratio, 0)
+        rotors.same[f"{own}.ratio"] = f"{force.name}.ratio"
+    if rotor.speed is not None:
+        motion = _turning(model, f"{force.name}.speed", rotor.speed)
+    model.joints[own] = Joint(own, Revolute(axis), parent, body, motion=motion, couple=couple)
+    for k, key in ((0, "xx"), (3, "yy"), (5, "zz")):
+        if body.inertia[k] is rotor.inertia:
+            rotors.same[f"{own}.inertia.{key}"] = f"{force.name}.inertia"
+
+
+def _axis_of(model: Model, who: str, name: str) -> Any:
+    """Axis of the joint whose parent carries a rotor."""
+    joint = model.joints[name]
     axis = getattr(joint.kind, "axis", None)
     if axis is None or len(joint.kind.coordinates) != 1:
         raise ModelError(
-            f"force '{name}' (drive): joint '{drive.joint}' ({joint.kind.kind}) has no axis for "
-            "a rotor; drive a revolute, prismatic or screw joint"
+            f"{who}: joint '{name}' ({joint.kind.kind}) has no axis for a rotor; drive a revolute, "
+            "prismatic or screw joint"
         )
-    own = f"{name}.rotor"
-    if own in model.bodies or own in model.joints:
-        raise ModelError(f"force '{name}' (drive): the name '{own}' of its rotor is taken")
-    body = Body(model, own, 0, (0, 0, 0), _about(axis, rotor.inertia))
-    model.bodies[own] = body
-    couple = None if rotor.elastic else Couple(drive.joint, rotor.ratio, 0)
-    model.joints[own] = Joint(own, Revolute(axis), joint.parent, body, couple=couple)
-    rotors.place[own] = drive.joint
-    rotors.same[f"{own}.ratio"] = f"{name}.ratio"
-    for k, key in ((0, "xx"), (3, "yy"), (5, "zz")):
-        if body.inertia[k] is rotor.inertia:
-            rotors.same[f"{own}.inertia.{key}"] = f"{name}.inertia"
+    return axis
+
+
+def _turning(model: Model, name: str, speed: Any) -> Any:
+    """Angle of a rotor at constant speed; a number is a parameter of that name."""
+    from sympy import Symbol
+
+    if not is_expression(speed):
+        if name in model.parameters or name in model.inputs:
+            raise ModelError(f"the name '{name}' stands for two numbers; rename one of its owners")
+        model.parameters[name] = Declared(name, float(speed), "rad/s", False)
+        speed = Symbol(name)
+    elif not {symbol.name for symbol in speed.free_symbols} <= set(model.parameters):
+        raise ModelError(
+            f"'{name}' is constant: an expression of parameters. Join a body by a Revolute joint "
+            "with motion= for a wheel whose speed is prescribed otherwise"
+        )
+    return speed * Symbol("t")
 
 
 def _about(axis: Any, inertia: Any) -> tuple[Any, ...]:

@@ -1,6 +1,7 @@
 """The force elements, by kind."""
 
 from .actuator import Actuator
+from .central_gravity import CentralGravity
 from .contact import Contact
 from .controller import Controller
 from .damping import Damping
@@ -8,9 +9,13 @@ from .drive import Drive
 from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
+from .gravity_gradient import GravityGradient
+from .j2 import J2
 from .joint_force import JointForce
 from .line_load import LineLoad
 from .lock import Lock
+from .maxwell import Maxwell
+from .rotor import Rotor
 from .spring_damper import SpringDamper
 from .stop import Stop
 from .torque import Torque
@@ -24,16 +29,21 @@ FORCES: dict[str, type[ForceElement]] = {
         Torque,
         LineLoad,
         SpringDamper,
+        Maxwell,
         TorsionSpring,
         JointForce,
         Damping,
         Drive,
+        Rotor,
         Actuator,
         Controller,
         Friction,
         Stop,
         Lock,
         Contact,
+        CentralGravity,
+        GravityGradient,
+        J2,
         Watch,
     )
 }

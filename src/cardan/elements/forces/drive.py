@@ -11,20 +11,16 @@ from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number
-from .force import Action, ForceElement, JointLoad, Motion, Places, constant, one_coordinate
-
-
-@dataclass(frozen=True)
-class Rotor:
-    """The body a drive needs besides those of the scene.
-
-    It turns about the joint's axis in the joint's parent, ``ratio`` times as fast as the joint;
-    with ``elastic`` it has a coordinate of its own instead.
-    """
-
-    inertia: Any
-    ratio: Any
-    elastic: bool
+from .force import (
+    Action,
+    ForceElement,
+    JointLoad,
+    Motion,
+    Places,
+    RotorBody,
+    constant,
+    one_coordinate,
+)
 
 
 @dataclass(frozen=True)
@@ -93,11 +89,12 @@ class Drive(ForceElement):
                 "friction for the rotor"
             )
 
-    def rotor(self) -> Rotor | None:
-        """The extra body, None where the inertia of the rotor is added to the joint's."""
+    def rotor(self) -> RotorBody | None:
         if self.stiffness is None and not self.gyroscopic:
+            # its inertia is added to the joint's
             return None
-        return Rotor(self.inertia, self.ratio, elastic=self.stiffness is not None)
+        ratio = self.ratio if self.stiffness is None else None
+        return RotorBody(self.inertia, self.joint, ratio)
 
     def quantities(self) -> dict[str, Quantity]:
         shaft = (

@@ -18,7 +18,7 @@ from ..quantity import Quantity
 
 
 class Motion(Protocol):
-    """What an element may know about the moving system. Everything in ground axes.
+    """What an element may know about the moving system; in ground axes where nothing is said.
 
     Frames and joints are numbers of the system graph.
     """
@@ -29,6 +29,15 @@ class Motion(Protocol):
     def rotation(self, frame: int) -> Matrix: ...
     def velocity(self, frame: int) -> Matrix: ...
     def angular_velocity(self, frame: int) -> Matrix: ...
+    def spin(self, frame: int) -> Matrix:
+        """Angular velocity of a frame (3, 1), in its own axes."""
+
+    def arm(self, start: int, end: int) -> Matrix:
+        """From the origin of a frame to that of another (3, 1), in axes of the latter."""
+
+    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
+        """A vector in axes of a frame (3, 1), in those of another."""
+
     def q(self, joint: int) -> Matrix: ...
     def u(self, joint: int) -> Matrix: ...
     @property
@@ -37,11 +46,15 @@ class Motion(Protocol):
 
 @dataclass(frozen=True)
 class Load:
-    """A wrench on a frame: force at its origin and torque, (3, 1) each, in ground axes."""
+    """A wrench on a frame: force at its origin and torque, (3, 1) each.
+
+    They are given in axes of the ground, or of the frame ``axes``.
+    """
 
     frame: int
     torque: Matrix
     force: Matrix
+    axes: int = 0
 
 
 @dataclass(frozen=True)
@@ -50,6 +63,29 @@ class JointLoad:
 
     joint: int
     force: Matrix
+
+
+@dataclass(frozen=True)
+class RotorBody:
+    """The body ``<element>.rotor`` that an element needs besides those of the scene.
+
+    It turns about a line of what carries it, and has inertia about that line alone.
+
+    Attributes:
+        inertia: About the line [kg m^2].
+        joint: Name of the joint along whose axis, in whose parent it turns; "" for ``axis`` in
+            ``frame``.
+        ratio: Its turns per turn of that joint, where it follows that; else it has a coordinate.
+        frame, axis: What carries it, and the line.
+        speed: At which it turns, where that is prescribed [rad/s].
+    """
+
+    inertia: Any
+    joint: str = ""
+    ratio: Any = None
+    frame: Any = None
+    axis: Any = None
+    speed: Any = None
 
 
 @dataclass(frozen=True)
@@ -73,8 +109,9 @@ class Places:
 
     Attributes:
         motion: The moving system.
-        data: Its quantities by name.
-        frames, joints: Numbers of its frames and joints, by role.
+        data: Its quantities by name; ``mass``, ``com`` (3, 1) and ``inertia`` (3, 3) of the body
+            where it acts by mass, about the centre of mass and in axes of the body.
+        frames, joints: Numbers of its frames and joints, by role; of the body as ``body``.
         z: Its internal states (their number, 1).
         s: Its modes (their number, 1).
         pressing: What stands for the force that follows from the reaction of its joint; None where
@@ -114,9 +151,17 @@ class ForceElement(ABC):
         """The names of the joints it acts on, by role."""
         return {}
 
+    def masses(self) -> tuple[Any, ...] | None:
+        """The bodies it acts on by their mass, () for all that have some but those of its frames.
+
+        It acts on each of them by itself, and its field ``bodies`` says on which. None: masses are
+        no matter to it.
+        """
+        return None
+
     @abstractmethod
     def act(self, at: Places) -> tuple[Action, ...]:
-        """Its actions, in ground axes."""
+        """Its actions."""
 
     @property
     def pressed(self) -> bool:
@@ -192,6 +237,10 @@ class ForceElement(ABC):
     def change(self, at: Places, jumped: Jumped) -> Change:
         """What becomes of its own states at events, its own and those of others."""
         return Change()
+
+    def rotor(self) -> RotorBody | None:
+        """The body it needs besides those of the scene; its joint has the role ``rotor``."""
+        return None
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         """Inertia (nu, nu) it adds to the speeds of a joint, by role; such as a geared rotor."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...ir.arithmetic import Scalar, norm, select
-from ...ir.matrix import Matrix
+from ...ir.arithmetic import norm
 from ..quantity import Place, Quantity
 from ..written import number
-from .force import Action, ForceElement, Load, Motion, Places, constant
+from .force import Action, ForceElement, Places, constant
+from .line import between, direction
 
 
 @dataclass(frozen=True)
@@ -71,24 +71,12 @@ class SpringDamper(ForceElement):
             else:
                 distance = norm(*span)
                 stretch = distance - free
-                pull = _direction(span, distance) * (stiffness * stretch)
+                pull = direction(span, distance) * (stiffness * stretch)
                 energy = stiffness * stretch**2 * 0.5
             fixed = constant(data["stiffness"]) and constant(data["length"])
-            actions.append(_between(motion, a, b, pull, energy if fixed else None))
+            actions.append(between(motion, a, b, pull, energy if fixed else None))
         if not data["damping"].is_zero:
-            along = _direction(span, norm(*span))
+            along = direction(span, norm(*span))
             rate = along.dot(motion.velocity(b) - motion.velocity(a))
-            actions.append(_between(motion, a, b, along * (damping * rate), None))
+            actions.append(between(motion, a, b, along * (damping * rate), None))
         return tuple(actions)
-
-
-def _direction(span: Matrix, distance: Scalar) -> Matrix:
-    """Unit vector along a span, zero where it has no direction."""
-    apart = (distance * 0).apply("lt", distance)
-    return span * (select(apart, 1, 0) / select(apart, distance, 1))
-
-
-def _between(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
-    """A force that pulls a towards b and b towards a."""
-    none = Matrix.zeros(motion.graph, 3)
-    return Action((Load(a, none, pull), Load(b, none, -pull)), potential=energy)

@@ -10,7 +10,7 @@ from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint, held_across
+from .joint import Component, Joint, Step, held_across
 
 
 @dataclass(frozen=True)
@@ -39,6 +39,9 @@ class Cylindrical(Joint):
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return Component("angle", "rad"), Component("displacement", "m")
+
+    def steps(self) -> tuple[Step, ...]:
+        return Step("angle", self.axis), Step("displacement", self.axis, slides=True)
 
     def quantities(self) -> dict[str, Quantity]:
         return {"axis": Quantity(self.axis, ratio=True)}

@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.rotations import parametrization
-from .guided import Guided
-from .joint import POSITIONS, Component
+from .guided import Guided, turns
+from .joint import POSITIONS, Component, Step
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,11 @@ class Free(Guided):
 
     def __post_init__(self) -> None:
         parametrization(self.rotation, "free joint")
+
+    def steps(self) -> tuple[Step, ...]:
+        slides = tuple(Step(f"p{axis}", axis, slides=True) for axis in "xyz")
+        turned = turns(self.rotation)
+        return slides + turned if turned else ()
 
     @property
     def guides(self) -> tuple[Component, ...]:

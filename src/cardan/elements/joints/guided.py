@@ -7,7 +7,15 @@ from abc import abstractmethod
 from ...ir.matrix import Matrix
 from ...spatial.rotations import Rotation, parametrization
 from ...spatial.tangent import tangent
-from .joint import Component, Joint
+from .joint import Component, Joint, Step
+
+
+def turns(rotation: str) -> tuple[Step, ...]:
+    """The turns of a sequence of angles: about axes that turn along, or that stay; else ()."""
+    if len(rotation) != 3 or not set(rotation.lower()) <= set("xyz"):
+        return ()
+    steps = tuple(Step(f"angle{k + 1}", axis) for k, axis in enumerate(rotation.lower()))
+    return steps if rotation.isupper() else steps[::-1]
 
 
 class Guided(Joint):

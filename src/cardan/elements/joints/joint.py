@@ -38,6 +38,21 @@ def entries(head: str, components: Sequence[Component]) -> list[str]:
     return [c.name if c.alone else f"{head}.{c.name}" if c.name else head for c in components]
 
 
+@dataclass(frozen=True)
+class Step:
+    """A turn about a line, or a slide along it, by one coordinate.
+
+    Attributes:
+        component: Name of the coordinate.
+        axis: The line, in the frame that the steps before lead to.
+        slides: Along it, not about it.
+    """
+
+    component: str
+    axis: Any
+    slides: bool = False
+
+
 ROTATIONS = tuple(Component(name, "rad") for name in ("rx", "ry", "rz"))
 POSITIONS = tuple(Component(name, "m") for name in ("px", "py", "pz"))
 
@@ -47,7 +62,7 @@ def held_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
 
     They are called by the letters of the axes where the axis is one of them, else by 1 and 2.
     """
-    k, sign = _letter(axis)
+    k, sign = letter(axis)
     names = "12" if k is None else ("yzx"[k] + "zxy"[k])[::sign]
     unit = "rad" if prefix == "r" else "m"
     return Component(prefix + names[0], unit), Component(prefix + names[1], unit)
@@ -55,11 +70,11 @@ def held_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
 
 def held_along(axis: Direction, prefix: str) -> str:
     """Name of the rotation ("r") or position ("p") along an axis; 3 if it is no letter."""
-    k, _ = _letter(axis)
+    k, _ = letter(axis)
     return prefix + ("3" if k is None else "xyz"[k])
 
 
-def _letter(axis: Direction) -> tuple[int | None, int]:
+def letter(axis: Direction) -> tuple[int | None, int]:
     """Which axis of the frame a direction of three entries is, and its sign."""
     filled = [(k, x) for k, x in enumerate(axis) if not (isinstance(x, float) and x == 0.0)]
     if len(filled) == 1 and isinstance(filled[0][1], float) and abs(filled[0][1]) == 1.0:
@@ -111,6 +126,10 @@ class Joint(ABC):
     @abstractmethod
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         """Complementary modes T (6, 6 - nu): Tᵀ S = 0, [S T] regular; in C axes."""
+
+    def steps(self) -> tuple[Step, ...]:
+        """Turns and slides that do the same one after the other; () where none do."""
+        return ()
 
     def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         """qdot = N(q) u; by default u."""

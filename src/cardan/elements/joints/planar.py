@@ -10,7 +10,7 @@ from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis
-from .joint import Component, Joint, held_across, held_along
+from .joint import Component, Joint, Step, held_across, held_along, letter
 
 
 @dataclass(frozen=True)
@@ -41,6 +41,14 @@ class Planar(Joint):
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return Component("x", "m"), Component("y", "m"), Component("angle", "rad")
+
+    def steps(self) -> tuple[Step, ...]:
+        k, sign = letter(self.normal)
+        if k is None:
+            return ()
+        first, second = ("yzx"[k], "zxy"[k])[::sign]
+        slides = Step("x", first, slides=True), Step("y", second, slides=True)
+        return (*slides, Step("angle", self.normal))
 
     def quantities(self) -> dict[str, Quantity]:
         return {"normal": Quantity(self.normal, ratio=True)}

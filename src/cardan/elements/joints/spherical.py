@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.rotations import parametrization
-from .guided import Guided
-from .joint import POSITIONS, Component
+from .guided import Guided, turns
+from .joint import POSITIONS, Component, Step
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,9 @@ class Spherical(Guided):
 
     def __post_init__(self) -> None:
         parametrization(self.rotation, "spherical joint")
+
+    def steps(self) -> tuple[Step, ...]:
+        return turns(self.rotation)
 
     @property
     def guides(self) -> tuple[Component, ...]:

@@ -11,7 +11,7 @@ from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
 from ..quantity import Direction, Quantity
 from ..written import axis, parallel
-from .joint import POSITIONS, Component, Joint
+from .joint import POSITIONS, Component, Joint, Step
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,9 @@ class Universal(Joint):
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return Component("angle1", "rad"), Component("angle2", "rad")
+
+    def steps(self) -> tuple[Step, ...]:
+        return Step("angle1", self.axis1), Step("angle2", self.axis2)
 
     def quantities(self) -> dict[str, Quantity]:
         return {

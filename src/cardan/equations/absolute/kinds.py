@@ -80,7 +80,7 @@ def _outline(element: JointElement | ForceElement) -> str:
     told = [
         (field.name, _pattern(getattr(element, field.name), field.name in quantities))
         for field in fields(element)
-        if field.type not in ("Place", "JointName")
+        if field.type not in ("Place", "Bodies", "JointName")
     ]
     held = (element.held, element.slips) if isinstance(element, JointElement) else ()
     return repr((type(element).__name__, told, held))

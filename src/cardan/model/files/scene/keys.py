@@ -142,6 +142,7 @@ _KINDS = {
     "Any": "value",
     "Direction": "direction",
     "Place": "place",
+    "Bodies": "members",
     "JointName": "text",
     "BeamName": "text",
     "LocalNames": "names",

@@ -79,7 +79,9 @@ class Values:
         return self._expression(item, Scope.MOVING) if number is None else number
 
     def motion(self, item: Item) -> Any:
-        """An expression in t, inputs and parameters."""
+        """An expression in t, inputs and parameters; several in order, null for none."""
+        if item.is_list:
+            return tuple(None if x.is_null else self.motion(x) for x in item.entries())
         number = item.number()
         return self._expression(item, Scope.DRIVEN) if number is None else number
 
@@ -165,6 +167,11 @@ class Values:
         if known is None:
             known = self.frames[id(item.node)] = self.frame(item, None)
         return known
+
+    def members(self, item: Item) -> tuple[Place, ...]:
+        """A body by its name, or several."""
+        entries = item.entries() if item.is_list else [item]
+        return tuple(self.place(entry) for entry in entries)
 
     def frame(self, item: Item, name: str | None) -> Place:
         """A frame on a body."""

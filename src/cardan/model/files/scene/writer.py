@@ -267,6 +267,9 @@ class _Writer:
     def _field(self, kind: str, value: Any, where: str) -> Any:
         if kind == "place":
             return self._place(value)
+        if kind == "members":
+            names = [self._place(place) for place in value]
+            return names[0] if len(names) == 1 else names
         if kind == "flag":
             return bool(value)
         if kind == "direction":

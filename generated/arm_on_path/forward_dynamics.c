@@ -1,0 +1,171 @@
+/*
+ * forward_dynamics of arm_on_path
+ * udot with M udot + h = f + tau
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: unroll, reassociate
+ *
+ * Sizes: out 2, work 0, w 7
+ * Operations per call: 92 = 48 mul, 20 add, 14 sub, 5 cos, 4 sin, 1 div
+ * Operations of prepare: 15 = 9 mul, 5 add, 1 div
+ *
+ * Input t (1): time
+ *   t[0]  t [s]
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  shoulder [rad]
+ *   q[1]  elbow [rad]
+ *
+ * Input u (2): generalized speeds
+ *   u[0]  shoulder.u [rad/s]
+ *   u[1]  elbow.u [rad/s]
+ *
+ * Input p (12): parameters, read by prepare_ only
+ *
+ * Input tau (2): applied generalized forces
+ *   tau[0]  shoulder.u.tau [N*m]
+ *   tau[1]  elbow.u.tau [N*m]
+ *
+ * Output udot (2)
+ *   out[0]  shoulder.udot [rad/s^2]
+ *   out[1]  elbow.udot [rad/s^2]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* upper: first moment, inertia, base moment, base inertia */
+    const wreal upper_mass = p[1]; /* kg */
+    const wreal upper_com_x = p[2]; /* m */
+    const wreal upper_inertia_yy = p[4]; /* kg m^2 */
+    const wreal elbow_position_x = p[6]; /* m */
+    const wreal lower_mass = p[7]; /* kg */
+    const wreal upper_first_moment_x = upper_mass * upper_com_x;
+    const wreal upper_inertia_yy_2 = upper_inertia_yy + upper_com_x * upper_first_moment_x;
+    const wreal upper_base_inertia_yy = upper_inertia_yy_2
+        + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
+    w[4] = upper_first_moment_x + elbow_position_x * lower_mass; /* upper_base_moment_x */
+
+    /* lower: first moment, inertia */
+    const wreal lower_com_x = p[8]; /* m */
+    const wreal lower_inertia_yy = p[10]; /* kg m^2 */
+    const wreal lower_first_moment_x = lower_mass * lower_com_x;
+    const wreal lower_inertia_yy_2 = lower_inertia_yy + lower_com_x * lower_first_moment_x;
+    w[2] = lower_first_moment_x; /* lower_first_moment_x */
+    w[3] = lower_inertia_yy_2; /* lower_inertia_yy_2 */
+
+    /* upper: inertia */
+    w[5] = lower_inertia_yy_2 + upper_base_inertia_yy; /* upper_inertia */
+
+    /* M: D inverse */
+    w[6] = 1.0 / lower_inertia_yy_2; /* M_D_inverse_2 */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* gravity.z [m/s^2] */
+    w[1] = p[6]; /* elbow.position.x [m] */
+}
+
+#include "lanes.h"
+
+/* udot with M udot + h = f + tau */
+CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const t = in->t;
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const wreal *const w = in->w;
+    const real *const tau = in->tau;
+    (void)work;
+
+    /* shared by several: data, cos, sin */
+    const real shoulder_q = q[0]; /* rad */
+    const real elbow_q = q[1]; /* rad */
+    const real t_1 = t[0]; /* s */
+    const real shoulder_motor_data = 1.3 * t_1;
+    const real shoulder_motor_data_2 = 2.1 * t_1;
+    const real angle[CARDAN_PADDED(5)] = {shoulder_q
+        + elbow_q, shoulder_q, elbow_q, shoulder_motor_data, shoulder_motor_data_2};
+    real sine[CARDAN_PADDED(5)], cosine[CARDAN_PADDED(5)];
+    cardan_sincos(5, angle, sine, cosine);
+    const real shoulder_motor_data_3 = cosine[0];
+    const real shoulder_cos = cosine[1];
+    const real elbow_cos = cosine[2];
+    const real shoulder_motor_data_4 = cosine[3];
+    const real shoulder_motor_data_5 = sine[3];
+    const real shoulder_motor_data_6 = cosine[4];
+    const real shoulder_motor_data_7 = sine[4];
+    const real elbow_sin = sine[2];
+    const real shoulder_sin = sine[1];
+
+    /* shared by several: data, U, inertia */
+    const real shoulder_u = u[0]; /* rad/s */
+    const wreal elbow_position_x = w[1]; /* m */
+    const wreal lower_first_moment_x = w[2];
+    const real shoulder_motor_data_8 = 2.9430000000000005 * shoulder_motor_data_3;
+    const real shoulder_motor_data_9 = 12.48 * shoulder_motor_data_4 - (12.0 * shoulder_u
+        + 36.0 * shoulder_q) + 27.448 * shoulder_motor_data_5;
+    const real shoulder_motor_data_10 = 0.09000000000000001 + 0.15000000000000002 * elbow_cos;
+    const real upper_U = shoulder_u * shoulder_u;
+    const real upper_inertia_2 = lower_first_moment_x * elbow_cos * elbow_position_x;
+
+    /* shoulder_motor: data */
+    const real elbow_u = u[1]; /* rad/s */
+    const real shoulder_motor_data_11 = 12.0 * elbow_u + 36.0 * elbow_q
+        + 18.953999999999997 * shoulder_motor_data_7 + 15.120000000000001 * shoulder_motor_data_6;
+
+    /* upper: composite inertia, a */
+    const wreal gravity_z = w[0]; /* m/s^2 */
+    const wreal upper_inertia = w[5];
+    const real upper_composite_inertia_yy = 2.0 * upper_inertia_2 + upper_inertia;
+    const real upper_a_x = gravity_z * shoulder_sin;
+    const real upper_a = gravity_z * shoulder_cos;
+
+    /* M: L, D inverse */
+    const wreal lower_inertia_yy_2 = w[3];
+    const wreal M_D_inverse_2 = w[6];
+    const real M_2_1 = lower_inertia_yy_2 + upper_inertia_2;
+    const real M_L_2_1 = M_2_1 * M_D_inverse_2;
+    const real M_D_inverse_1 = 1.0 / (upper_composite_inertia_yy - M_2_1 * M_L_2_1);
+
+    /* lower: omega, a, inertia force */
+    const real lower_omega_y = shoulder_u + elbow_u;
+    const real lower_a_z = elbow_sin * (upper_a_x - elbow_position_x * upper_U)
+        - elbow_cos * upper_a;
+    const real lower_inertia_force = lower_first_moment_x * lower_a_z;
+
+    /* upper: f, n */
+    const wreal upper_base_moment_x = w[4];
+    const real upper_f_z = lower_omega_y * lower_omega_y * lower_first_moment_x * elbow_sin;
+    const real upper_n_y = upper_base_moment_x * upper_a - elbow_position_x * upper_f_z
+        - lower_inertia_force;
+
+    /* shoulder: tau, drive */
+    const real shoulder_u_tau = tau[0]; /* N*m */
+    const real shoulder_tau = 14.715 * shoulder_cos + 0.15000000000000002 * elbow_u * (elbow_u
+        + 2.0 * shoulder_u) * elbow_sin + shoulder_motor_data_8;
+    const real shoulder_tau_2 = shoulder_tau - (0.7225000000000001
+        + 0.30000000000000004 * elbow_cos) * shoulder_motor_data_9;
+    const real shoulder_tau_3 = shoulder_motor_data_10 * shoulder_motor_data_11 + upper_n_y
+        + shoulder_tau_2;
+    const real shoulder_drive = shoulder_u_tau - shoulder_tau_3;
+
+    /* common */
+    const real elbow_u_tau = tau[1]; /* N*m */
+    const real add_1 = elbow_u_tau - 3.24 * elbow_q - 1.08 * elbow_u
+        + 0.15000000000000002 * upper_U * elbow_sin;
+    const real sub_1 = add_1 - 1.3608000000000002 * shoulder_motor_data_6
+        - (shoulder_motor_data_8 + 1.70586 * shoulder_motor_data_7);
+
+    /* elbow: drive */
+    const real elbow_drive = shoulder_motor_data_9 * shoulder_motor_data_10 + sub_1
+        + lower_inertia_force;
+
+    /* shoulder: udot */
+    const real shoulder_udot = M_D_inverse_1 * (shoulder_drive - elbow_drive * M_L_2_1);
+    out[0] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
+
+    /* elbow: udot */
+    out[1] = elbow_drive * M_D_inverse_2 - M_L_2_1 * shoulder_udot; /* udot: elbow.udot [rad/s^2] */
+    return CARDAN_OK;
+}

@@ -1,0 +1,85 @@
+/*
+ * mass_matrix of arm_on_path
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 4, work 0, w 4
+ * Operations per call: 6 = 3 mul, 2 add, 1 cos
+ * Operations of prepare: 12 = 8 mul, 4 add
+ *
+ * Input q (2): generalized coordinates
+ *   q[0]  shoulder [rad]
+ *   q[1]  elbow [rad]
+ *
+ * Input p (12): parameters, read by prepare_ only
+ *
+ * Output M (2 x 2): out[0 ... 3], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* upper: first moment, inertia, base inertia */
+    const wreal upper_mass = p[1]; /* kg */
+    const wreal upper_com_x = p[2]; /* m */
+    const wreal upper_inertia_yy = p[4]; /* kg m^2 */
+    const wreal elbow_position_x = p[6]; /* m */
+    const wreal lower_mass = p[7]; /* kg */
+    const wreal upper_first_moment_x = upper_mass * upper_com_x;
+    const wreal upper_inertia_yy_2 = upper_inertia_yy + upper_com_x * upper_first_moment_x;
+    const wreal upper_base_inertia_yy = upper_inertia_yy_2
+        + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
+
+    /* lower: first moment, inertia */
+    const wreal lower_com_x = p[8]; /* m */
+    const wreal lower_inertia_yy = p[10]; /* kg m^2 */
+    const wreal lower_first_moment_x = lower_mass * lower_com_x;
+    const wreal lower_inertia_yy_2 = lower_inertia_yy + lower_com_x * lower_first_moment_x;
+    w[1] = lower_first_moment_x; /* lower_first_moment_x */
+    w[2] = lower_inertia_yy_2; /* lower_inertia_yy_2 */
+
+    /* upper: inertia */
+    w[3] = lower_inertia_yy_2 + upper_base_inertia_yy; /* upper_inertia */
+
+    /* parameters as they are */
+    w[0] = p[6]; /* elbow.position.x [m] */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* elbow: cos */
+    const real elbow_q = q[1]; /* rad */
+    const real angle[CARDAN_PADDED(1)] = {elbow_q};
+    real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
+    cardan_sincos(1, angle, sine, cosine);
+    const real elbow_cos = cosine[0];
+
+    /* shared by several: inertia */
+    const wreal elbow_position_x = w[0]; /* m */
+    const wreal lower_first_moment_x = w[1];
+    const real upper_inertia_2 = lower_first_moment_x * elbow_cos * elbow_position_x;
+
+    /* upper: composite inertia */
+    const wreal upper_inertia = w[3];
+    out[0] = 2.0 * upper_inertia_2 + upper_inertia; /* M: shoulder.u,shoulder.u */
+
+    /* M */
+    const wreal lower_inertia_yy_2 = w[2];
+    const real M_2_1 = lower_inertia_yy_2 + upper_inertia_2;
+    out[1] = M_2_1; /* M: shoulder.u,elbow.u */
+    out[2] = M_2_1; /* M: elbow.u,shoulder.u */
+
+    /* results that are numbers or inputs */
+    out[3] = CARDAN_REAL(w[2]); /* M: elbow.u,elbow.u */
+    return CARDAN_OK;
+}

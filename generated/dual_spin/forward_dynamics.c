@@ -1,0 +1,180 @@
+/*
+ * forward_dynamics of dual_spin
+ * udot with M udot + h = f + tau
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: unroll, reassociate
+ *
+ * Sizes: out 4, work 0, w 17
+ * Operations per call: 86 = 49 mul, 18 add, 16 sub, 3 div
+ * Operations of prepare: 15 = 8 mul, 4 sub, 2 add, 1 div
+ *
+ * Input q (5): generalized coordinates
+ *   q[0]  attitude.w
+ *   q[1]  attitude.x
+ *   q[2]  attitude.y
+ *   q[3]  attitude.z
+ *   q[4]  tube [m]
+ *
+ * Input u (4): generalized speeds
+ *   u[0]  attitude.u.x [rad/s]
+ *   u[1]  attitude.u.y [rad/s]
+ *   u[2]  attitude.u.z [rad/s]
+ *   u[3]  tube.u [m/s]
+ *
+ * Input p (9): parameters, read by prepare_ only
+ *
+ * Input tau (4): applied generalized forces
+ *   tau[0]  attitude.u.x.tau [N*m]
+ *   tau[1]  attitude.u.y.tau [N*m]
+ *   tau[2]  attitude.u.z.tau [N*m]
+ *   tau[3]  tube.u.tau [N]
+ *
+ * Output udot (4)
+ *   out[0]  attitude.u.xdot [rad/s^2]
+ *   out[1]  attitude.u.ydot [rad/s^2]
+ *   out[2]  attitude.u.zdot [rad/s^2]
+ *   out[3]  tube.udot [m/s^2]
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* common */
+    const wreal bus_inertia_xx = p[2]; /* kg m^2 */
+    const wreal bus_inertia_yy = p[3]; /* kg m^2 */
+    const wreal bus_inertia_zz = p[4]; /* kg m^2 */
+    const wreal mul_1 = 0.5 * (bus_inertia_xx + bus_inertia_zz + bus_inertia_yy);
+
+    /* bus: base second moment, inertia, composite moment */
+    const wreal tube_position_x = p[5]; /* m */
+    const wreal ball_mass = p[6]; /* kg */
+    const wreal bus_inertia = 0.5 * ball_mass;
+    const wreal bus_inertia_2 = tube_position_x * bus_inertia;
+    const wreal bus_inertia_3 = tube_position_x * bus_inertia_2;
+    const wreal bus_composite_moment_x = tube_position_x * ball_mass;
+    w[7] = mul_1 - bus_inertia_xx; /* bus_base_second_moment_xx */
+    w[8] = mul_1 - bus_inertia_yy; /* bus_base_second_moment_yy */
+    w[9] = mul_1 - bus_inertia_zz; /* bus_base_second_moment_zz */
+    w[10] = bus_inertia; /* bus_inertia */
+    w[11] = bus_inertia_2; /* bus_inertia_2 */
+    w[12] = bus_inertia_3; /* bus_inertia_3 */
+    w[13] = bus_inertia_xx - 2.0 * bus_inertia_3; /* bus_inertia_4 */
+
+    /* M: D inverse, factor */
+    const wreal M_D_inverse_4 = 1.0 / ball_mass;
+    const wreal M_factor = bus_composite_moment_x * M_D_inverse_4;
+    w[14] = M_D_inverse_4; /* M_D_inverse_4 */
+    w[15] = M_factor; /* M_factor */
+    w[16] = bus_composite_moment_x * M_factor; /* M_factor_2 */
+
+    /* parameters as they are */
+    w[0] = p[0]; /* hs [N m s] */
+    w[1] = p[3]; /* bus.inertia.yy [kg m^2] */
+    w[2] = p[4]; /* bus.inertia.zz [kg m^2] */
+    w[3] = p[5]; /* tube.position.x [m] */
+    w[4] = p[6]; /* ball.mass [kg] */
+    w[5] = p[7]; /* oil.stiffness [N/m] */
+    w[6] = p[8]; /* oil.damping [N*s/m] */
+}
+
+#include "lanes.h"
+
+/* udot with M udot + h = f + tau */
+CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const real *const u = in->u;
+    const wreal *const w = in->w;
+    const real *const tau = in->tau;
+    (void)work;
+
+    /* bus: inertia, composite inertia, U */
+    const real tube_q = q[4]; /* m */
+    const real attitude_u_x = u[0]; /* rad/s */
+    const real attitude_u_y = u[1]; /* rad/s */
+    const real attitude_u_z = u[2]; /* rad/s */
+    const wreal bus_inertia_yy = w[1]; /* kg m^2 */
+    const wreal bus_inertia_zz = w[2]; /* kg m^2 */
+    const wreal tube_position_x = w[3]; /* m */
+    const wreal bus_inertia = w[10];
+    const wreal bus_inertia_2 = w[11];
+    const wreal bus_inertia_3 = w[12];
+    const wreal bus_inertia_4 = w[13];
+    const real bus_inertia_5 = tube_q * bus_inertia;
+    const real bus_inertia_6 = tube_q * bus_inertia_5;
+    const real bus_inertia_7 = 2.0 * (bus_inertia_3 + bus_inertia_6);
+    const real bus_inertia_8 = tube_q * bus_inertia_2 + tube_position_x * bus_inertia_5;
+    const real bus_composite_inertia_xx = bus_inertia_7 + bus_inertia_4;
+    const real bus_composite_inertia_yy = bus_inertia_yy + bus_inertia_7;
+    const real bus_composite_inertia_zz = bus_inertia_zz - 2.0 * bus_inertia_6 + bus_inertia_7;
+    const real bus_U_xy = attitude_u_x * attitude_u_y;
+    const real bus_U_xz = attitude_u_x * attitude_u_z;
+    const real bus_U_yz = attitude_u_y * attitude_u_z;
+
+    /* shared by several: U */
+    const real bus_U = attitude_u_y * attitude_u_y;
+
+    /* ball: a, f */
+    const real tube_u = u[3]; /* m/s */
+    const wreal ball_mass = w[4]; /* kg */
+    const real ball_a_z = tube_position_x * bus_U_xz - tube_q * (attitude_u_x * attitude_u_x
+        + bus_U);
+    const real ball_a_x = attitude_u_y * tube_u * 2.0 + tube_q * bus_U_xz
+        - tube_position_x * (bus_U + attitude_u_z * attitude_u_z);
+    const real ball_a_y = tube_position_x * bus_U_xy + tube_q * bus_U_yz
+        - attitude_u_x * tube_u * 2.0;
+    const real ball_f_x = ball_mass * ball_a_x;
+    const real ball_f_y = ball_mass * ball_a_y;
+    const real ball_f_z = ball_mass * ball_a_z;
+
+    /* bus: n */
+    const wreal hs = w[0]; /* N m s */
+    const wreal bus_base_second_moment_xx = w[7];
+    const wreal bus_base_second_moment_yy = w[8];
+    const wreal bus_base_second_moment_zz = w[9];
+    const real bus_n_x = hs * attitude_u_y + bus_base_second_moment_yy * bus_U_yz
+        - bus_base_second_moment_zz * bus_U_yz - tube_q * ball_f_y;
+    const real bus_n = bus_base_second_moment_zz * bus_U_xz - hs * attitude_u_x
+        - bus_base_second_moment_xx * bus_U_xz + tube_q * ball_f_x;
+    const real bus_n_y = bus_n - tube_position_x * ball_f_z;
+    const real bus_n_z = bus_base_second_moment_xx * bus_U_xy
+        - bus_base_second_moment_yy * bus_U_xy + tube_position_x * ball_f_y;
+
+    /* tube: tau, drive */
+    const real tube_u_tau = tau[3]; /* N */
+    const wreal oil_stiffness = w[5]; /* N/m */
+    const wreal oil_damping = w[6]; /* N*s/m */
+    const real tube_tau = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z;
+    const real tube_drive = tube_u_tau - tube_tau;
+
+    /* attitude: drive */
+    const real attitude_u_x_tau = tau[0]; /* N*m */
+    const real attitude_u_y_tau = tau[1]; /* N*m */
+    const real attitude_u_z_tau = tau[2]; /* N*m */
+    const real attitude_drive_x = attitude_u_x_tau - bus_n_x;
+    const real attitude_drive_y = attitude_u_y_tau - bus_n_y;
+    const real attitude_drive_z = attitude_u_z_tau - bus_n_z;
+
+    /* M: D inverse, factor */
+    const wreal M_factor_2 = w[16];
+    const real M_D_inverse_3 = 1.0 / bus_composite_inertia_zz;
+    const real M_factor_3 = bus_inertia_8 * M_D_inverse_3;
+    const real M_D_inverse_2 = 1.0 / (bus_composite_inertia_yy - M_factor_2);
+    const real M_D_inverse_1 = 1.0 / (bus_composite_inertia_xx - bus_inertia_8 * M_factor_3);
+
+    /* attitude: udot */
+    const wreal M_factor = w[15];
+    const real attitude_udot_x = M_D_inverse_1 * (attitude_drive_x + attitude_drive_z * M_factor_3);
+    const real attitude_udot_y = M_D_inverse_2 * (attitude_drive_y + tube_drive * M_factor);
+    out[0] = attitude_udot_x; /* udot: attitude.u.xdot [rad/s^2] */
+    out[1] = attitude_udot_y; /* udot: attitude.u.ydot [rad/s^2] */
+    /* udot: attitude.u.zdot [rad/s^2] */
+    out[2] = attitude_drive_z * M_D_inverse_3 + M_factor_3 * attitude_udot_x;
+
+    /* tube: udot */
+    const wreal M_D_inverse_4 = w[14];
+    out[3] = tube_drive * M_D_inverse_4 + M_factor * attitude_udot_y; /* udot: tube.udot [m/s^2] */
+    return CARDAN_OK;
+}

@@ -1,0 +1,94 @@
+/*
+ * mass_matrix of dual_spin
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 16, work 0, w 9
+ * Operations per call: 13 = 6 mul, 5 add, 1 neg, 1 sub
+ * Operations of prepare: 7 = 5 mul, 1 neg, 1 sub
+ *
+ * Input q (5): generalized coordinates
+ *   q[0]  attitude.w
+ *   q[1]  attitude.x
+ *   q[2]  attitude.y
+ *   q[3]  attitude.z
+ *   q[4]  tube [m]
+ *
+ * Input p (9): parameters, read by prepare_ only
+ *
+ * Output M (4 x 4): out[0 ... 15], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* bus: inertia, composite moment */
+    const wreal bus_inertia_xx = p[2]; /* kg m^2 */
+    const wreal tube_position_x = p[5]; /* m */
+    const wreal ball_mass = p[6]; /* kg */
+    const wreal bus_inertia = 0.5 * ball_mass;
+    const wreal bus_inertia_2 = tube_position_x * bus_inertia;
+    const wreal bus_inertia_3 = tube_position_x * bus_inertia_2;
+    const wreal bus_composite_moment_x = tube_position_x * ball_mass;
+    w[4] = bus_inertia; /* bus_inertia */
+    w[5] = bus_inertia_2; /* bus_inertia_2 */
+    w[6] = bus_inertia_3; /* bus_inertia_3 */
+    w[7] = bus_inertia_xx - 2.0 * bus_inertia_3; /* bus_inertia_4 */
+
+    /* attitude: momentum fz */
+    w[8] = -bus_composite_moment_x; /* attitude_momentum_fz */
+
+    /* parameters as they are */
+    w[0] = p[3]; /* bus.inertia.yy [kg m^2] */
+    w[1] = p[4]; /* bus.inertia.zz [kg m^2] */
+    w[2] = p[5]; /* tube.position.x [m] */
+    w[3] = p[6]; /* ball.mass [kg] */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* bus: inertia, composite inertia */
+    const real tube_q = q[4]; /* m */
+    const wreal bus_inertia_yy = w[0]; /* kg m^2 */
+    const wreal bus_inertia_zz = w[1]; /* kg m^2 */
+    const wreal tube_position_x = w[2]; /* m */
+    const wreal bus_inertia = w[4];
+    const wreal bus_inertia_2 = w[5];
+    const wreal bus_inertia_3 = w[6];
+    const wreal bus_inertia_4 = w[7];
+    const real bus_inertia_5 = tube_q * bus_inertia;
+    const real bus_inertia_6 = tube_q * bus_inertia_5;
+    const real bus_inertia_7 = 2.0 * (bus_inertia_3 + bus_inertia_6);
+    const real bus_composite_inertia_xz = -(tube_q * bus_inertia_2
+        + tube_position_x * bus_inertia_5);
+    /* M: attitude.u.z,attitude.u.z */
+    out[10] = bus_inertia_zz - 2.0 * bus_inertia_6 + bus_inertia_7;
+    out[2] = bus_composite_inertia_xz; /* M: attitude.u.x,attitude.u.z */
+    out[8] = bus_composite_inertia_xz; /* M: attitude.u.z,attitude.u.x */
+    out[0] = bus_inertia_7 + bus_inertia_4; /* M: attitude.u.x,attitude.u.x */
+    out[5] = bus_inertia_yy + bus_inertia_7; /* M: attitude.u.y,attitude.u.y */
+
+    /* results that are numbers or inputs */
+    out[1] = CARDAN_REAL(0.0); /* M: attitude.u.x,attitude.u.y */
+    out[3] = CARDAN_REAL(0.0); /* M: attitude.u.x,tube.u */
+    out[4] = CARDAN_REAL(0.0); /* M: attitude.u.y,attitude.u.x */
+    out[6] = CARDAN_REAL(0.0); /* M: attitude.u.y,attitude.u.z */
+    out[7] = CARDAN_REAL(w[8]); /* M: attitude.u.y,tube.u */
+    out[9] = CARDAN_REAL(0.0); /* M: attitude.u.z,attitude.u.y */
+    out[11] = CARDAN_REAL(0.0); /* M: attitude.u.z,tube.u */
+    out[12] = CARDAN_REAL(0.0); /* M: tube.u,attitude.u.x */
+    out[13] = CARDAN_REAL(w[8]); /* M: tube.u,attitude.u.y */
+    out[14] = CARDAN_REAL(0.0); /* M: tube.u,attitude.u.z */
+    out[15] = CARDAN_REAL(w[3]); /* M: tube.u,tube.u */
+    return CARDAN_OK;
+}

@@ -1,0 +1,57 @@
+"""The gravity of a point or of a spherical planet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ..fields import Central, Pull
+from ..limits import Limit, not_negative
+from ..quantity import Bodies, Place, Quantity
+from ..written import number
+from .force import Places
+from .gravitation import Gravitation, several
+
+
+@dataclass(frozen=True)
+class CentralGravity(Gravitation):
+    """The pull mu m / r^2 of a point or of a spherical planet on the mass centres of bodies.
+
+    On each body, fixed ones included, the force -mu m r / r^3 acts at its centre of mass, and its
+    opposite at the centre of the field: where that is on a body that moves, both attract each
+    other. The uniform gravity of the scene acts besides; ``gravity=(0, 0, 0)`` leaves it out. What
+    the extent of bodies adds is a :class:`GravityGradient`.
+
+    Args:
+        center: Frame or body at whose origin the field has its centre.
+        mu: Constant of gravitation times mass of what pulls [m^3/s^2].
+        bodies: A body or several; left out: all bodies with mass but that of the centre.
+
+    Raises:
+        ModelError: mu below 0, or what is no body.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.2.
+    """
+
+    kind: ClassVar[str] = "central_gravity"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.2"
+    )
+    center: Place
+    mu: Any
+    bodies: Bodies = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mu", number(self.kind, "mu", self.mu))
+        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return not_negative("mu", wanted="0 or more [m^3/s^2]")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"mu": Quantity(self.mu, "m^3/s^2")}
+
+    def pull(self, r: Matrix, at: Places) -> Pull:
+        return Central(at.data["mu"][0]).on_mass(r, at.data["mass"][0])

@@ -1,0 +1,66 @@
+"""What forces of gravity have in common: a centre, the bodies they pull, and what pulls back."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import Any
+
+from ...errors import ModelError
+from ...ir.matrix import Matrix
+from ..fields import Pull
+from .force import Action, ForceElement, Load, Places, constant
+
+
+class Gravitation(ForceElement):
+    """A field about the origin of the frame ``center`` that pulls bodies by their mass.
+
+    What it does to a body it does in turn to the body of the centre, equal and opposite.
+    """
+
+    center: Any
+    bodies: Any
+
+    @abstractmethod
+    def pull(self, r: Matrix, at: Places) -> Pull:
+        """What it does to a body whose centre of mass is at r, in axes of that body."""
+
+    def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
+        """Of the pull: none where turning the body about the centre changes nothing."""
+        return Matrix.zeros(r.graph, 3)
+
+    def frames(self) -> dict[str, Any]:
+        return {"center": self.center}
+
+    def masses(self) -> tuple[Any, ...]:
+        return tuple(self.bodies)
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        center, body, com = at.frames["center"], at.frames["body"], at.data["com"]
+        r = at.motion.arm(center, body) + com
+        pull = self.pull(r, at)
+        loads = (
+            Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
+            Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
+        )
+        fixed = all(constant(at.data[name]) for name in self.quantities())
+        return (Action(loads, potential=pull.potential if fixed else None),)
+
+
+def several(who: str, bodies: Any) -> tuple[Any, ...]:
+    """Bodies as written: one, several, or () for all of the scene that have mass.
+
+    Raises:
+        ModelError: something else.
+    """
+    if bodies is None:
+        return ()
+    alone = isinstance(bodies, str) or not isinstance(bodies, Sequence)
+    listed = (bodies,) if alone else tuple(bodies)
+    for body in listed:
+        if not isinstance(body, str) and not hasattr(body, "mass"):
+            raise ModelError(
+                f"{who}: {body!r} is no body; give a body, several of them or their names, or "
+                "leave bodies out for all that have mass"
+            )
+    return listed

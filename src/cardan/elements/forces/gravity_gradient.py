@@ -1,0 +1,70 @@
+"""What a central field of gravity does to bodies because they are no points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.matrix import Matrix
+from ..fields import Central, Pull
+from ..limits import Limit, not_negative
+from ..quantity import Bodies, Place, Quantity
+from ..written import number
+from .force import Action, Places
+from .gravitation import Gravitation, several
+
+
+@dataclass(frozen=True)
+class GravityGradient(Gravitation):
+    """The torque 3 mu / r^5 r x I r of a central field on bodies, and the force that goes with it.
+
+    These are the terms of second order in size / r; those of order 0 are :class:`CentralGravity`,
+    which acts besides where the place of the bodies is not prescribed. Torque and force have the
+    potential -mu (tr I - 3 e I e) / (2 r^3), e = r / r: energy and angular momentum about the
+    centre are kept.
+
+    Args:
+        center: Frame or body at whose origin the field has its centre.
+        mu: Constant of gravitation times mass of what pulls [m^3/s^2].
+        bodies: A body or several; left out: all bodies with mass but that of the centre.
+        force: False leaves the force away, which changes orbits by (size / r)^2 only; the torque
+            then works on the system without a potential.
+
+    Raises:
+        ModelError: mu below 0, what is no body, or force neither True nor False.
+
+    Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, sections 8.1 and 9.1.
+    """
+
+    kind: ClassVar[str] = "gravity_gradient"
+    source: ClassVar[str] = "P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapters 8 and 9"
+    center: Place
+    mu: Any
+    bodies: Bodies = ()
+    force: bool = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mu", number(self.kind, "mu", self.mu))
+        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
+        if not isinstance(self.force, bool):
+            raise ModelError(f"{self.kind}: force is True or False, not {self.force!r}")
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return not_negative("mu", wanted="0 or more [m^3/s^2]")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {"mu": Quantity(self.mu, "m^3/s^2")}
+
+    def pull(self, r: Matrix, at: Places) -> Pull:
+        found = Central(at.data["mu"][0]).on_inertia(r, at.data["inertia"])
+        return found if self.force else replace(found, force=Matrix.zeros(r.graph, 3))
+
+    def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
+        # with its force it has none
+        return super().torque_about_center(r, pull) if self.force else pull.torque
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        acted = super().act(at)
+        return acted if self.force else tuple(replace(a, potential=None) for a in acted)

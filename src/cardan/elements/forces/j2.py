@@ -1,0 +1,81 @@
+"""What the flattening of a planet adds to its gravity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import norm
+from ...ir.matrix import Matrix
+from ..fields import Oblate, Pull
+from ..limits import Limit, not_negative
+from ..quantity import Bodies, Direction, Place, Quantity
+from ..written import axis, number
+from .force import Places
+from .gravitation import Gravitation, several
+
+
+@dataclass(frozen=True)
+class J2(Gravitation):
+    """What the flattening of a planet adds to its :class:`CentralGravity`: its zonal term J2.
+
+    The potential per mass is mu J2 R^2 / (2 r^3) (3 sin^2 l - 1) at the latitude l.
+
+    Args:
+        center: Frame or body at whose origin the planet has its centre.
+        mu: Constant of gravitation times mass of the planet [m^3/s^2].
+        j2: Its coefficient J2; 1.08263e-3 for the earth.
+        radius: Its radius at the equator [m].
+        pole: Its axis, in axes of ``center``.
+        bodies: A body or several; left out: all bodies with mass but that of the centre.
+        gradient: Add what it does to bodies because they are no points, torque and force.
+
+    Raises:
+        ModelError: mu or radius below 0, a pole that is no direction, what is no body, or gradient
+            neither True nor False.
+
+    Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8.
+    """
+
+    kind: ClassVar[str] = "j2"
+    source: ClassVar[str] = "P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8"
+    center: Place
+    mu: Any
+    j2: Any
+    radius: Any
+    pole: Direction = "z"
+    bodies: Bodies = ()
+    gradient: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("mu", "j2", "radius"):
+            object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
+        object.__setattr__(self, "pole", axis(self.kind, "pole", self.pole))
+        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
+        if not isinstance(self.gradient, bool):
+            raise ModelError(f"{self.kind}: gradient is True or False, not {self.gradient!r}")
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return not_negative("mu", wanted="0 or more [m^3/s^2]") + not_negative("radius")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "mu": Quantity(self.mu, "m^3/s^2"),
+            "j2": Quantity(self.j2),
+            "radius": Quantity(self.radius, "m"),
+            "pole": Quantity(self.pole, ratio=True),
+        }
+
+    def pull(self, r: Matrix, at: Places) -> Pull:
+        data, frames = at.data, at.frames
+        mu, j2, radius = (data[name][0] for name in ("mu", "j2", "radius"))
+        pole = data["pole"] / norm(*data["pole"])
+        pole = at.motion.seen(pole, frames["center"], frames["body"])
+        field = Oblate(mu * j2 * radius * radius * 0.5, pole)
+        found = field.on_mass(r, data["mass"][0])
+        return found + field.on_inertia(r, data["inertia"]) if self.gradient else found
+
+    def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
+        return pull.torque + r.cross(pull.force)

@@ -1,0 +1,19 @@
+"""Forces along the line between the origins of two frames."""
+
+from __future__ import annotations
+
+from ...ir.arithmetic import Scalar, select
+from ...ir.matrix import Matrix
+from .force import Action, Load, Motion
+
+
+def direction(span: Matrix, distance: Scalar) -> Matrix:
+    """Unit vector along a span, zero where it has no direction."""
+    apart = (distance * 0).apply("lt", distance)
+    return span * (select(apart, 1, 0) / select(apart, distance, 1))
+
+
+def between(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
+    """A force that pulls a towards b and b towards a."""
+    none = Matrix.zeros(motion.graph, 3)
+    return Action((Load(a, none, pull), Load(b, none, -pull)), potential=energy)

@@ -1,0 +1,90 @@
+"""A spring and a damper in series."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import Scalar, norm
+from ...ir.matrix import Matrix
+from ..internal import Internal
+from ..limits import Limit, positive
+from ..quantity import Place, Quantity
+from ..written import number
+from .force import Action, ForceElement, Places
+from .line import between, direction
+
+
+@dataclass(frozen=True)
+class Maxwell(ForceElement):
+    """A spring in series with a damper between two frames: a strut that gives way in time.
+
+    The length of the damper is a state ``<name>.flow``, and
+
+        force = stiffness (distance - length - flow),   damping d(flow)/dt = force
+
+    pull the frames together where positive. What it takes, stores and gives back is its work in the
+    ledger. Beside a :class:`SpringDamper` it makes a standard linear solid.
+
+    Args:
+        frame_a, frame_b: Frames or bodies at its ends.
+        stiffness: [N/m].
+        damping: [N s/m].
+        length: Distance at which nothing pulls while flow is 0 [m].
+        start: Flow at the start of a run [m].
+
+    Raises:
+        ModelError: stiffness or damping not above 0, or what is no finite number or expression.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    """
+
+    kind: ClassVar[str] = "maxwell"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
+    )
+    frame_a: Place
+    frame_b: Place
+    stiffness: Any
+    damping: Any
+    length: Any = 0.0
+    start: Any = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("stiffness", "damping", "length", "start"):
+            object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
+        if not isinstance(self.start, float):
+            raise ModelError(f"{self.kind}: start must be a number")
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return positive("stiffness", "damping")
+
+    def quantities(self) -> dict[str, Quantity]:
+        return {
+            "stiffness": Quantity(self.stiffness, "N/m"),
+            "damping": Quantity(self.damping, "N*s/m"),
+            "length": Quantity(self.length, "m"),
+        }
+
+    def frames(self) -> dict[str, Any]:
+        return {"a": self.frame_a, "b": self.frame_b}
+
+    def internals(self) -> tuple[Internal, ...]:
+        return (Internal("flow", "m", self.start),)
+
+    def rates(self, at: Places) -> Matrix:
+        rate = self._line(at)[1] / at.data["damping"][0]
+        return Matrix.vector(at.motion.graph, [rate])
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        along, force = self._line(at)
+        return (between(at.motion, at.frames["a"], at.frames["b"], along * force, None),)
+
+    def _line(self, at: Places) -> tuple[Matrix, Scalar]:
+        """Its direction and its force."""
+        span = at.motion.position(at.frames["b"]) - at.motion.position(at.frames["a"])
+        distance = norm(*span)
+        force = at.data["stiffness"][0] * (distance - at.data["length"][0] - at.z[0])
+        return direction(span, distance), force

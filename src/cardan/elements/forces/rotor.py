@@ -1,0 +1,117 @@
+"""A wheel that a body carries: a gyrostat."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...errors import ModelError
+from ...ir.arithmetic import norm
+from ...ir.matrix import Matrix
+from ..limits import Limit, not_negative
+from ..quantity import Direction, Place, Quantity
+from ..written import axis, number
+from .force import Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
+
+
+@dataclass(frozen=True)
+class Rotor(ForceElement):
+    """A wheel inside a body, symmetric about its axis: with its carrier a gyrostat.
+
+    The carrier's mass and inertia are those of both, less ``inertia``, which turns with the wheel.
+    What moves it is one of three:
+
+    - ``momentum``: the wheel has this much angular momentum about its axis, beyond what the inertia
+      of the carrier says, and keeps it: only its gyroscopic torque acts (Kelvin's gyrostat; then no
+      inertia is given). :meth:`CompiledModel.momentum` does not contain it.
+    - ``speed``: it turns at this rate against its carrier, whatever torque that needs.
+    - else ``torque`` of a motor between carrier and wheel, 0 for one that turns freely. It has a
+      coordinate ``<name>.rotor``, its angle against the carrier.
+
+    Args:
+        frame: Frame or body it is carried by.
+        axis: Of the wheel, in axes of ``frame``.
+        inertia: About that axis [kg m^2].
+        momentum: [N m s], constant.
+        speed: [rad/s], constant.
+        torque: On the wheel, its opposite on the carrier [N m]: number, input or expression, also
+            in ``scene.u("<name>.rotor")``.
+        friction: Viscous, against the carrier [N m s/rad].
+
+    Raises:
+        ModelError: momentum or speed besides another of the three, no inertia where it is needed,
+            negative inertia, or an axis that is no direction.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.3.
+    """
+
+    kind: ClassVar[str] = "rotor"
+    source: ClassVar[str] = (
+        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3"
+    )
+    frame: Place
+    axis: Direction = "z"
+    inertia: Any = None
+    momentum: Any = None
+    speed: Any = None
+    torque: Any = 0.0
+    friction: Any = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", axis(self.kind, "axis", self.axis))
+        for name in ("inertia", "momentum", "speed", "torque", "friction"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
+        driven = self.torque != 0 or self.friction != 0
+        if (self.momentum is not None) + (self.speed is not None) + driven > 1:
+            raise ModelError(
+                "rotor: momentum, speed and torque (with friction) exclude each other; give one"
+            )
+        if (self.inertia is None) == (self.momentum is None):
+            raise ModelError(
+                "rotor: give inertia about the axis, or momentum alone where that is constant"
+            )
+        self.judge()
+
+    def limits(self) -> tuple[Limit, ...]:
+        return not_negative("inertia", wanted="0 or more [kg m^2]") + not_negative("friction")
+
+    def rotor(self) -> RotorBody | None:
+        if self.inertia is None:
+            return None
+        return RotorBody(self.inertia, frame=self.frame, axis=self.axis, speed=self.speed)
+
+    def quantities(self) -> dict[str, Quantity]:
+        if self.momentum is not None:
+            along = Quantity(self.axis, ratio=True)
+            return {"axis": along, "momentum": Quantity(self.momentum, "N*m*s")}
+        if self.speed is not None:
+            return {}
+        units = {"torque": "N*m", "friction": "N*m*s/rad"}
+        return {name: Quantity(getattr(self, name), unit) for name, unit in units.items()}
+
+    def frames(self) -> dict[str, Any]:
+        return {"frame": self.frame}
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        if self.speed is not None:
+            return ()
+        return self._gyroscopic(at) if self.momentum is not None else self._driven(at)
+
+    def _gyroscopic(self, at: Places) -> tuple[Action, ...]:
+        """The torque that turns its momentum; it is across the angular velocity: no power."""
+        if not constant(at.data["momentum"]) or not constant(at.data["axis"]):
+            raise ModelError(
+                "rotor: momentum and axis are constant; give the inertia, and speed or torque, "
+                "for a wheel that changes its momentum"
+            )
+        frame, axis = at.frames["frame"], at.data["axis"]
+        momentum = axis * (at.data["momentum"][0] / norm(*axis))
+        torque = momentum.cross(at.motion.spin(frame))
+        load = Load(frame, torque, Matrix.zeros(at.motion.graph, 3), axes=frame)
+        return (Action((load,)),)
+
+    def _driven(self, at: Places) -> tuple[Action, ...]:
+        rotor = at.joints["rotor"]
+        torque = at.data["torque"] - at.motion.u(rotor) * at.data["friction"][0]
+        return (Action(joint_loads=(JointLoad(rotor, torque),)),)
