@@ -116,8 +116,9 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     sheets = []
     for name, made in (("hostile", scene), ("plain", plain)):
         made.save(tmp_path / f"{name}.yaml")
-        assert main(["inspect", str(tmp_path / f"{name}.yaml"), "-o", str(tmp_path / name)]) == 0
-        sheets.append(Tags((tmp_path / name).read_text("utf-8")))
+        sheet = tmp_path / f"{name}.html"
+        assert main(["inspect", str(tmp_path / f"{name}.yaml"), "-o", str(sheet)]) == 0
+        sheets.append(Tags(sheet.read_text("utf-8")))
     assert {"script", "img", "link"} & set(sheets[0].tags) == set()
     assert sheets[0].attributes <= sheets[1].attributes | {"intent"}
     assert set(sheets[0].tags) <= set(sheets[1].tags) | {"msub", "msup", "msubsup", "mtext"}
