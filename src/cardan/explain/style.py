@@ -23,8 +23,9 @@ p { margin: .55rem 0; } .quiet, figcaption, summary { color: var(--soft); font-s
 ul { margin: .5rem 0; padding-left: 1.2rem; } li { margin: .3rem 0; }
 figure { margin: 1.2rem 0; text-align: center; } figure svg { max-width: 100%; height: auto; }
 figcaption { margin-top: .4rem; }
-math { overflow-wrap: normal; font-size: 1.03em; font-family: "Latin Modern Math",
-       "STIX Two Math", "Cambria Math", "Libertinus Math", "TeX Gyre Termes Math", math, serif; }
+math { overflow-wrap: normal; white-space: nowrap; font-size: 1.03em;
+       font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", "Libertinus Math",
+       "TeX Gyre Termes Math", math, serif; }
 .formula { margin: 1.1rem 0 .25rem; padding-left: 3.2rem; text-indent: -2rem; line-height: 1.9; }
 .terms { margin: 0 0 1.1rem 1.2rem; padding-left: .9rem; border-left: 1px solid var(--line);
          display: grid; grid-template-columns: minmax(5rem, 11rem) minmax(0, 1fr);
@@ -51,7 +52,7 @@ details .formula { margin: .3rem 0; line-height: 1.6; font-size: .93rem; }
   body { font-size: 1rem; padding: 1.6rem 1rem 3rem; } h1 { font-size: 1.6rem; }
   .formula { padding-left: 1.6rem; text-indent: -1.2rem; }
   .terms { grid-template-columns: minmax(0, 1fr); margin-left: .3rem; }
-  th, td { padding-right: .45rem; } table { font-size: .86rem; }
+  .wide { display: none; } th, td { padding-right: .45rem; } table { font-size: .86rem; }
 }
 @media print { body { max-width: none; padding: 0; font-size: 10.5pt; } h2 { break-after: avoid; }
   tr, .formula { break-inside: avoid; } details:not([open]) { display: none; } }

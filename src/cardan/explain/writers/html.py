@@ -14,9 +14,10 @@ from ..style import STYLE
 
 # letters of a piece of a formula: what fits a telephone
 ROOM = 26.0
-# letters of a name that a formula shows in full
-LONGEST = 24
-WIDE_ROWS = 60
+# letters of a name, and of its index, that a formula shows in full
+LONGEST, INDEX = 24, 20
+# letters of a formula that fits a table on a telephone, and rows of a table that are not folded
+COLUMN, ROWS = 14.0, 60
 
 
 def write(document: d.Document, path: Path) -> dict[str, str]:
@@ -148,30 +149,37 @@ class _Writer:
         return f'<msub>{base}<mi mathvariant="normal">{escape(sign.index)}</mi></msub>'
 
     def _table(self, table: d.Table) -> Iterator[str]:
+        columns = [self._column([row[k] for row in table.rows]) for k in range(len(table.head))]
         heads = "".join(
-            f"<th{_aligned(table, k)}>{escape(name)}</th>" for k, name in enumerate(table.head)
+            f"<th{kind}>{escape(name)}</th>" for name, kind in zip(table.head, columns, strict=True)
         )
         rows = "\n".join(
-            "<tr>" + "".join(self._cell(cell) for cell in row) + "</tr>" for row in table.rows
+            "<tr>"
+            + "".join(f"<td{c}>{self._cell(x)}</td>" for x, c in zip(row, columns, strict=True))
+            + "</tr>"
+            for row in table.rows
         )
         made = f"<table><thead><tr>{heads}</tr></thead>\n<tbody>{rows}</tbody></table>"
-        if len(table.rows) > WIDE_ROWS:
+        if len(table.rows) > ROWS:
             made = f"<details><summary>{len(table.rows)} rows</summary>{made}</details>"
         yield made
 
+    def _column(self, cells: list[str | float | d.Math]) -> str:
+        """Numbers stand to the right; wide formulas are left out where there is no room."""
+        if cells and all(isinstance(cell, (int, float)) for cell in cells):
+            return " class=number"
+        formulas = [cell.expression for cell in cells if isinstance(cell, d.Math)]
+        wide = any(self._breaker.width(expression) > COLUMN for expression in formulas)
+        return " class=wide" if wide else ""
+
     def _cell(self, cell: str | float | d.Math) -> str:
         if isinstance(cell, d.Math):
-            return f"<td>{self._flow(cell.expression)}</td>"
+            return self._flow(cell.expression)
         if isinstance(cell, str):
             # long names break at their dots
             text = escape(cell)
-            return f"<td>{text.replace('.', '.<wbr>') if _is_name(cell) else text}</td>"
-        return f"<td class=number>{_number(cell)}</td>"
-
-
-def _aligned(table: d.Table, k: int) -> str:
-    numbers = table.rows and all(isinstance(row[k], (int, float)) for row in table.rows)
-    return " class=number" if numbers else ""
+            return text.replace(".", ".<wbr>") if _is_name(cell) else text
+        return _number(cell)
 
 
 def _is_name(cell: str) -> bool:
@@ -199,7 +207,7 @@ def _operator(sign: str, infix: bool = False) -> str:
 def _fitting(sign: Notation) -> Notation:
     """Names that no line could hold are cut within formulas; tables have them in full."""
     letter = sign.letter if len(sign.letter) <= LONGEST else sign.letter[: LONGEST - 1] + "…"
-    index = sign.index if len(sign.index) <= LONGEST else sign.index[: LONGEST - 1] + "…"
+    index = sign.index if len(sign.index) <= INDEX else sign.index[: INDEX - 1] + "…"
     return Notation(letter, index, sign.dots)
 
 
