@@ -7,13 +7,13 @@ import re
 # what our pages may use; anything else is a name that got out
 _COMMANDS = """
     documentclass usepackage ifPDFTeX fi setlength parindent parskip emergencystretch newcommand
-    formula share par medskip raggedright hangindent hangafter leftskip makebox small itshape hspace
+    formula share par medskip raggedright hangindent hangafter leftskip parbox small itshape hspace
     title author date begin end maketitle section subsection item toprule midrule bottomrule endhead
     arraybackslash linewidth draw node scriptsize quad allowbreak ensuremath texttt text
     textquotedbl textquotesingle textasciigrave textless textgreater textbar textbackslash
     textasciicircum textasciitilde textperiodcentered ldots displaystyle frac dot ddot mathrm
     operatorname left right sin cos tan tanh sqrt pi le ge ne cdot sum backslash hat sim log exp
-    alpha beta gamma theta lambda mu nu rho tau phi psi omega
+    alpha beta gamma theta lambda mu nu rho sigma tau phi psi omega
 """
 COMMANDS = frozenset(_COMMANDS.split())
 

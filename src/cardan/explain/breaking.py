@@ -55,10 +55,10 @@ class Breaker:
     def width(self, e: Any) -> float:
         """About how many letters wide an expression is."""
         if e not in self._widths:
-            self._widths[e] = self._width(e)
+            self._widths[e] = float(self._width(e))
         return self._widths[e]
 
-    def _width(self, e: Any) -> float:
+    def _width(self, e: Any) -> Any:
         if e.is_Symbol:
             sign = self._symbols.get(e.name) or Notation(e.name)
             return float(len(sign.character) + SMALL * len(sign.index))
@@ -78,7 +78,7 @@ class Breaker:
         return len(type(e).__name__) + sum(inner) + 2.0 * len(inner)
 
     def _line(self, factors: Sequence[Any]) -> float:
-        return sum(self.width(f) + 0.4 + 2.0 * f.is_Add for f in factors)
+        return float(sum(self.width(f) + 0.4 + 2.0 * f.is_Add for f in factors))
 
     def _broken(self, e: Any) -> Iterator[Piece]:
         if self.width(e) <= self._room or not e.args:

@@ -88,7 +88,10 @@ def base_parameters(equations: Equations) -> Iterator[d.Section]:
     if not found.combinations:
         return
     of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
-    said = f"{len(found.combinations)} combinations of masses and inertias determine {of}:"
+    said = (
+        f"{len(found.combinations)} combinations of masses (μ), first moments (σ) and second "
+        f"moments (J) about the joints determine {of}:"
+    )
     blocks: list[d.Block] = [d.Paragraph((said,))]
     formulas: list[d.Block] = [
         d.Formula(_base(name), expression) for name, expression in found.combinations.items()
@@ -103,12 +106,12 @@ def base_parameters(equations: Equations) -> Iterator[d.Section]:
     yield d.Section("Base parameters", tuple(blocks))
 
 
-BASE = {"mass": ("m", ""), "moment": ("mc", ""), "xx": ("J", "xx"), "yy": ("J", "yy"),
+BASE = {"mass": ("mu", ""), "moment": ("sigma", ""), "xx": ("J", "xx"), "yy": ("J", "yy"),
         "zz": ("J", "zz"), "xy": ("J", "xy"), "xz": ("J", "xz"), "yz": ("J", "yz")}  # fmt: skip
 
 
 def _base(name: str) -> Notation:
-    """``lower.base_xx`` is J with the index lower, xx: second moments about the joint."""
+    """``lower.base_xx`` is J with the index lower, xx; no parameter is called so."""
     owner, _, entry = name.rpartition(".base_")
     kind, _, axis = entry.partition("_")
     letter, index = BASE.get(kind, (entry, ""))

@@ -206,9 +206,12 @@ def _operator(sign: str, infix: bool = False) -> str:
 
 def _fitting(sign: Notation) -> Notation:
     """Names that no line could hold are cut within formulas; tables have them in full."""
-    letter = sign.letter if len(sign.letter) <= LONGEST else sign.letter[: LONGEST - 1] + "…"
-    index = sign.index if len(sign.index) <= INDEX else sign.index[: INDEX - 1] + "…"
-    return Notation(letter, index, sign.dots)
+    index = ", ".join(_cut(part, INDEX) for part in sign.index.split(", "))
+    return Notation(_cut(sign.letter, LONGEST), _cut(index, 2 * INDEX + 2), sign.dots)
+
+
+def _cut(name: str, most: int) -> str:
+    return name if len(name) <= most else name[: most - 1] + "…"
 
 
 class _Names(dict[str, Notation]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -18,9 +19,8 @@ ROWS = 400
 DISPLAYED = r"\displaystyle "
 
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
-\usepackage[T1]{fontenc}
 \usepackage{iftex}
-\ifPDFTeX\usepackage[utf8]{inputenc}\fi
+\ifPDFTeX\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\fi
 \usepackage{lmodern}
 \usepackage{textcomp}
 \usepackage{amsmath,amssymb}
@@ -32,7 +32,7 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \emergencystretch=3em
 \newcommand{\formula}[1]{{\par\medskip\raggedright\hangindent=3em\hangafter=1 #1\par}}
 \newcommand{\share}[2]{{\par\raggedright\leftskip=2em\hangindent=9em\hangafter=1
-  \makebox[8.5em][l]{\small\itshape #1}\hspace{0.5em}#2\par}}
+  \parbox[t]{8.5em}{\raggedright\small\itshape #1}\hspace{0.5em}#2\par}}
 """
 # what TeX takes for commands or layout, in text
 _TEXT = {
@@ -54,8 +54,6 @@ _TEXT = {
     "'": r"\textquotesingle{}",
     "[": "{[}",
     "]": "{]}",
-    ".": r".\allowbreak{}",
-    "-": r"-{}",
 }
 # characters of our own text
 _MARKS = {"·": r"\textperiodcentered{}", "–": "--", "−": r"\ensuremath{-}", "…": r"\ldots{}",
@@ -160,12 +158,16 @@ def _columns(table: d.Table) -> str:
     columns = [[row[k] for row in table.rows] for k in range(len(table.head))]
     numbers = [all(isinstance(cell, (int, float)) for cell in column) for column in columns]
     sizes = [
-        0 if number else min(max(len(head), *(len(str(cell)) for cell in column)), 40)
+        0 if number else min(max(len(head), *(_length(cell) for cell in column)), 40)
         for head, column, number in zip(table.head, columns, numbers, strict=True)
     ]
     share = (0.9 - 0.11 * sum(numbers)) / (sum(sizes) or 1)
     text = r">{{\raggedright\arraybackslash}}p{{{:.3f}\linewidth}}"
     return "".join(text.format(max(share * size, 0.06)) if size else "r" for size in sizes)
+
+
+def _length(cell: str | float | d.Math) -> int:
+    return len(str(cell.expression if isinstance(cell, d.Math) else cell))
 
 
 def plain(math: str) -> str:
@@ -175,10 +177,12 @@ def plain(math: str) -> str:
 
 def escaped(words: str) -> str:
     """Text of users for text mode."""
-    return "".join(
+    made = "".join(
         _TEXT.get(c, c) if c.isascii() else _MARKS.get(c) or _foreign(c, math=False)
-        for c in " ".join(words.split())
+        for c in re.sub(r"\s+", " ", words)
     )
+    # names break at their dots; two signs are no dash
+    return re.sub(r"-(?=-)", "-{}", re.sub(r"\.(?=[^\s.])", r".\\allowbreak{}", made))
 
 
 def _foreign(c: str, math: bool) -> str:

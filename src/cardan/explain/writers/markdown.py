@@ -82,7 +82,7 @@ class _Writer:
         rows = self._lines(f"{self._tex.sign(formula.left)} &=", formula.right)
         yield "$$\n\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}\n$$\n"
         if formula.origin:
-            yield f"from {escaped(formula.origin)}\n"
+            yield f"*from {escaped(formula.origin)}*\n"
         for who, expression in formula.terms:
             yield f"- {escaped(who)}: ${self._tex.expression(expression)}$"
         if formula.terms:
@@ -126,5 +126,5 @@ def _safe(math: str) -> str:
 
 def escaped(words: str) -> str:
     """Text of users."""
-    marked = _MARKED.sub(r"\\\1", " ".join(words.split()))
+    marked = _MARKED.sub(r"\\\1", re.sub(r"\s+", " ", words))
     return "".join(_HTML.get(c, c) for c in marked)
