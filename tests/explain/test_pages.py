@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
+from cardan.equations.relative import FORMALISMS
 from cardan.errors import DerivationError
 from cardan.explain import document
 from cardan.explain.writers import WRITERS
@@ -64,7 +65,7 @@ def test_the_same_every_time(ending: str, tmp_path: Path) -> None:
     assert texts[0].replace("(0.svg)", "(1.svg)") == texts[1]
 
 
-@pytest.mark.parametrize("method", ["kane", "newton_euler", "composite", "articulated"])
+@pytest.mark.parametrize("method", FORMALISMS)
 def test_every_method_has_a_page(method: str, tmp_path: Path) -> None:
     scene = scene_of(EXAMPLES[0])
     page = cd.derive(scene, method=method).explain(tmp_path / "a.md").read_text("utf-8")

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ir.arithmetic import Scalar
-from ..ir.derivative import forward, gradient
+from ..ir.derivative import forward
 from ..ir.function import Function
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from . import happening, outputs
+from . import energies, happening, outputs
 from .context import Context
 from .states import States, drawn, function_of
 
@@ -52,8 +52,7 @@ def candidates(equations: Equations, c: Context) -> tuple[list[Candidate], Candi
     ]
     names, units = c.names["u"], c.units["u"]
     if 0 < len(names) <= LARGEST:
-        slots = [g.var("u", j) for j in range(len(names))]
-        for j, node in enumerate(gradient(g, kinetic.node, slots)):
+        for j, node in enumerate(energies.momenta(k, c.d.loads.rotors).nodes):
             unit = {"rad/s": ANGULAR, "m/s": MOMENTUM}.get(units[j], "")
             found.append(
                 Candidate(f"momentum of {names[j].replace('.u', '', 1)}", unit, Scalar(g, node))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..equations.contributions import LETTERS, Contribution
+from ..equations.contributions import LETTERS, TURNING, WEIGHT, Contribution
 from ..equations.formula import rates_are_speeds
 from ..equations.notation import GREEK, Notation, notation
 from ..errors import DerivationError
@@ -30,7 +30,8 @@ FUNCTIONS = (
     ("constraint_jacobian", "G", 0, "constraint Jacobian"),
     ("qdot", "q", 1, "rates of the coordinates"),
 )
-CAUSES = {"velocities": "velocities", "weight": "weight", "rotor": "rotor"}
+# parts of h that are told apart
+CAUSES = (TURNING, WEIGHT)
 
 
 _RATE = d.letter("u", 1).mathml
@@ -211,7 +212,7 @@ def size(function: Function) -> int:
 
 def _who(one: Contribution) -> str:
     """Body or force element, and of which kind its terms are."""
-    return f"{one.owner}, {CAUSES[one.cause]}" if one.cause in CAUSES else one.owner
+    return f"{one.owner}, {one.cause}" if one.cause in CAUSES else one.owner
 
 
 def intermediate(name: str) -> Notation:
