@@ -81,6 +81,16 @@ def test_says_where_terms_come_from(tmp_path: Path) -> None:
     assert entry[1].startswith("- upper: $\\frac{l^{2} \\, m}{3}$\n- lower: ")
 
 
+def test_formulas_are_read_by_another_program(tmp_path: Path) -> None:
+    parser = pytest.importorskip("matplotlib.mathtext").MathTextParser("path")
+    text = equations_of(EXAMPLES[0]).explain(tmp_path / "a.tex").read_text("utf-8")
+    formulas = set(re.findall(r"\$([^$]*)\$", text.split(r"\begin{document}")[1]))
+    assert len(formulas) > 30
+    for formula in formulas:
+        # which has no displaystyle
+        parser.parse(f"${formula.replace(chr(92) + 'displaystyle', '')}$")
+
+
 def test_long_names_and_numbers_stay_within_a_page() -> None:
     import sympy as sp
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..elements.joints.joint import entries
 from ..equations import blocks
 from . import content as d
 from .facts import poses
@@ -21,8 +22,8 @@ UNTURNED = np.eye(3)
 def coordinates(equations: Equations) -> Iterator[d.Section]:
     """Coordinates and speeds with the symbols that formulas use for them."""
     system = equations.system
-    entries = blocks.coordinates(system)
-    if not entries:
+    found = blocks.coordinates(system)
+    if not found:
         return
     kinds = _by_coordinate(system)
     made: list[d.Block] = [
@@ -30,7 +31,7 @@ def coordinates(equations: Equations) -> Iterator[d.Section]:
             ("coordinate", "symbol", "joint", "unit", "default"),
             tuple(
                 (name, _symbol(name), kinds[name], unit(of), float(default))
-                for name, of, default in entries
+                for name, of, default in found
             ),
         )
     ]
@@ -150,7 +151,7 @@ def _by_coordinate(system: System) -> dict[str, str]:
     found = {}
     for joint in system.joints:
         if joint.q >= 0:
-            for name in blocks.entries(joint.name, joint.element.coordinates):
+            for name in entries(joint.name, joint.element.coordinates):
                 kind = joint.element.kind.replace("_", " ")
                 found[name] = kind if name == joint.name else f"{joint.name}, {kind}"
     return found
