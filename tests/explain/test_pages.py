@@ -81,6 +81,15 @@ def test_says_where_terms_come_from(tmp_path: Path) -> None:
     assert entry[1].startswith("- upper: $\\frac{l^{2} \\, m}{3}$\n- lower: ")
 
 
+def test_scenes_in_which_nothing_moves_freely(tmp_path: Path) -> None:
+    scene = cd.Model("driven")
+    wheel = scene.body("wheel", mass=1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("axle", cd.Revolute("x"), scene.ground, wheel, motion=2 * cd.t)
+    for name, made in (("empty", cd.Model("empty")), ("driven", scene)):
+        text = cd.derive(made).explain(tmp_path / f"{name}.md").read_text("utf-8")
+        assert "Nothing moves freely" in text
+
+
 def test_formulas_are_read_by_another_program(tmp_path: Path) -> None:
     parser = pytest.importorskip("matplotlib.mathtext").MathTextParser("path")
     text = equations_of(EXAMPLES[0]).explain(tmp_path / "a.tex").read_text("utf-8")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from cardan.equations.notation import GREEK
+
 # what our pages may use; anything else is a name that got out
 _COMMANDS = """
     documentclass usepackage ifPDFTeX fi setlength parindent parskip emergencystretch newcommand
@@ -13,9 +15,9 @@ _COMMANDS = """
     textquotedbl textquotesingle textasciigrave textless textgreater textbar textbackslash
     textasciicircum textasciitilde textperiodcentered ldots displaystyle frac dot ddot mathrm
     operatorname left right sin cos tan tanh sqrt pi le ge ne cdot sum backslash hat sim log exp
-    alpha beta gamma theta lambda mu nu rho sigma tau phi psi omega
+    textsuperscript neq
 """
-COMMANDS = frozenset(_COMMANDS.split())
+COMMANDS = frozenset(_COMMANDS.split()) | GREEK
 
 
 def problems(text: str) -> list[str]:

@@ -61,6 +61,9 @@ class Formulas:
 
     def section(self) -> d.Section:
         """All functions that make up the equations of motion."""
+        if not self.equations.speeds:
+            said = "Nothing moves freely: there are no equations of motion."
+            return d.Section("Equations of motion", (d.Paragraph((said,)),))
         known = self.equations.names()
         blocks: list[d.Block] = [d.Paragraph(self._general())]
         for name, letter, dots, about in FUNCTIONS:

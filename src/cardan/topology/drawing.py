@@ -12,6 +12,9 @@ from .tree import Branch
 
 ROW, COLUMN = 58, 158
 BOX = (144, 36)
+# controls of arcs that bend around boxes
+ASIDE, ABOVE = 190.0, 56.0
+Point = tuple[float, float]
 
 
 # a piece of a beam: its name and the bodies it joins
@@ -101,18 +104,23 @@ def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
         f'width="{place.width:g}" height="{place.height:g}" font-family="sans-serif" '
         'font-size="11">'
     ]
+    labels = []
     for arc in place.drawn(arcs):
-        (x0, y0), (x1, y1) = place.center(arc.inner), place.center(arc.outer)
-        parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" {_LINES[arc.style]}/>')
+        points = place.path(arc)
+        bend, fill = ("C", ' fill="none"') if len(points) == 4 else ("L", "")
+        line = " ".join(f"{x:g} {y:g}" for x, y in points[1:])
+        start = f"M{points[0][0]:g} {points[0][1]:g}"
+        parts.append(f'<path d="{start}{bend}{line}"{fill} {_LINES[arc.style]}/>')
         if arc.style != "tree":
+            x, y = _middle(points)
             halo = ' stroke="#fff" stroke-width="3" paint-order="stroke"'
-            parts.append(_label(arc, (x0 + x1) / 2, (y0 + y1) / 2 + 3, halo))
+            labels.append(_label(arc, x, y + 3, halo))
     # every body but the ground stands on one joint of the tree: it is named in the same box
     inboard = {arc.outer: arc for arc in arcs if arc.style == "tree"}
     for body in bodies:
         if body in place:
             parts.append(_box(body, inboard.get(body), *place.center(body)))
-    return "\n".join([*parts, "</svg>"])
+    return "\n".join([*parts, *labels, "</svg>"])
 
 
 _LINES = {
@@ -144,20 +152,22 @@ def tikz(bodies: Sequence[str], arcs: Sequence[Arc], escaped: Callable[[str], st
     def named(arc: Arc) -> str:
         return rf"{{\scriptsize {escaped(_short(arc.name))} \itshape {escaped(arc.kind)}}}"
 
+    labels = []
     for arc in place.drawn(arcs):
-        ends = [at(*place.center(body)) for body in (arc.inner, arc.outer)]
-        lines.append(rf"\draw[{_STROKES[arc.style]}] {ends[0]} -- {ends[1]};")
+        points = place.path(arc)
+        ends = [at(x, y) for x, y in points]
+        inner = f" .. controls {ends[1]} and {ends[2]} .. " if len(points) == 4 else " -- "
+        lines.append(rf"\draw[{_STROKES[arc.style]}] {ends[0]}{inner}{ends[-1]};")
         if arc.style != "tree":
-            (x0, y0), (x1, y1) = place.center(arc.inner), place.center(arc.outer)
-            middle = at((x0 + x1) / 2, (y0 + y1) / 2)
-            lines.append(rf"\node[fill=white,inner sep=1pt] at {middle} {{{named(arc)}}};")
+            label = rf"\node[fill=white,inner sep=1pt] at {at(*_middle(points))} {{{named(arc)}}};"
+            labels.append(label)
     inboard = {arc.outer: arc for arc in arcs if arc.style == "tree"}
     for body in bodies:
         if body in place:
             below = rf"\\{named(inboard[body])}" if body in inboard else ""
             content = f"{escaped(_short(body))}{below}"
             lines.append(rf"\node[body] at {at(*place.center(body))} {{{content}}};")
-    return "\n".join([*lines, r"\end{tikzpicture}"])
+    return "\n".join([*lines, *labels, r"\end{tikzpicture}"])
 
 
 _STROKES = {"tree": "", "closing": "dashed", "beam": "line width=3pt,gray"}
@@ -212,6 +222,13 @@ def _spanning(arcs: Sequence[Arc]) -> list[tuple[str, str]]:
     return found
 
 
+def _middle(points: Sequence[Point]) -> Point:
+    """Of a line or a cubic curve."""
+    weights = (0.125, 0.375, 0.375, 0.125) if len(points) == 4 else (0.5, 0.5)
+    pairs = list(zip(weights, points, strict=True))
+    return sum(w * x for w, (x, _) in pairs), sum(w * y for w, (_, y) in pairs)
+
+
 class _Places:
     """Column and level of every body: leaves side by side, inner bodies over their middle.
 
@@ -238,8 +255,11 @@ class _Places:
                 columns = [column[child] for child in outboard[body]]
                 column[body] = (min(columns) + max(columns)) / 2
         self._where = {body: (column[body], level[body]) for body in level}
-        self.width = COLUMN * (1 + max(column.values())) + 20
-        self.height = ROW * (max(level.values()) + 1) + 20
+        bends = [self._bend(arc) for arc in self.drawn(arcs)]
+        right = max((x for x, _ in bends), default=0.0)
+        up = max((-y for _, y in bends), default=0.0)
+        self.width = COLUMN * (1 + max(column.values())) + 20 + 0.65 * right
+        self.height = ROW * (max(level.values()) + 1) + 20 + 0.5 * up
 
     def __contains__(self, body: object) -> bool:
         return body in self._where
@@ -248,6 +268,23 @@ class _Places:
         """Of its box, y downwards."""
         column, level = self._where[body]
         return COLUMN * (column + 0.5) + 10, self.height - ROW * (level + 0.5) - 10
+
+    def path(self, arc: Arc) -> list[Point]:
+        """From body to body: a line by its ends, or a curve with two controls between them."""
+        ends = [self.center(arc.inner), self.center(arc.outer)]
+        right, down = self._bend(arc)
+        if not right and not down:
+            return ends
+        return [ends[0], *((x + right, y + down) for x, y in ends), ends[1]]
+
+    def _bend(self, arc: Arc) -> Point:
+        """How far aside are the controls of an arc that would run behind boxes."""
+        (a, low), (b, high) = self._where[arc.inner], self._where[arc.outer]
+        if arc.style == "tree" or (a != b and low != high):
+            return 0.0, 0.0
+        if a == b:
+            return (ASIDE, 0.0) if abs(high - low) > 1 else (0.0, 0.0)
+        return 0.0, -ABOVE
 
     def drawn(self, arcs: Sequence[Arc]) -> list[Arc]:
         """The arcs between bodies that have places."""

@@ -57,7 +57,8 @@ _TEXT = {
 }
 # characters of our own text
 _MARKS = {"·": r"\textperiodcentered{}", "–": "--", "−": r"\ensuremath{-}", "…": r"\ldots{}",
-          "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "ᵀ": r"\ensuremath{^T}"}  # fmt: skip
+          "²": r"\textsuperscript{2}", "³": r"\textsuperscript{3}",
+          "ᵀ": r"\textsuperscript{T}"}  # fmt: skip
 
 
 def write(document: d.Document, path: Path) -> dict[str, str]:
