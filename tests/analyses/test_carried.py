@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from cardan.cli.sheet import facts
 
 import cardan as cd
+from cardan.explain import facts
 from mechanisms.carried import CARRIED
 from mechanisms.closed import four_bar
 

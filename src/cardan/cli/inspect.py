@@ -46,7 +46,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     reading.arguments(parser)
     how = parser.add_argument_group("the equations")
     how.add_argument("--method", default="auto", metavar="METHOD",
-                     help="kane, newton_euler, composite or articulated")  # fmt: skip
+                     help="kane, newton_euler, composite, articulated, lagrange, ...")  # fmt: skip
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="PAGE", type=Path,
                          help="a page: .html, .tex or .md")  # fmt: skip
