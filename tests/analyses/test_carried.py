@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.cli.sheet import facts
+from cardan.explain import facts
 from mechanisms.carried import CARRIED
 from mechanisms.closed import four_bar
 

@@ -16,6 +16,7 @@ ORDER = (
     "runtime",
     "analyses",
     "view",
+    "explain",
     "pipeline",
     "peers",
     "cli",
@@ -36,6 +37,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.equations.absolute.record", "Absolute.export"): frozenset(
         {"cardan.codegen.meshed", "cardan.runtime.absolute.planned"}
     ),
+    ("cardan.equations.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
@@ -110,6 +112,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.sympy_out",
         "cardan.ir.readable",
         "cardan.equations.mathml",
+        "cardan.explain.breaking",
         "cardan.equations.mechanics",
         *(
             f"cardan.model.mechanics.{module}"
@@ -149,6 +152,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             *("processor", "cplusplus", "casadi_algorithms", "circuits"),
         }
     ),
+    "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
@@ -165,8 +169,6 @@ FAMILIES: dict[str, frozenset[str]] = {
             "varying",
             "wanting",
             "report_page",
-            "sheet",
-            "sheet_page",
         }
     ),
 }

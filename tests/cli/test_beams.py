@@ -53,8 +53,11 @@ def test_inspect(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:
     counts = json.loads(capsys.readouterr().out)["elements"]
     # the one on the ground is of a kind of its own
     assert sum(n for name, n in counts.items() if name.startswith("hellinger")) == 3
-    assert main(["inspect", str(crane), "-o", str(crane.with_suffix(".html"))]) == 1
-    assert "leave out -o" in capsys.readouterr().err
+    page = crane.with_suffix(".html")
+    assert main(["inspect", str(crane), "-o", str(page)]) == 0
+    assert "hellinger_reissner" in page.read_text("utf-8")
+    assert main(["inspect", str(crane), "-o", str(crane.with_suffix(".pdf"))]) == 1
+    assert "pages end in .html, .tex, .md" in capsys.readouterr().err
 
 
 def test_simulate(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 import subprocess
 import sys
 import tomllib
 import xml.etree.ElementTree as ET
+from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -16,7 +18,10 @@ import pytest
 
 import cardan as cd
 from cardan.cli import main
+from cardan.explain import document
+from cardan.explain.writers import WRITERS
 from codegen.running import STRICT, compilers
+from explain.tex import problems
 from spread import some
 
 NAMES = {
@@ -112,16 +117,8 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     expected = Tags(cd.compile(plain).simulate(0.1).animate(tmp_path / "p.html").read_text("utf-8"))
     assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
 
-    # the sheet, and the scene file it is made from
-    sheets = []
-    for name, made in (("hostile", scene), ("plain", plain)):
-        made.save(tmp_path / f"{name}.yaml")
-        assert main(["inspect", str(tmp_path / f"{name}.yaml"), "-o", str(tmp_path / name)]) == 0
-        sheets.append(Tags((tmp_path / name).read_text("utf-8")))
-    assert {"script", "img", "link"} & set(sheets[0].tags) == set()
-    assert sheets[0].attributes <= sheets[1].attributes | {"intent"}
-    assert set(sheets[0].tags) <= set(sheets[1].tags) | {"msub", "msup", "msubsup", "mtext"}
-    capsys.readouterr()
+    # scene files
+    scene.save(tmp_path / "hostile.yaml")
 
     # on a screen names are no markup
     assert main(["simulate", str(tmp_path / "hostile.yaml"), "--time", "0.1"]) == 0
@@ -147,3 +144,31 @@ def test_graphs_and_formulas(word: str) -> None:
     assert latex.count("$") - latex.count(r"\$") == 2
     assert r"\end{document}" not in latex
     assert latex.count("{") - latex.count(r"\{") == latex.count("}") - latex.count(r"\}")
+
+
+@cache
+def explained(word: str) -> dict[str, str]:
+    """Ending -> text of the pages of a scene."""
+    made = document(cd.derive(scene_of(word)))
+    return {e: t for w in WRITERS.values() for e, t in w.write(made, Path("page")).items()}
+
+
+@pytest.mark.parametrize("word", some(NAMES.values(), 5, 4), ids=NAMES)
+def test_explained(word: str) -> None:
+    found = {"hostile": explained(word), "plain": explained("plain")}
+    sheets = [Tags(found[name][".html"]) for name in ("hostile", "plain")]
+    assert {"script", "img", "link"} & set(sheets[0].tags) == set()
+    assert sheets[0].attributes <= sheets[1].attributes | {"intent"}
+    assert set(sheets[0].tags) <= set(sheets[1].tags) | {"msub", "msup", "msubsup", "mtext"}
+    assert problems(found["hostile"][".tex"]) == []
+    hostile, plain = found["hostile"][".md"], found["plain"][".md"]
+    # HTML within Markdown: what is folded, and nothing else
+    tags = [re.sub(r"<(/?\w+)[^>]*>", r"\1", tag) for tag in re.findall(r"<[^>]*>", hostile)]
+    assert set(tags) <= {"details", "/details", "summary", "/summary"}
+    # as many headings, tables and formulas
+    for mark in ("## ", "| ", "- "):
+        assert [line.startswith(mark) for line in hostile.split("\n")].count(True) == [
+            line.startswith(mark) for line in plain.split("\n")
+        ].count(True)
+    assert hostile.count("\n$$\n") == plain.count("\n$$\n")
+    ET.fromstring(found["hostile"][".svg"])

@@ -22,6 +22,7 @@ from .constraints import Row, rows
 from .context import Context, settled
 from .counts import Counts, overview
 from .dynamics import Dynamics
+from .explained import Explained
 from .feasibility import Feasibility, feasibility
 from .kinematics import Kinematics
 from .linearized.linear import Linearizable
@@ -42,7 +43,7 @@ ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", 
 
 
 @dataclass(frozen=True, repr=False)
-class Equations(Readable, Linearizable):
+class Equations(Readable, Linearizable, Explained):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Made by :func:`cardan.derive`. Nothing is derived before it is asked for.

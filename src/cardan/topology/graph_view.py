@@ -139,7 +139,7 @@ class GraphView:
 
     def svg(self) -> str:
         """A picture of the tree with its circuits dashed, and beams as thick lines."""
-        return drawing.svg(self.bodies, self.branches, self.closing, self.beams)
+        return drawing.svg(self.bodies, drawing.arcs(self.branches, self.closing, self.beams))
 
     def _repr_svg_(self) -> str:
         return self.svg()

@@ -25,6 +25,7 @@ from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..counts import Counts
+from ..explained import Explainable
 from ..record import Equations
 from .overview import overview
 
@@ -227,7 +228,7 @@ class Frames:
 
 
 @dataclass(frozen=True)
-class Absolute:
+class Absolute(Explainable):
     """Equations of motion in absolute coordinates, element by element.
 
     Made by :func:`cardan.derive` with ``coordinates="absolute"``. The whole system is

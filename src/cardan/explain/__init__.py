@@ -1,0 +1,75 @@
+"""Equations explained: one document of sections, formulas, tables, figures, written in three ways.
+
+A page says of what bodies and joints a system is made, what its coordinates and parameters are, how
+its equations read and where every term comes from, what stays constant, and what functions cost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import DerivationError, near
+from ..view.page import publish
+from .content import Document
+from .facts import facts
+
+if TYPE_CHECKING:
+    from ..equations.absolute.record import Absolute
+    from ..equations.record import Equations
+
+__all__ = ["Document", "document", "explain", "facts"]
+
+
+def explain(
+    equations: Equations | Absolute,
+    path: str | Path,
+    progress: Callable[[str], object] | None = None,
+) -> Path:
+    """Write equations as a page.
+
+    Args:
+        equations: In whatever coordinates, by whatever method.
+        path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
+        progress: Told what is under way.
+
+    Returns:
+        The file.
+
+    Raises:
+        DerivationError: another ending.
+    """
+    path = Path(path)
+    ending = checked(path)
+    from .writers import WRITERS
+
+    made = document(equations, progress)
+    for suffix, text in WRITERS[ending].write(made, path).items():
+        publish(path if suffix == ending else path.with_suffix(suffix), text)
+    return path
+
+
+def checked(path: Path) -> str:
+    """The ending of a page.
+
+    Raises:
+        DerivationError: there is no writer for it.
+    """
+    from .writers import WRITERS
+
+    ending = path.suffix.lower()
+    if ending not in WRITERS:
+        raise DerivationError(
+            f"'{path.name}': pages end in {', '.join(WRITERS)}.{near(ending, WRITERS)}"
+        )
+    return ending
+
+
+def document(
+    equations: Equations | Absolute, progress: Callable[[str], object] | None = None
+) -> Document:
+    """What a page says, before it is written."""
+    from . import sheets
+
+    return sheets.document(equations, progress or (lambda _: None))

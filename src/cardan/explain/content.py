@@ -1,0 +1,138 @@
+"""What a page says before anybody decides how it looks: text, formulas, tables, figures.
+
+Strings are whatever users called their things; every writer escapes what it writes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from ..equations.notation import Notation
+
+
+@dataclass(frozen=True)
+class Math:
+    """A SymPy expression within a line."""
+
+    expression: Any
+
+
+@dataclass(frozen=True)
+class Written:
+    """A formula that is always the same, in both languages."""
+
+    mathml: str
+    latex: str
+    text: str
+
+
+def letter(name: str, dots: int = 0) -> Written:
+    """A letter in text, such as M."""
+    base = f"<mi>{name}</mi>"
+    dotted = f"<mover>{base}<mo>.</mo></mover>" if dots else base
+    return Written(dotted, rf"\dot {name}" if dots else name, name + "dot" * dots)
+
+
+Inline: TypeAlias = str | Math | Written
+Text: TypeAlias = tuple[Inline, ...]
+Cells: TypeAlias = tuple[str | float | Math, ...]
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Text; ``quiet`` for what is said aside."""
+
+    text: Text
+    quiet: bool = False
+
+
+@dataclass(frozen=True)
+class Formula:
+    """left = right on lines of its own, and what it is the sum of.
+
+    Attributes:
+        left: What is set.
+        right: SymPy expression.
+        terms: (who, expression): they add up to the right side.
+        origin: Who it all comes from, where that is one.
+    """
+
+    left: Notation
+    right: Any
+    terms: tuple[tuple[str, Any], ...] = ()
+    origin: str = ""
+
+    @property
+    def text(self) -> str:
+        """As plain text."""
+        dots = {"q": "qdot"}.get(self.left.letter, self.left.letter) if self.left.dots else ""
+        index = f"[{self.left.index}]" if self.left.index else ""
+        return f"{dots or self.left.letter}{index} = {self.right}"
+
+
+@dataclass(frozen=True)
+class Table:
+    """Cells are text, numbers or formulas; a column of numbers stands to the right."""
+
+    head: tuple[str, ...]
+    rows: tuple[Cells, ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing in the languages of pages and of TeX."""
+
+    svg: str
+    tikz: str
+    caption: str
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Short texts, one below the other."""
+
+    items: tuple[Text, ...]
+
+
+@dataclass(frozen=True)
+class Folded:
+    """Blocks that only some readers want."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+Block: TypeAlias = "Paragraph | Formula | Table | Figure | Listing | Folded"
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading and what stands below it."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Document:
+    """A page.
+
+    Attributes:
+        title: Name of the scene.
+        lead: What it is, below the title.
+        sections: In the order of reading.
+        symbols: How names of symbols are set.
+    """
+
+    title: str
+    lead: tuple[Paragraph, ...]
+    sections: tuple[Section, ...]
+    symbols: Mapping[str, Notation] = field(default_factory=dict, repr=False)
+
+
+def is_negative(expression: Any) -> bool:
+    """Whether an expression is written with a minus before it."""
+    first = expression.as_ordered_terms()[0] if expression.is_Add else expression
+    return bool(first.could_extract_minus_sign())

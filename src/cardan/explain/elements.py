@@ -1,0 +1,118 @@
+"""Pages of equations in absolute coordinates: kinds of elements, their members, what they cost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from ..ir.function import Function
+from . import content as d
+from .formulas import HELD
+
+if TYPE_CHECKING:
+    from ..equations.absolute.record import Absolute, BlockKind
+
+NAMED = 12
+
+
+def sections(scene: Absolute) -> Iterator[d.Section]:
+    """What there is to say beyond graph, parameters and frames."""
+    yield _places(scene)
+    yield _elements(scene)
+    yield _energy(scene)
+    yield _operations(scene)
+
+
+def _places(scene: Absolute) -> d.Section:
+    """Where coordinates and speeds live."""
+    places, rows = scene.places, []
+    for n, kind in enumerate(places.kinds):
+        members = [places.names[k] for k in range(len(places)) if places.kind[k] == n]
+        rows.append((kind.name, float(len(members)), some(members), _entries(kind)))
+    said = (
+        f"{len(places)} places hold {places.nq} coordinates and {places.nu} speeds: nodes have a "
+        "position and a rotation each, joints coordinates of their own."
+    )
+    table = d.Table(("kind of place", "number", "places", "coordinates of each"), tuple(rows))
+    return d.Section("Coordinates and speeds", (d.Paragraph((said,)), table))
+
+
+def _entries(kind: BlockKind) -> str:
+    units = zip(kind.coordinates, kind.q_units, strict=True)
+    return ", ".join(f"{name or 'its own'} [{unit or '1'}]" for name, unit in units)
+
+
+def _elements(scene: Absolute) -> d.Section:
+    rows, held = [], []
+    for group in scene.groups:
+        kind = group.kind
+        places = " and ".join(block.name for block in kind.blocks) or "ground"
+        rows.append((kind.name, float(len(group)), some(group.members), places, float(kind.m)))
+        if kind.m:
+            names = ", ".join(name or "itself" for name, _ in kind.rows)
+            held.append((kind.name, float(kind.m), float(kind.mp), names))
+    said: d.Text = (
+        SUM, " and ", HELD, ": every element adds its part to the rows of its places, and has rows "
+        "of its own where it holds something.",
+    )  # fmt: skip
+    blocks: list[d.Block] = [
+        d.Paragraph(said),
+        d.Table(("element", "members", "names", "between", "rows"), tuple(rows)),
+    ]
+    if held:
+        head = ("element", "rows", "of positions", "what it holds")
+        blocks.append(d.Table(head, tuple(held)))
+    return d.Section("Elements", tuple(blocks))
+
+
+SUM = d.Written(
+    '<mo>∑</mo><mo stretchy="false">(</mo><mi>M</mi><mover><mi>u</mi><mo>.</mo></mover><mo>+</mo>'
+    '<mi>h</mi><mo>−</mo><mi>f</mi><mo stretchy="false">)</mo><mo>=</mo><msup><mi>G</mi>'
+    "<mi>T</mi></msup><mi>λ</mi>",
+    r"\sum (M \dot u + h - f) = G^T \lambda",
+    "sum (M udot + h - f) = Gᵀ lam",
+)
+
+
+def _energy(scene: Absolute) -> d.Section:
+    """Energy is conserved where nothing has power and nothing reads the time."""
+    timed = [
+        group.kind.name
+        for group in scene.groups
+        if any(_reads_time(f) for f in group.kind.functions.values())
+    ]
+    damped = [segment.name for segment in scene.system.segments if any(segment.data["damping"][2])]
+    sources = list(dict.fromkeys((*scene.powers, *damped)))
+    if sources:
+        said = f"Energy is not conserved: {', '.join(sources)} can take or give power."
+    elif timed:
+        said = f"Energy is not conserved: the time stands in {', '.join(dict.fromkeys(timed))}."
+    else:
+        said = "Energy is conserved: nothing has power of its own, and nothing depends on the time."
+    return d.Section("Conserved quantities", (d.Paragraph((said,)),))
+
+
+def _reads_time(function: Function) -> bool:
+    return any(function.graph.nodes[i][:2] == ("var", "t") for i in function.live())
+
+
+def _operations(scene: Absolute) -> d.Section:
+    rows: list[d.Cells] = []
+    for group in scene.groups:
+        kind = group.kind
+        counts = [
+            float(scene.operations[kind.c_name(name)].total) if name in kind.functions else 0.0
+            for name in ("balance", "balance_tangent")
+        ]
+        total = counts[0] * len(group)
+        rows.append((kind.name, float(len(group)), *counts, total))
+    head = ("element", "members", "balance", "tangent", "balance of all")
+    said = "Operations for one member at every call, and of the balance of all members."
+    return d.Section("Operations", (d.Paragraph((said,), quiet=True), d.Table(head, tuple(rows))))
+
+
+def some(names: Iterable[str]) -> str:
+    """A few names, and how many more there are."""
+    listed = list(names)
+    shown = ", ".join(listed[:NAMED])
+    return shown + (f", ... ({len(listed)})" if len(listed) > NAMED else "")

@@ -1,0 +1,50 @@
+"""What a program wants to know about equations: plain data for JSON and for tables."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..codegen import flat, manifest
+from ..ir.interpreter import evaluate
+
+if TYPE_CHECKING:
+    from ..equations.record import Equations
+    from ..topology.system import System
+
+Numbers: TypeAlias = NDArray[np.float64]
+
+
+def facts(equations: Equations) -> dict[str, Any]:
+    """The manifest without functions, with counts and sources."""
+    data = dict(manifest.base(equations, ()).data)
+    for key in ("abi", "available", "functions", "scene", "sha256", "shapes"):
+        data.pop(key, None)
+    data["frames"] = placed(equations.system, data["frames"])
+    data["operations"] = {
+        name: {"total": counts.total, "operators": dict(counts), "blocks": counts.blocks}
+        for name, counts in equations.operations.items()
+    }
+    data["sources"] = list(equations.sources)
+    return data
+
+
+def placed(system: System, frames: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Frames with position (3) and rotation (3, 3) in body axes at the defaults of parameters."""
+    return [
+        frame | {"position": p.tolist(), "rotation": r.tolist()}
+        for frame, p, r in zip(frames, *poses(system), strict=True)
+        # bodies without parts only stand for joints
+        if frame["part"] is not None or frame["body"] == "ground"
+    ]
+
+
+def poses(system: System) -> tuple[Numbers, Numbers]:
+    """Positions (n, 3) and rotations (n, 3, 3) of all frames in axes of their bodies."""
+    defaults = [parameter.value for parameter in system.parameters]
+    found = evaluate(flat.scene(system), {"p": defaults})
+    count = len(system.frames)
+    positions = np.reshape(found["frame_position"], (count, 3)).astype(np.float64)
+    return positions, np.reshape(found["frame_rotation"], (count, 3, 3)).astype(np.float64)

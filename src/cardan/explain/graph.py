@@ -1,0 +1,66 @@
+"""The graph of a system as a figure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..topology import drawing
+from ..topology.drawing import Arc
+from ..topology.system import Part, System
+from . import content as d
+from .writers.latex import escaped
+
+
+def figure(system: System) -> d.Figure:
+    """Bodies and joints, as the user named them."""
+    arcs = list(_arcs(system))
+    bodies = ["ground", *dict.fromkeys(name for a in arcs for name in (a.inner, a.outer))]
+    bodies = list(dict.fromkeys(bodies))
+    return d.Figure(
+        drawing.svg(bodies, arcs),
+        drawing.tikz(bodies, arcs, escaped),
+        caption(arcs),
+    )
+
+
+def caption(arcs: list[Arc]) -> str:
+    """What the lines of the figure mean."""
+    styles = {arc.style for arc in arcs}
+    said = "Bodies on their joints, the ground at the bottom"
+    said += "; dashed: joints that close circuits" * ("closing" in styles)
+    return said + "; thick: beams" * ("beam" in styles) + "."
+
+
+def _arcs(system: System) -> Iterator[Arc]:
+    yield from _fixed(system.ground_parts)
+    carried = {cut.carrier for cut in system.cuts}
+    for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
+        if not joint.implicit and i not in carried:
+            yield Arc(joint.name, joint.element.kind, _part(system, joint.parent_frame), body.name)
+        yield from _fixed(body.parts)
+    for cut in system.closing:
+        kind, start = cut.element.kind, cut.parent_frame
+        if cut.carrier is not None:
+            carrier = system.joints[cut.carrier]
+            kind, start = carrier.element.kind, carrier.parent_frame
+        ends = _part(system, start), _part(system, cut.child_frame)
+        yield Arc(cut.name, kind, *ends, "closing")
+    for segment in system.segments:
+        ends = _part(system, segment.frame_a), _part(system, segment.frame_b)
+        yield Arc(segment.name, "beam", *ends, "beam")
+
+
+def _fixed(parts: tuple[Part, ...]) -> Iterator[Arc]:
+    """Parts of one body that fixed joints hold together."""
+    for part in parts:
+        if part.inboard >= 0:
+            yield Arc(part.joint, "fixed", parts[part.inboard].name, part.name)
+
+
+def _part(system: System, frame: int) -> str:
+    """The user's body to which a frame belongs."""
+    own = system.frames[frame]
+    if own.body < 0:
+        return system.ground_parts[own.part].name if system.ground_parts else "ground"
+    parts = system.bodies[own.body].parts
+    return parts[own.part].name if parts else system.bodies[own.body].name

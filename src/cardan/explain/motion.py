@@ -1,0 +1,118 @@
+"""What motions keep, and what of the inertia they depend on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ..equations.notation import Notation
+from ..errors import DerivationError
+from . import content as d
+from .formulas import size
+from .tables import unit
+
+if TYPE_CHECKING:
+    from ..equations.conserved import Quantity
+    from ..equations.record import Equations
+
+# speeds of systems whose integrals are looked for, bodies of those whose base parameters are listed
+LARGEST = 60
+# operations of a conserved quantity that is written out, and before it is simplified
+WRITTEN, LONGEST = 250, 20_000
+
+
+def conserved(equations: Equations) -> Iterator[d.Section]:
+    """Momenta and energy that stay constant."""
+    if not 0 < len(equations.speeds) <= LARGEST:
+        return
+    found = equations.conserved()
+    blocks: list[d.Block] = []
+    for one in found.quantities:
+        blocks += _quantity(one)
+    sentences = []
+    if "energy" not in found.names:
+        told = found.told()
+        sentences.append(told[0].upper() + told[1:] + ".")
+    if not found.quantities and found.count:
+        sentences.append("No momentum is conserved.")
+    if found.cyclic:
+        sentences.append(f"Nothing depends on {', '.join(found.cyclic)}.")
+    if found.events and found.quantities:
+        sentences.append("All this holds between events: an impact may change it.")
+    if sentences:
+        blocks.append(d.Paragraph((" ".join(sentences),)))
+    if found.count:
+        said = (
+            f"Rates looked at in {found.count} states drawn by chance; those taken for zero are "
+            f"below {max(found.residual, 1e-16):.0e} of their terms."
+        )
+        blocks.append(d.Paragraph((said,), quiet=True))
+    yield d.Section("Conserved quantities", tuple(blocks))
+
+
+def _quantity(one: Quantity) -> Iterator[d.Block]:
+    name = one.name[0].upper() + one.name[1:]
+    same = f", which is the {' and the '.join(one.also)}" if one.also else ""
+    holds = f"; {one.condition}" if one.condition else ""
+    yield d.Paragraph((f"{name}{same}{holds} [{unit(one.unit)}]:",))
+    try:
+        if size(one.function) > LONGEST:
+            raise DerivationError("too long")
+        expression = one.expression
+        if expression.count_ops() > WRITTEN:
+            raise DerivationError("too long")
+        yield d.Formula(_letter(one.name), expression)
+    except DerivationError:
+        yield d.Paragraph(("Its expression is too long to be written out here.",), quiet=True)
+
+
+def _letter(name: str) -> Notation:
+    words = name.split()
+    if name == "energy":
+        return Notation("E")
+    if name.startswith("linear"):
+        return Notation("P", words[3] if len(words) == 4 else "")
+    if name.startswith("angular"):
+        return Notation("L", words[3] + (", c" if name.endswith("mass") else ""))
+    return Notation("p", name.removeprefix("momentum of "))
+
+
+def base_parameters(equations: Equations) -> Iterator[d.Section]:
+    """Combinations of masses and inertias that determine the motion."""
+    if len(equations.system.bodies) > LARGEST:
+        return
+    try:
+        found = equations.base_parameters()
+    except DerivationError:
+        return
+    if not found.combinations:
+        return
+    of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
+    said = (
+        f"{len(found.combinations)} combinations of masses (μ), first moments (σ) and second "
+        f"moments (J) about the joints determine {of}:"
+    )
+    blocks: list[d.Block] = [d.Paragraph((said,))]
+    formulas: list[d.Block] = [
+        d.Formula(_base(name), expression) for name, expression in found.combinations.items()
+    ]
+    blocks += formulas if len(formulas) <= 24 else [d.Folded("All of them", tuple(formulas))]
+    for title, names in (
+        ("Without any effect", found.without_effect),
+        ("Only in combination with others", found.only_combined),
+    ):
+        if names:
+            blocks.append(d.Paragraph((f"{title}: {', '.join(names)}.",), quiet=True))
+    yield d.Section("Base parameters", tuple(blocks))
+
+
+BASE = {"mass": ("mu", ""), "moment": ("sigma", ""), "xx": ("J", "xx"), "yy": ("J", "yy"),
+        "zz": ("J", "zz"), "xy": ("J", "xy"), "xz": ("J", "xz"), "yz": ("J", "yz")}  # fmt: skip
+
+
+def _base(name: str) -> Notation:
+    """``lower.base_xx`` is J with the index lower, xx; no parameter is called so."""
+    owner, _, entry = name.rpartition(".base_")
+    kind, _, axis = entry.partition("_")
+    letter, index = BASE.get(kind, (entry, ""))
+    return Notation(letter, ", ".join(filter(None, (owner, index or axis))))

@@ -1,0 +1,103 @@
+"""The sections of a page in the order of reading."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+from ..equations.absolute.record import Absolute
+from ..equations.circuits_told import circuits_told
+from ..equations.notation import Notation, notation, symbols
+from . import content as d
+from . import elements, motion, tables
+from .formulas import Formulas
+from .graph import figure
+
+if TYPE_CHECKING:
+    from ..equations.record import Equations
+
+Told = Callable[[str], object]
+
+
+def document(equations: Equations | Absolute, progress: Told) -> d.Document:
+    """The page of equations in whatever coordinates."""
+    if isinstance(equations, Absolute):
+        names = {p: notation(p) for p in (*equations.parameters, *equations.inputs)}
+        return _page(equations, tuple(_absolute(equations, progress)), names)
+    formulas = Formulas(equations)
+    sections = tuple(_relative(equations, formulas, progress))
+    return _page(equations, sections, dict(symbols(equations)) | formulas.symbols)
+
+
+def _page(
+    equations: Equations | Absolute, sections: tuple[d.Section, ...], names: dict[str, Notation]
+) -> d.Document:
+    system = equations.system
+    lead = [d.Paragraph((_lead(equations),))]
+    lead += [d.Paragraph((f"Note: {note}",), quiet=True) for note in system.notes]
+    return d.Document(system.name, tuple(lead), sections, names)
+
+
+def _lead(equations: Equations | Absolute) -> str:
+    system = equations.system
+    bodies = sum(len(body.parts) for body in system.bodies)
+    if isinstance(equations, Absolute):
+        how, nq, nu = "in absolute coordinates", equations.places.nq, equations.places.nu
+    else:
+        method = equations.method.replace("_", "-")
+        how = f"by the method {method}" + (f" ({equations.reason})" if equations.reason else "")
+        nq, nu = len(equations.coordinates), len(equations.speeds)
+    return (
+        f"Equations of motion {how}: {_many(bodies, 'body', 'bodies')}, "
+        f"{_many(nq, 'coordinate')}, {_many(nu, 'speed')}, "
+        f"{_many(len(system.parameters), 'parameter')}, {_many(len(system.inputs), 'input')}."
+    )
+
+
+def _many(count: int, one: str, several: str = "") -> str:
+    return f"{count} {one if count == 1 else several or one + 's'}"
+
+
+def _relative(equations: Equations, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
+    progress("drawing the graph")
+    circuits = [" ".join(line.split()) for line in circuits_told(equations)]
+    yield _graph(equations, circuits)
+    yield from tables.coordinates(equations)
+    yield from tables.parameters(equations.system)
+    progress("simplifying equations")
+    yield formulas.section()
+    progress("looking for conserved quantities")
+    yield from motion.conserved(equations)
+    progress("finding base parameters")
+    yield from motion.base_parameters(equations)
+    yield from tables.frames(equations.system)
+    progress("counting operations")
+    yield from tables.operations(equations)
+    yield _sources(equations)
+
+
+def _absolute(equations: Absolute, progress: Told) -> Iterator[d.Section]:
+    progress("drawing the graph")
+    yield _graph(equations, [])
+    yield from tables.parameters(equations.system)
+    progress("counting operations")
+    yield from elements.sections(equations)
+    yield from tables.frames(equations.system)
+    yield _sources(equations)
+
+
+def _graph(equations: Equations | Absolute, said: list[str]) -> d.Section:
+    blocks: list[d.Block] = [figure(equations.system)]
+    if said:
+        blocks.append(d.Listing(tuple((_sentence(line),) for line in said)))
+    return d.Section("Bodies and joints", tuple(blocks))
+
+
+def _sentence(line: str) -> str:
+    """A line with a capital, unless it begins with a name of ours."""
+    word = line.split()[0]
+    return (line[0].upper() + line[1:] if word.isalpha() else line) + "."
+
+
+def _sources(equations: Equations | Absolute) -> d.Section:
+    return d.Section("Sources", (d.Listing(tuple((source,) for source in equations.sources)),))

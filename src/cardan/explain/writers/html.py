@@ -1,0 +1,222 @@
+"""A document as one self-contained HTML page: formulas in MathML, no script, nothing fetched."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from html import escape
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from ...equations.notation import Notation
+from .. import content as d
+from ..style import STYLE
+
+# letters of a piece of a formula: what fits a telephone
+ROOM = 26.0
+# letters of a name, and of its index, that a formula shows in full
+LONGEST, INDEX = 24, 20
+# letters of a formula that fits a table on a telephone, and rows of a table that are not folded
+COLUMN, ROWS = 14.0, 60
+
+
+def write(document: d.Document, path: Path) -> dict[str, str]:
+    """Endings of files -> their text."""
+    return {".html": page(document)}
+
+
+def page(document: d.Document) -> str:
+    """The page; every name in it is the user's and is escaped."""
+    writer = _Writer(document)
+    title = escape(document.title)
+    body = [
+        f"<header><h1>{title}</h1>",
+        *(part for one in document.lead for part in writer.block(one)),
+        "</header>",
+    ]
+    for number, section in enumerate(document.sections, 1):
+        body.append(f"<section><h2><span>{number}</span> {escape(section.title)}</h2>")
+        body += [part for one in section.blocks for part in writer.block(one)]
+        body.append("</section>")
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta http-equiv="Content-Security-Policy" '
+        "content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
+        f"<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n"
+        + "\n".join(body)
+        + "\n</body>\n</html>\n"
+    )
+
+
+class _Writer:
+    """Writes blocks.
+
+    Args:
+        document: Whose notation is used.
+    """
+
+    def __init__(self, document: d.Document) -> None:
+        from ...equations.mathml import Printer
+        from ..breaking import Breaker
+
+        symbols = {name: _fitting(sign) for name, sign in document.symbols.items()}
+        self._symbols = _Names(symbols)
+        self._printer = Printer(self._symbols)
+        self._breaker = Breaker(self._symbols, ROOM)
+        self._numbers = count(1)
+
+    def block(self, block: d.Block) -> Iterator[str]:
+        """A block as lines of HTML."""
+        if isinstance(block, d.Paragraph):
+            yield f"<p{' class=quiet' * block.quiet}>{self._text(block.text)}</p>"
+        elif isinstance(block, d.Formula):
+            yield from self._formula(block)
+        elif isinstance(block, d.Table):
+            yield from self._table(block)
+        elif isinstance(block, d.Figure):
+            caption = escape(block.caption)
+            yield f"<figure>{block.svg}<figcaption>{caption}</figcaption></figure>"
+        elif isinstance(block, d.Listing):
+            items = "".join(f"<li>{self._text(text)}</li>" for text in block.items)
+            yield f"<ul>{items}</ul>"
+        else:
+            yield f"<details><summary>{escape(block.title)}</summary>"
+            for inner in block.blocks:
+                yield from self.block(inner)
+            yield "</details>"
+
+    def _text(self, text: d.Text) -> str:
+        return "".join(self._inline(part) for part in text)
+
+    def _inline(self, part: d.Inline) -> str:
+        if isinstance(part, str):
+            return escape(part)
+        if isinstance(part, d.Written):
+            return f"<math>{part.mathml}</math>"
+        return self._flow(part.expression)
+
+    def _formula(self, formula: d.Formula) -> Iterator[str]:
+        left = f"<math>{self._sign(formula.left)}<mo>=</mo></math>"
+        origin = f' <span class="origin">{escape(formula.origin)}</span>' if formula.origin else ""
+        yield f'<div class="formula">{left} {self._flow(formula.right)}{origin}</div>'
+        if not formula.terms:
+            return
+        yield '<dl class="terms">'
+        for n, (who, expression) in enumerate(formula.terms):
+            sign = "+" * (not d.is_negative(expression)) if n else "="
+            mark = f"<math>{_operator(sign, True)}</math> " if sign else ""
+            yield f"<dt>{escape(who)}</dt><dd>{mark}{self._flow(expression, n > 0)}</dd>"
+        yield "</dl>"
+
+    def _flow(self, expression: Any, goes_on: bool = False) -> str:
+        """An expression in pieces between which lines may end.
+
+        Args:
+            expression: From SymPy.
+            goes_on: Something to add it to stands before it.
+        """
+        found = []
+        for piece in self._breaker.pieces(expression):
+            found.append(self._piece(piece, goes_on))
+            goes_on = True
+        return " ".join(found)
+
+    def _piece(self, piece: Any, goes_on: bool) -> str:
+        parts = []
+        for sign in piece.before:
+            parts.append(_operator(sign, goes_on))
+            goes_on = False
+        if piece.body is not None:
+            parts.append(self._printer.written(piece.body))
+        for sign, power in piece.after:
+            made = _operator(sign)
+            raised = (
+                f"<msup>{made}{self._printer.written(power)}</msup>" if power is not None else ""
+            )
+            parts.append(raised or made)
+        return f"<math displaystyle=true>{''.join(parts)}</math>"
+
+    def _sign(self, sign: Notation) -> str:
+        """The left side of a formula."""
+        sign = _fitting(sign)
+        variant = ' mathvariant="normal"' if len(sign.character) > 1 else ""
+        base = f"<mi{variant}>{escape(sign.character)}</mi>"
+        if sign.dots:
+            base = f"<mover>{base}<mo>{'.' * sign.dots}</mo></mover>"
+        if not sign.index:
+            return base
+        return f'<msub>{base}<mi mathvariant="normal">{escape(sign.index)}</mi></msub>'
+
+    def _table(self, table: d.Table) -> Iterator[str]:
+        columns = [self._column([row[k] for row in table.rows]) for k in range(len(table.head))]
+        heads = "".join(
+            f"<th{kind}>{escape(name)}</th>" for name, kind in zip(table.head, columns, strict=True)
+        )
+        rows = "\n".join(
+            "<tr>"
+            + "".join(f"<td{c}>{self._cell(x)}</td>" for x, c in zip(row, columns, strict=True))
+            + "</tr>"
+            for row in table.rows
+        )
+        made = f"<table><thead><tr>{heads}</tr></thead>\n<tbody>{rows}</tbody></table>"
+        if len(table.rows) > ROWS:
+            made = f"<details><summary>{len(table.rows)} rows</summary>{made}</details>"
+        yield made
+
+    def _column(self, cells: list[str | float | d.Math]) -> str:
+        """Numbers stand to the right; wide formulas are left out where there is no room."""
+        if cells and all(isinstance(cell, (int, float)) for cell in cells):
+            return " class=number"
+        formulas = [cell.expression for cell in cells if isinstance(cell, d.Math)]
+        wide = any(self._breaker.width(expression) > COLUMN for expression in formulas)
+        return " class=wide" if wide else ""
+
+    def _cell(self, cell: str | float | d.Math) -> str:
+        if isinstance(cell, d.Math):
+            return self._flow(cell.expression)
+        if isinstance(cell, str):
+            # long names break at their dots
+            text = escape(cell)
+            return text.replace(".", ".<wbr>") if _is_name(cell) else text
+        return _number(cell)
+
+
+def _is_name(cell: str) -> bool:
+    return "." in cell and " " not in cell
+
+
+def _number(value: float) -> str:
+    """With a true minus, and powers of ten as such."""
+    digits, _, power = f"{value:.6g}".partition("e")
+    made = digits.replace("-", "−")
+    return f"{made}\u202f·\u202f10<sup>{int(power)}</sup>".replace("-", "−") if power else made
+
+
+def _operator(sign: str, infix: bool = False) -> str:
+    """Signs and brackets; words stand upright. ``infix``: with space on both sides."""
+    if sign[0].isalpha():
+        word, bracket = (sign[:-1], "<mo>(</mo>") if sign.endswith("(") else (sign, "")
+        space = '<mspace width="0.3em"/>' if not bracket else ""
+        return f'<mi mathvariant="normal">{escape(word)}</mi>{space}{bracket}'
+    stretch = ' stretchy="false"' if sign in "(){}" else ""
+    form = ' form="infix"' if infix and not stretch else ""
+    return f"<mo{stretch}{form}>{escape(sign)}</mo>"
+
+
+def _fitting(sign: Notation) -> Notation:
+    """Names that no line could hold are cut within formulas; tables have them in full."""
+    index = ", ".join(_cut(part, INDEX) for part in sign.index.split(", "))
+    return Notation(_cut(sign.letter, LONGEST), _cut(index, 2 * INDEX + 2), sign.dots)
+
+
+def _cut(name: str, most: int) -> str:
+    return name if len(name) <= most else name[: most - 1] + "…"
+
+
+class _Names(dict[str, Notation]):
+    """Notation of every name; unknown ones are words."""
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """As of a dict, but never None."""
+        return super().get(name) or _fitting(Notation(name))

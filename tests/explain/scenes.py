@@ -1,0 +1,68 @@
+"""The scenes of the examples, taken out of their scripts without running what follows."""
+
+from __future__ import annotations
+
+import io
+import os
+from contextlib import redirect_stdout
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import pytest
+
+import cardan as cd
+
+EXAMPLES = sorted(
+    path
+    for path in (Path(__file__).parents[2] / "examples").iterdir()
+    if path.suffix in (".py", ".yaml", ".urdf")
+)
+# pages that take seconds, and scenes that another example has already
+LONG = {"07_andrews", "08_stewart_platform", "11_solar_array", "09_bicycle", "bicycle"}
+TWICE = {"02_robot_arm", "04_scene_file", "14_bend", "18_locking_beams"}
+
+
+class _Enough(Exception):
+    """A script has its scene."""
+
+
+def short(paths: list[Path]) -> list[Any]:
+    """The examples, with long and repeated ones marked slow."""
+    return [
+        pytest.param(path, id=path.name, marks=[pytest.mark.slow] * (path.stem in LONG | TWICE))
+        for path in paths
+    ]
+
+
+@cache
+def scene_of(example: Path) -> cd.Model:
+    """What an example hands to ``derive`` or ``compile`` first."""
+    if example.suffix != ".py":
+        return cd.load(example)
+    names: dict[str, Any] = {"__name__": "example", "__file__": str(example)}
+    found: list[cd.Model] = []
+
+    def enough(scene: cd.Model, *_: Any, **__: Any) -> None:
+        found.append(scene)
+        raise _Enough
+
+    before = Path.cwd()
+    with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as folder:
+        patch.setattr(cd, "derive", enough)
+        patch.setattr(cd, "compile", enough)
+        os.chdir(folder)
+        try:
+            with redirect_stdout(io.StringIO()):
+                exec(compile(example.read_text("utf-8"), str(example), "exec"), names)
+        except _Enough:
+            pass
+        finally:
+            os.chdir(before)
+    return found[0]
+
+
+@cache
+def equations_of(example: Path) -> Any:
+    return cd.derive(scene_of(example))
