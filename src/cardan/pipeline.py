@@ -84,6 +84,7 @@ def derive(
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
 ) -> Equations: ...
 
 
@@ -106,6 +107,7 @@ def derive(
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
     plane: str | None = None,
 ) -> Equations | Absolute:
     """Equations of motion of a scene.
@@ -132,6 +134,8 @@ def derive(
             independent coordinates only, and multipliers serve for the rest.
         branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
             default what is nearest to the initial values of its joints.
+        independent: Joints whose coordinates stay when circuits are solved in closed form, such
+            as the crank of a slider-crank; by default the joints nearest to the cut follow.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
             that normal. ``"auto"`` takes the plane that there is, if any.
@@ -150,12 +154,14 @@ def derive(
         )
     if speeds and method != "auto":
         check_chooses(method)
-    solved = branches is not None or constraints == "closed_form"
-    system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    kept = (independent,) if isinstance(independent, str) else tuple(independent or ())
+    solved = branches is not None or kept or constraints == "closed_form"
+    system = topology.build(scene, specialize, (branches or {}) if solved else None, kept)
     if coordinates == "absolute" or (coordinates == "auto" and system.segments):
         options = {"method": method, "constraints": constraints}
         given = [name for name, value in options.items() if value != "auto"]
         others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        others["independent"] = independent
         given += [name for name, value in others.items() if value is not None]
         return _absolute(system, given, plane)
     if plane is not None:
@@ -205,6 +211,7 @@ def compile(
     specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
     constraints: str | Treatment | None = None,
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
     plane: str | None = None,
     loops: bool | None = None,
     threads: int | None = None,
@@ -215,8 +222,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints, branches, plane: As
-            :func:`derive` takes them, where ``scene`` is a model.
+        coordinates, method, speeds, rewrites, specialize, constraints, branches, independent,
+            plane: As :func:`derive` takes them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -236,6 +243,7 @@ def compile(
         specialize=specialize,
         constraints=constraints,
         branches=branches,
+        independent=independent,
         plane=plane,
     )
     if isinstance(equations, Absolute):

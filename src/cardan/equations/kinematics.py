@@ -24,6 +24,7 @@ from ..topology.system import Joint, Named, System
 from .carried import XYZ, Cuts
 from .chosen_speeds import by_speeds, speeds_of_joints
 from .closures import Closures
+from .following import Following
 from .joint_motion import JointMotion, JointPose, joint_motion, joint_pose, turn
 from .memo import Memo
 from .placeholders import placeholder
@@ -38,10 +39,18 @@ class Kinematics:
             the system's u are then these.
         cut: Whether values that bodies hand on become leaves, so that steps of a recursion can be
             told apart. Nothing may be differentiated through them.
+        following: Gives names to what closed circuits determine, for people to read.
     """
 
-    def __init__(self, system: System, speeds: Sequence[Named] = (), cut: bool = False) -> None:
+    def __init__(
+        self,
+        system: System,
+        speeds: Sequence[Named] = (),
+        cut: bool = False,
+        following: Following | None = None,
+    ) -> None:
         self.system = system
+        self.following = following
         self.graph = system.graph.fork()
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known

@@ -23,6 +23,7 @@ from .context import Context, settled
 from .counts import Counts, overview
 from .dynamics import Dynamics
 from .feasibility import Feasibility, feasibility
+from .following import Following
 from .kinematics import Kinematics
 from .looped import FOLDED, LOOPED, by_bodies, repeats
 from .pressing import pressed
@@ -240,6 +241,27 @@ class Equations(Readable):
     def loops(self, name: str) -> bool:
         """Whether a function can be derived as a recursion."""
         return not self.chosen and not self.system.closed and name in self.formalism.loops
+
+    @property
+    def follows(self) -> bool:
+        """Whether circuits determine coordinates that :meth:`named` has names for."""
+        return bool(self.system.closures) and not self.chosen
+
+    def named_function(self, name: str) -> tuple[Function, Following]:
+        """A function with what closed circuits determine under names; see :meth:`named`."""
+        system = self.system
+        coordinates = {
+            i: blocks.entries(joint.name, joint.element.coordinates)
+            for i, joint in enumerate(system.joints)
+            if joint.closure >= 0
+        }
+        taken = {entry for block in self.blocks.values() for entry in block.entries}
+        taken |= set(system.atoms)
+        following = Following(coordinates, self.speeds, taken)
+        # a method that differentiates energies would have to differentiate what has names
+        plain = replace(self.as_described.fresh, method="composite")
+        k = Kinematics(system, following=following)
+        return plain._derive(name, self.c_name(name), None, k), following
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
