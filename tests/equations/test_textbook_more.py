@@ -87,7 +87,7 @@ def test_named_equations_are_those_that_run() -> None:
     model = cd.compile(equations)
     for name in ("mass_matrix", "bias"):
         definitions, matrix = equations.named(name)
-        known = dict(zip(map(sp.Symbol, equations.parameters), model.parameters.values()))
+        known = {sp.Symbol(name): value for name, value in model.parameters.items()}
         known |= {sp.Symbol("theta"): 0.7, sp.Symbol("theta.u"): 1.3}
         for symbol, value in definitions:
             known[symbol] = value.subs(known)
@@ -106,7 +106,9 @@ def test_names_are_offered_where_roots_are_too_long() -> None:
 
 def test_who_stays_independent() -> None:
     assert crank().coordinates == ("x",)
-    with pytest.raises(cd.TopologyError, match="joint 'teta' does not exist.*Did you mean 'theta'"):
+    with pytest.raises(
+        cd.TopologyError, match=r"joint 'teta' does not exist.*Did you mean 'theta'"
+    ):
         crank(independent=["teta"])
 
 

@@ -1,7 +1,7 @@
 """What closed circuits determine, under names: equations of mechanisms as books write them.
 
-A joint that follows has a coordinate phi, rates k of it by the independent speeds, and accelerations
-L of it: kinematic coefficients. Equations in these are as short as those of a tree; without them
+A joint that follows has a coordinate phi, rates k of it by the independent speeds, and second rates
+L: kinematic coefficients. Equations in these are as short as those of a tree; without them
 every phi is an expression with roots in it.
 
 Source: S. Doughty, Mechanics of Machines, chapters on kinematic coefficients and Eksergian's

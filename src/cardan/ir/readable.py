@@ -133,7 +133,7 @@ class Writer:
         budget = self.expansion.budget
         for terms in self._sums(poly):
             # what is written inside other functions again and again may be long as a whole only
-            size = sum(self._size(factor) for _, powers in terms for factor in powers) + len(terms)
+            size = sum(self._size(factor) for _, powers in terms for factor in powers)
             if size > FLAT:
                 continue
             nests = [flat(terms)]
@@ -142,7 +142,7 @@ class Writer:
                 if budget.spend(len(terms) ** 2 // 20):
                     nests.append(nested(terms, rank))
             for nest in nests:
-                if budget.spend(WRITING * size):
+                if budget.spend(WRITING * (len(terms) + int(size))):
                     made = self._write(nest)
                     found.append((len(terms), made.count_ops(), made))
         return found
@@ -266,7 +266,7 @@ def _opaque(expression: Any, found: dict[Any, Any]) -> Any:
 
 
 def _is_power(expression: Any) -> bool:
-    return expression.is_Pow and expression.exp.is_Integer and expression.exp > 0
+    return bool(expression.is_Pow and expression.exp.is_Integer and expression.exp > 0)
 
 
 def _measure(form: tuple[int, int, Any]) -> tuple[int, int]:
