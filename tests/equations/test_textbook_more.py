@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
+from equations import whipple
 from equations.classical import CLASSICAL
 from equations.classical_energies import (
     ENERGIES,
@@ -123,3 +124,49 @@ def test_slider_crank_with_multipliers() -> None:
         (equations.constraint_bias, book.gamma, book.gamma_terms),
     ):
         check(ours, sp.Matrix(theirs), counted)
+
+
+def test_rolling_disk() -> None:
+    # Neimark and Fufaev, chapter 2: the point of contact runs along the heading as the disk spins
+    scene = cd.Model("coin", gravity=(0, 0, -9.81))
+    r = scene.parameter("r", 0.5, unit="m")
+    coin = scene.body("coin", mass=1.0, inertia=(1.0, 2.0, 1.0))
+    scene.joint("roll", cd.RollingDisk(r), scene.ground, coin)
+    yaw = sp.Symbol("roll.yaw")
+    along, across = (sp.cos(yaw), sp.sin(yaw)), (-sp.sin(yaw), sp.cos(yaw))
+    book = [*along, 0, 0, -r, *across, 0, 0, 0]
+    check(cd.derive(scene).constraint_jacobian, book, [1, 1, 0, 0, 1, 1, 1, 0, 0, 0])
+
+
+def test_whipple_bicycle() -> None:
+    pytest.importorskip("cardan.equations.linearized.record", reason="no linear models yet")
+    v, g, rR, rF = sp.symbols("v g rR rF")
+    straight = {"wheel.u.x": v, "wheel.u.spin": v / rR, "hub.u": -v / rR, "axle.u": v / rF}
+    linear = cd.derive(whipple.scene()).linearize(u=straight)
+    found = linear.second_order(["wheel.lean", "steer"])
+    book = whipple.Paper
+    stiffness = g * sp.Matrix(book.K0) + v**2 * sp.Matrix(book.K2)
+    stiffness_terms = np.add(book.K0_terms, book.K2_terms)
+    random = np.random.default_rng(3)
+    for ours, theirs, counted in (
+        (found.M, sp.Matrix(book.M), book.M_terms),
+        (found.damping, v * sp.Matrix(book.C1), book.C1_terms),
+        (found.K, stiffness, stiffness_terms),
+    ):
+        assert [terms(sp.expand(in_waves(entry))) for entry in theirs] == list(counted)
+        assert all(terms(a) <= n for a, n in zip(ours, counted, strict=True))
+        for _ in range(5):
+            values = {s: sp.Float(str(x), 40) for s, x in draw(ours, theirs, random)}
+            difference = (ours - theirs).subs(values).evalf(40)
+            assert max(map(abs, difference)) < 1e-33
+
+
+def draw(a: sp.Matrix, b: sp.Matrix, random: np.random.Generator) -> list[tuple[Any, float]]:
+    symbols = sorted(a.free_symbols | b.free_symbols, key=str)
+    return list(zip(symbols, random.uniform(0.5, 1.5, len(symbols)), strict=True))
+
+
+def in_waves(entry: Any) -> Any:
+    """An entry of the paper without denominators but those of lengths: those of masses cancel."""
+    waves = dict(zip((whipple.Paper.sine, whipple.Paper.cosine), sp.symbols("s c_"), strict=True))
+    return sp.cancel(sp.together(sp.sympify(entry).subs(waves)))
