@@ -108,6 +108,9 @@ def test_c_and_python(word: str, tmp_path: Path) -> None:
 def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, plain = scene_of(word), scene_of("plain")
     motion = cd.compile(scene).simulate(0.1)
+    history = Tags(motion._repr_html_())
+    assert {"script", "img"} & set(history.tags) == set()
+    assert history.tags.count("svg") == 2
     page = Tags(motion.animate(tmp_path / "run.html").read_text("utf-8"))
     expected = Tags(cd.compile(plain).simulate(0.1).animate(tmp_path / "p.html").read_text("utf-8"))
     assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
@@ -135,11 +138,23 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     np.testing.assert_array_equal(stored[f"j {word}"], motion[f"j {word}"])
 
 
+def shown_in_notebooks(scene: cd.Model) -> list[str]:
+    equations = cd.derive(scene)
+    shown = (scene, scene.graph, scene.graph.incidence, equations, equations.base_parameters())
+    return [x._repr_html_() for x in shown]
+
+
 @pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
 def test_graphs_and_formulas(word: str) -> None:
     scene, plain = scene_of(word), scene_of("plain")
     kinds = [element.tag for element in ET.fromstring(scene.graph._repr_svg_()).iter()]
     assert set(kinds) == {e.tag for e in ET.fromstring(plain.graph._repr_svg_()).iter()}
+    for ours, theirs in zip(shown_in_notebooks(scene), shown_in_notebooks(plain), strict=True):
+        page, expected = Tags(ours), Tags(theirs)
+        assert {"script", "img", "link", "iframe"} & set(page.tags) == set()
+        assert page.attributes <= expected.attributes | {"intent"}
+        assert set(page.tags) <= set(expected.tags) | {"msub", "msup", "msubsup", "mtext"}
+        assert not any(name.startswith("on") for name in page.attributes)
     dot = scene.graph.dot()
     # every quote that is none of a name's own opens or closes one
     assert dot.replace("\\\\", "").replace('\\"', "").count('"') % 2 == 0

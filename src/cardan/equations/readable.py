@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import sympy
 
     from .following import Following
+    from .record import Equations
 
 
 class Readable(ABC):
@@ -132,6 +133,18 @@ class Readable(ABC):
             self._read[key] = named(self, name)
         definitions, matrix = self._read[key]
         return list(definitions), matrix.copy()
+
+    def _repr_latex_(self: Equations) -> str:  # type: ignore[misc]
+        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
+        from .formula import latex
+
+        return rf"$\displaystyle {latex(self)}$"
+
+    def _repr_html_(self: Equations) -> str:  # type: ignore[misc]
+        """Formulas, intermediates and counts in notebooks."""
+        from .shown import html
+
+        return html(self)
 
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.

@@ -362,12 +362,6 @@ class Equations(Readable):
         counted = f"{len(self.system.bodies)} bodies, {len(self.coordinates)} coordinates"
         return f"Equations('{self.system.name}', {self.method}: {counted})"
 
-    def _repr_latex_(self) -> str:
-        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
-        from .formula import latex
-
-        return rf"$\displaystyle {latex(self)}$"
-
     def export(
         self,
         directory: str | Path,

@@ -81,13 +81,16 @@ def svg(
 
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" '
-        f'width="{width:g}" height="{height:g}" font-family="sans-serif" font-size="11">'
+        f'width="{width:g}" height="{height:g}" font-family="sans-serif" font-size="11" '
+        'fill="currentColor">'
     ]
     arcs = [(branch.joint, "") for branch in branches]
     arcs += [(joint, ' stroke-dasharray="5 4"') for joint in closing]
     for joint, style in arcs:
         (x0, y0), (x1, y1) = center(joint.parent.body.name), center(joint.child.body.name)
-        parts.append(f'<path d="M{x0:g} {y0:g}L{x1:g} {y1:g}" stroke="#456"{style}/>')
+        start, end = _edge((x0, y0), (x1, y1)), _edge((x1, y1), (x0, y0))
+        line = f"M{start[0]:g} {start[1]:g}L{end[0]:g} {end[1]:g}"
+        parts.append(f'<path d="{line}" stroke="#789"{style}/>')
         if style:
             parts.append(_joint_label(joint, (x0 + x1) / 2, (y0 + y1) / 2))
     for beam, start, end in beams:
@@ -105,6 +108,13 @@ def svg(
     return "\n".join([*parts, "</svg>"])
 
 
+def _edge(box: tuple[float, float], goal: tuple[float, float]) -> tuple[float, float]:
+    """Where the line from the middle of a box to a place leaves the box."""
+    x, y = goal[0] - box[0], goal[1] - box[1]
+    share = 1 / max(1.0, 2 * abs(x) / BOX[0], 2 * abs(y) / BOX[1])
+    return round(box[0] + share * x, 1), round(box[1] + share * y, 1)
+
+
 def _short(name: str) -> str:
     return name if len(name) <= 18 else name[:17] + "…"
 
@@ -118,7 +128,7 @@ def _label(name: str, kind: str, x: float, y: float) -> str:
     full = f"<title>{escape(f'{name}: {kind}')}</title>"
     name = f'{escape(_short(name))}<tspan dx="4" fill="#789">{kind}</tspan>'
     at = f'x="{x:g}" y="{y:g}" text-anchor="middle"'
-    return f'<text {at} font-size="9" fill="#345">{name}{full}</text>'
+    return f'<text {at} font-size="9">{name}{full}</text>'
 
 
 def _box(body: str, joint: Joint | None, x: float, y: float) -> str:
@@ -126,7 +136,7 @@ def _box(body: str, joint: Joint | None, x: float, y: float) -> str:
     rise = 4 if joint is None else -2
     made = (
         f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
-        f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + rise:g}" '
+        f'rx="5" fill="#8ab" fill-opacity="0.2" stroke="#789"/><text x="{x:g}" y="{y + rise:g}" '
         f'text-anchor="middle">{escape(_short(body))}<title>{escape(body)}</title></text>'
     )
     return made if joint is None else made + _joint_label(joint, x, y + 12)
