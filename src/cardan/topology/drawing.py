@@ -88,9 +88,8 @@ def svg(
     arcs += [(joint, ' stroke-dasharray="5 4"') for joint in closing]
     for joint, style in arcs:
         (x0, y0), (x1, y1) = center(joint.parent.body.name), center(joint.child.body.name)
-        start, end = _edge((x0, y0), (x1, y1)), _edge((x1, y1), (x0, y0))
-        line = f"M{start[0]:g} {start[1]:g}L{end[0]:g} {end[1]:g}"
-        parts.append(f'<path d="{line}" stroke="#789"{style}/>')
+        (xa, ya), (xb, yb) = _edge((x0, y0), (x1, y1)), _edge((x1, y1), (x0, y0))
+        parts.append(f'<path d="M{xa:g} {ya:g}L{xb:g} {yb:g}" stroke="#789"{style}/>')
         if style:
             parts.append(_joint_label(joint, (x0 + x1) / 2, (y0 + y1) / 2))
     for beam, start, end in beams:
