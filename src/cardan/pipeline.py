@@ -134,8 +134,7 @@ def derive(
             independent coordinates only, and multipliers serve for the rest.
         branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
             default what is nearest to the initial values of its joints.
-        independent: Joints whose coordinates stay when circuits are solved in closed form, such
-            as the crank of a slider-crank; by default the joints nearest to the cut follow.
+        independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
             that normal. ``"auto"`` takes the plane that there is, if any.
@@ -154,9 +153,8 @@ def derive(
         )
     if speeds and method != "auto":
         check_chooses(method)
-    kept = (independent,) if isinstance(independent, str) else tuple(independent or ())
-    solved = branches is not None or kept or constraints == "closed_form"
-    system = topology.build(scene, specialize, (branches or {}) if solved else None, kept)
+    solved = branches is not None or independent or constraints == "closed_form"
+    system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
     if coordinates == "absolute" or (coordinates == "auto" and system.segments):
         options = {"method": method, "constraints": constraints}
         given = [name for name, value in options.items() if value != "auto"]
@@ -173,8 +171,7 @@ def derive(
             f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
             "scene with beams needs coordinates='absolute'"
         )
-    if system.closures:
-        system = with_branches(system)
+    system = with_branches(system) if system.closures else system
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen = topology.named_speeds(scene, system, speeds)
@@ -222,8 +219,7 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints, branches, independent,
-            plane: As :func:`derive` takes them, where ``scene`` is a model.
+        coordinates ... plane: As :func:`derive` takes them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.

@@ -84,6 +84,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.sympy_out",
         "cardan.ir.readable",
         "cardan.equations.mathml",
+        "cardan.equations.named",
         "cardan.equations.mechanics",
         *(
             f"cardan.model.mechanics.{module}"

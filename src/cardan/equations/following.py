@@ -14,7 +14,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from ..ir.function import live
+from ..elements.joints.joint import entries
+from ..ir.function import Block, live
 from ..ir.graph import ONE, ZERO, Graph
 from ..ir.matrix import Matrix
 from ..ir.ops import LEAVES
@@ -22,6 +23,7 @@ from ..ir.rewrite import rebuild
 from .dyads import alive
 
 if TYPE_CHECKING:
+    from ..topology.system import System
     from .closures import Position
 
 # components of a joint that say where a point is
@@ -44,6 +46,17 @@ class Following:
     speeds: Sequence[str]
     taken: set[str]
     definitions: dict[str, int] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, system: System, blocks: Mapping[str, Block]) -> Following:
+        """For the joints of a system that follow."""
+        coordinates = {
+            i: entries(joint.name, joint.element.coordinates)
+            for i, joint in enumerate(system.joints)
+            if joint.closure >= 0
+        }
+        taken = {entry for block in blocks.values() for entry in block.entries}
+        return cls(coordinates, blocks["u"].entries, taken | set(system.atoms))
 
     def position(self, g: Graph, made: Position) -> Position:
         """The coordinates of a circuit as symbols; lengths come first, angles may use them."""

@@ -43,14 +43,10 @@ class Kinematics:
     """
 
     def __init__(
-        self,
-        system: System,
-        speeds: Sequence[Named] = (),
-        cut: bool = False,
+        self, system: System, speeds: Sequence[Named] = (), cut: bool = False,
         following: Following | None = None,
-    ) -> None:
-        self.system = system
-        self.following = following
+    ) -> None:  # fmt: skip
+        self.system, self.following = system, following
         self.graph = system.graph.fork()
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known

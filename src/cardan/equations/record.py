@@ -249,18 +249,10 @@ class Equations(Readable):
 
     def named_function(self, name: str) -> tuple[Function, Following]:
         """A function with what closed circuits determine under names; see :meth:`named`."""
-        system = self.system
-        coordinates = {
-            i: blocks.entries(joint.name, joint.element.coordinates)
-            for i, joint in enumerate(system.joints)
-            if joint.closure >= 0
-        }
-        taken = {entry for block in self.blocks.values() for entry in block.entries}
-        taken |= set(system.atoms)
-        following = Following(coordinates, self.speeds, taken)
+        following = Following.of(self.system, self.blocks)
         # a method that differentiates energies would have to differentiate what has names
         plain = replace(self.as_described.fresh, method="composite")
-        k = Kinematics(system, following=following)
+        k = Kinematics(self.system, following=following)
         return plain._derive(name, self.c_name(name), None, k), following
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:

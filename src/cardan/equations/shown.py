@@ -13,7 +13,6 @@ from ..errors import DerivationError
 from ..ir.html import Html, block, details, paragraph, table, written
 from .circuits_told import circuits_told
 from .formula import LONGEST, SEARCHED, rates_are_speeds
-from .mathml import Printer
 from .notation import Notation, notation, symbols
 
 if TYPE_CHECKING:
@@ -82,6 +81,8 @@ class Formulas:
 
     def set(self, expression: Any) -> str:
         """An expression as MathML; symbols of circuits with what they are differentiated by."""
+        from .mathml import Printer
+
         for symbol in expression.free_symbols:
             if symbol.name not in self._notation:
                 self._notation[symbol.name] = followed(symbol.name)

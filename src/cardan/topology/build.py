@@ -33,7 +33,7 @@ def build(
     model: Model,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     branches: Mapping[str, str] | None = None,
-    independent: Collection[str] = (),
+    independent: Collection[str] | None = None,
 ) -> System:
     """The system graph of a model.
 
@@ -43,7 +43,7 @@ def build(
             True for all.
         branches: Solve circuits in closed form where that can be: joint that closes one -> "+" or
             "-". None: solve none.
-        independent: Joints that no circuit is solved for.
+        independent: Joints that no circuit is solved for; a single one may be a name alone.
 
     Returns:
         The system, with notes on what does not act.
@@ -53,7 +53,8 @@ def build(
         ModelError: quantities that cannot be what they say.
     """
     try:
-        return _build(model, BuiltIn.of(specialize), branches, independent)
+        kept = (independent,) if isinstance(independent, str) else independent or ()
+        return _build(model, BuiltIn.of(specialize), branches, kept)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
