@@ -1,4 +1,4 @@
-"""The slider-crank mechanism as books have it, in three forms.
+"""The slider-crank mechanism as books have it, in two forms.
 
 Written down by hand before any of it was compared with what is derived. A crank of length r turns
 by theta, its moment about the shaft is I1 and its center of mass at s1; the rod has the length l.
@@ -85,22 +85,6 @@ class Eksergian:
         L_x: -r * cos(theta) - l * k_phi**2 * cos(phi) - l * L_phi * sin(phi),
     }
     definition_terms: ClassVar = {phi: 1, x: 2, k_phi: 1, k_x: 2, L_phi: 2, L_x: 3}
-
-    # the same without names, with the root of l² - r² sin² theta
-    root = sp.sqrt(l**2 - r**2 * sin(theta) ** 2)
-    explicit_mass = (
-        I1
-        + (m2 + m3) * (r * sin(theta) + r**2 * sin(theta) * cos(theta) / root) ** 2
-        - 2
-        * m2
-        * e
-        / l
-        * (r * sin(theta))
-        * (r * cos(theta) / root)
-        * (r * sin(theta) + r**2 * sin(theta) * cos(theta) / root)
-        + (m2 * e**2 + I2) * (r * cos(theta) / root) ** 2
-    )
-    explicit_mass_terms = 11
 
 
 class Multipliers:
