@@ -87,6 +87,7 @@ def derive(
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
 ) -> Equations: ...
 
 
@@ -109,6 +110,7 @@ def derive(
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     constraints: str | Treatment = "auto",
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
     plane: str | None = None,
 ) -> Equations | Absolute:
     """Equations of motion of a scene.
@@ -137,6 +139,7 @@ def derive(
             independent coordinates only, and multipliers serve for the rest.
         branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
             default what is nearest to the initial values of its joints.
+        independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
             that normal. ``"auto"`` takes the plane that there is, if any.
@@ -155,12 +158,13 @@ def derive(
         )
     if speeds and method != "auto":
         check_chooses(method)
-    solved = branches is not None or constraints == "closed_form"
-    system = topology.build(scene, specialize, (branches or {}) if solved else None)
+    solved = branches is not None or independent or constraints == "closed_form"
+    system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
     if coordinates == "absolute" or (coordinates == "auto" and system.segments):
         options = {"method": method, "constraints": constraints}
         given = [name for name, value in options.items() if value != "auto"]
         others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        others["independent"] = independent
         given += [name for name, value in others.items() if value is not None]
         return _absolute(system, given, plane)
     if plane is not None:
@@ -172,8 +176,7 @@ def derive(
             f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
             "scene with beams needs coordinates='absolute'"
         )
-    if system.closures:
-        system = with_branches(system)
+    system = with_branches(system) if system.closures else system
     chosen: tuple[Named, ...] = ()
     if speeds:
         chosen = topology.named_speeds(scene, system, speeds)
@@ -210,6 +213,7 @@ def compile(
     specialize: bool | Sequence[str] | Mapping[str, float] | None = None,
     constraints: str | Treatment | None = None,
     branches: Mapping[str, str] | None = None,
+    independent: Sequence[str] | None = None,
     plane: str | None = None,
     loops: bool | None = None,
     threads: int | None = None,
@@ -220,8 +224,7 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints, branches, plane: As
-            :func:`derive` takes them, where ``scene`` is a model.
+        coordinates ... plane: As :func:`derive` takes them, where ``scene`` is a model.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.
@@ -241,6 +244,7 @@ def compile(
         specialize=specialize,
         constraints=constraints,
         branches=branches,
+        independent=independent,
         plane=plane,
     )
     if isinstance(equations, Absolute):

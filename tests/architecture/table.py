@@ -113,6 +113,7 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.readable",
         "cardan.equations.mathml",
         "cardan.explain.breaking",
+        "cardan.equations.named",
         "cardan.equations.mechanics",
         *(
             f"cardan.model.mechanics.{module}"

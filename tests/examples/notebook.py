@@ -5,10 +5,13 @@ from __future__ import annotations
 import ast
 import io
 import json
+import re
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
+# steps, times and rounding of a run differ between machines; its drawing does not
+WENT = re.compile(r"<details><summary>how it went</summary>.*?</details>", re.DOTALL)
 REPRESENTATIONS = {
     "text/html": "_repr_html_",
     "image/svg+xml": "_repr_svg_",
@@ -68,8 +71,10 @@ def _shown(value: Any, number: int) -> dict[str, Any]:
     for kind, method in REPRESENTATIONS.items():
         text = getattr(value, method)() if hasattr(value, method) else None
         if text is not None:
-            data[kind] = text.splitlines(keepends=True)
-    data["text/plain"] = repr(value).splitlines(keepends=True)
+            data[kind] = WENT.sub("", text).splitlines(keepends=True)
+    if "text/html" not in data:
+        # what is drawn needs no text beside it, which may tell how long a run took
+        data["text/plain"] = repr(value).splitlines(keepends=True)
     return {
         "data": data,
         "execution_count": number,

@@ -41,6 +41,11 @@ def test_it_shows_what_it_promises(outputs: list[list[dict]]) -> None:
     assert r"\ddot{\mathrm{elbow}}" in pictures
     assert r"\cos{\left(elbow \right)}" in text
     assert "same C: True" in text
+    # equations set by the browser, a run drawn, a mechanism with names for what follows
+    assert "<math" in pictures
+    assert 'stroke-width="1.4"' in pictures
+    assert "x.theta = -r*sin(phi + theta)/cos(phi)" in text
+    assert "with what the circuits determine" in pictures
     assert "largest force at the elbow" in text
     assert "int mass_matrix(" in text
     (error,) = outputs[-1]

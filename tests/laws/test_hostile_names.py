@@ -113,6 +113,9 @@ def test_c_and_python(word: str, tmp_path: Path) -> None:
 def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, plain = scene_of(word), scene_of("plain")
     motion = cd.compile(scene).simulate(0.1)
+    history = Tags(motion._repr_html_())
+    assert {"script", "img"} & set(history.tags) == set()
+    assert history.tags.count("svg") == 2
     page = Tags(motion.animate(tmp_path / "run.html").read_text("utf-8"))
     expected = Tags(cd.compile(plain).simulate(0.1).animate(tmp_path / "p.html").read_text("utf-8"))
     assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
@@ -130,6 +133,24 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     motion.save(tmp_path / "run.nc")
     stored = cd.load_motion(tmp_path / "run.nc")
     np.testing.assert_array_equal(stored[f"j {word}"], motion[f"j {word}"])
+
+
+@cache
+def shown_in_notebooks(word: str) -> list[str]:
+    scene = scene_of(word)
+    equations = cd.derive(scene)
+    shown = (scene, scene.graph, scene.graph.incidence, equations, equations.base_parameters())
+    return [x._repr_html_() for x in shown]
+
+
+@pytest.mark.parametrize("word", some(NAMES.values(), 4), ids=NAMES)
+def test_notebooks(word: str) -> None:
+    plain = shown_in_notebooks("plain")
+    for ours, theirs in zip(shown_in_notebooks(word), plain, strict=True):
+        page, expected = Tags(ours), Tags(theirs)
+        assert {"script", "img", "link", "iframe"} & set(page.tags) == set()
+        assert page.attributes <= expected.attributes | {"intent"}
+        assert set(page.tags) <= set(expected.tags) | {"msub", "msup", "msubsup", "mtext"}
 
 
 @pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from ..ir.arithmetic import Scalar
 from ..ir.function import Function, Output, live
 from ..ir.graph import ONE, ZERO
+from ..ir.html import block, paragraph, table
 from ..ir.interpreter import evaluate
 from ..ir.rewrite import rebuild
 from ..ir.stage import stage
@@ -52,6 +53,12 @@ class BaseParameters:
         lines.append("without effect: " + (", ".join(self.without_effect) or "none"))
         lines.append("only in combination: " + (", ".join(self.only_combined) or "none"))
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = [(name, str(x)) for name, x in self.combinations.items()]
+        lost = (("without effect", self.without_effect), ("only combined", self.only_combined))
+        told = [paragraph(f"{what}: {', '.join(names) or 'none'}") for what, names in lost]
+        return block(table(("base parameter", "combination"), rows), *told)
 
 
 def base_parameters(equations: Equations) -> BaseParameters:

@@ -53,6 +53,13 @@ def constraint_jacobian(c: Context) -> tuple[Output, ...]:
     return (Output("G", (G.rows, G.columns), G.nodes, names),)
 
 
+def constraint_bias(c: Context) -> tuple[Output, ...]:
+    gamma, own = c.d.constraints.gamma, c.d.constraints.rows
+    # a row of positions is differentiated twice, one of velocities once
+    units = tuple(f"{r.unit or '1'}/s{'' if r.level == VELOCITY else '^2'}" for r in own)
+    return (Output("gamma", (gamma.rows,), gamma.nodes, tuple(r.name for r in own), units),)
+
+
 def closure(c: Context) -> tuple[Output, ...]:
     cuts = c.k.system.cuts
     names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.held)

@@ -24,6 +24,7 @@ from ..ir.rewrite import rebuild
 from . import dyads, legs
 from .dyads import Found
 from .ends import Ends, ends
+from .following import PLACES, in_fixed_axes
 from .memo import Memo
 
 if TYPE_CHECKING:
@@ -122,7 +123,8 @@ class Closures:
                     angles.append((node, entry.cosine.node, entry.sine.node))
                 q[i] = Matrix(g, len(nodes), 1, nodes)
         self._label(found)
-        return Position(q, known, tuple(angles))
+        made = Position(q, known, tuple(angles))
+        return made if self.k.following is None else self.k.following.position(g, made)
 
     def _label(self, found: dict[int, tuple[Found, ...]]) -> None:
         for i, entries in found.items():
@@ -136,17 +138,26 @@ class Closures:
     def _velocity(self, n: int) -> Velocity:
         closure, g, k = self.k.system.closures[n], self.k.graph, self.k
         with g.made_by(closure.cut.name, "rates"):
-            e = ends(k, closure.cut, closure.unknown)
+            held = [closure.cut.element.held[i].name for i in closure.cut.rows]
+            meeting = k.following is not None and set(held) <= PLACES
+            e = ends(k, closure.cut, closure.unknown, meeting)
             data = {name: k.matrix(*entry) for name, entry in closure.cut.data.items()}
             _, whole = closed(closure.cut.element, e.rotation, e.position, data)
             rows = [whole.block(slice(i, i + 1)) for i in closure.cut.rows]
             gradient = Matrix.vstack(*rows)
+            if meeting:
+                gradient = in_fixed_axes(gradient, held, e.axes)
             keys = list(e.open)
             square = gradient @ Matrix.hstack(*e.open.values())
             inverse = _inverse(square)
             shares = {slot: -(inverse @ (gradient @ c)) for slot, c in e.columns.items()}
             rates = -(inverse @ (gradient @ e.twist))
+            if k.following is not None:
+                shares, rates = k.following.rates(g, keys, shares, rates)
             bias, seeds = self._bias(n, square, gradient @ e.twist, rates, inverse)
+            if k.following is not None:
+                bias = k.following.accelerations(g, keys, shares, bias)
+                seeds |= _seeds(g, zip(rates.nodes, bias.nodes, strict=True))
         ranges, start = {}, 0
         for i in closure.unknown:
             count = sum(key[0] == i for key in keys)
@@ -201,7 +212,8 @@ def _seeds(g: Graph, moving: Iterable[tuple[int, int]]) -> dict[int, int]:
     for node, dot in moving:
         if g.nodes[node][0] == "neg":
             node, dot = g.nodes[node][1], g.neg(dot)
-        if g.nodes[node][0] not in LEAVES:
+        # a coordinate under a name is a leaf that moves
+        if g.nodes[node][0] not in LEAVES or g.nodes[node][0] == "atom":
             seeds[node] = dot
     return seeds
 

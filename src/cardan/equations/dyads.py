@@ -9,13 +9,14 @@ C. H. Suh, C. W. Radcliffe, Kinematics and Mechanisms Design (1978).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..ir.arithmetic import Scalar, atan2, select, sqrt
 from ..ir.graph import Graph
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..spatial.axis import unit
 from ..topology.system import Closure
 from .ends import placed
@@ -157,6 +158,19 @@ def _alive(square: Scalar, most: Scalar | float) -> Scalar:
     Without this a run could step from one solution to the other, which is no motion.
     """
     return select(square.apply("lt", most * DEAD), -1.0, square)
+
+
+def alive(g: Graph, node: int) -> int:
+    """An expression away from dead points, without the question where they are."""
+    nodes = g.nodes
+
+    def rule(target: Graph, i: int, copies: Mapping[int, int]) -> int | None:
+        op, *read = nodes[i]
+        if op != "select" or nodes[read[0]][0] != "lt" or g.value(read[1]) != -1.0:
+            return None
+        return copies[read[2]] if nodes[read[0]][1] == read[2] else None
+
+    return rebuild(g, [node], rule, into=g)[1][0]
 
 
 def elbow(gap: Matrix, start: Matrix, arm: Matrix, axis: Matrix, branch: int) -> Matrix:

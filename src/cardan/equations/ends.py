@@ -23,6 +23,7 @@ class Ends:
         twist: All of it (6, 1), prescribed motion included.
         open: (joint, number of its speed) -> the same for joints whose speeds are looked for;
             they are not in ``columns`` and ``twist``.
+        axes: R from P axes to those of the body where the branches part (3, 3).
     """
 
     rotation: Matrix
@@ -30,15 +31,18 @@ class Ends:
     columns: dict[int, Matrix]
     twist: Matrix
     open: dict[tuple[int, int], Matrix]
+    axes: Matrix
 
 
-def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = ()) -> Ends:
+def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool = False) -> Ends:
     """The frames of a cut joint by the joints of its circuit, from where its branches part.
 
     Args:
         k: Motion of the tree.
         cut: The joint.
         unknown: Joints of the circuit whose speeds are looked for.
+        meeting: Tell motions of the parent's branch by where that ends: the same where the origins
+            of the frames meet, and shorter.
     """
     g = k.graph
     at = {cut.base: (Matrix.identity(g, 3), Matrix.zeros(g, 3))}
@@ -54,7 +58,7 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = ()) -> Ends:
     twist = Matrix.zeros(g, 6)
     with g.made_by(cut.name, "twist"):
         for i, sign in cut.path:
-            arm = x_c - at[i][1]
+            arm = (x_p if meeting and sign < 0 else x_c) - at[i][1]
             if i in unknown:
                 modes = k.pose_of(i).S
                 for n in range(modes.columns):
@@ -68,7 +72,7 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = ()) -> Ends:
         columns = {slot: _turned(to_child, column) for slot, column in columns.items()}
         free = {key: _turned(to_child, column) for key, column in free.items()}
         twist = _turned(to_child, twist)
-    return Ends(rotation, position, columns, twist, free)
+    return Ends(rotation, position, columns, twist, free, r_p)
 
 
 def placed(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:

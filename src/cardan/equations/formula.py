@@ -15,23 +15,53 @@ if TYPE_CHECKING:
 GENERAL = r"M(q)\,\dot u + h(q, u) = f + \tau"
 BOUND = GENERAL + r" + G(q)^T \lambda, \quad G(q)\,\dot u = \gamma(q, u)"
 
+PARTS = (
+    ("M", "mass_matrix"),
+    ("h", "bias"),
+    ("g", "constraints"),
+    ("G", "constraint_jacobian"),
+    (r"\gamma", "constraint_bias"),
+)
+# operations of a matrix that is written; nodes of one that is looked through
+LONGEST, SEARCHED = 600, 300
+
 
 def latex(equations: Equations) -> str:
     """M udot + h = f + tau and, where u is not the rate of q, qdot = N u, without dollar signs.
 
-    Systems with constraints show the general form.
+    Systems with constraints show the general form, then what is short of it.
     """
     if equations.system.closed:
-        return BOUND
+        return _aligned([("", BOUND), *_parts(equations)])
     try:
         lines = _lines(equations)
     except DerivationError:
         # too long to be read: symbolic() and the counts say more
         return GENERAL
+    return _aligned(lines)
+
+
+def _aligned(lines: list[tuple[str, str]]) -> str:
     if len(lines) == 1:
-        return " = ".join(lines[0])
-    rows = r"\\".join(" &= ".join(line) for line in lines)
+        return " = ".join(filter(None, lines[0]))
+    rows = r"\\".join(" &= ".join(line) if line[0] else f"&{line[1]}" for line in lines)
     return rf"\begin{{aligned}}{rows}\end{{aligned}}"
+
+
+def _parts(equations: Equations) -> list[tuple[str, str]]:
+    """M, h, g, G and gamma, one line each; what is long or zero is left out."""
+    found = []
+    for sign, name in PARTS:
+        # a search for short forms of what is long takes seconds
+        if len(equations.as_described.function(name).live()) > SEARCHED:
+            continue
+        try:
+            matrix = equations.written(name)
+        except DerivationError:
+            continue
+        if sum(entry.count_ops() for entry in matrix) <= LONGEST and not matrix.is_zero_matrix:
+            found.append((sign, of_matrix(equations, matrix)))
+    return found
 
 
 def _lines(equations: Equations) -> list[tuple[str, str]]:

@@ -216,6 +216,7 @@ RECIPES: dict[str, Recipe] = {
         "G u + g_t: what vanishes at velocity level", binding.constraint_rates, bound=True
     ),
     "constraint_jacobian": Recipe("G: G udot = gamma", binding.constraint_jacobian, bound=True),
+    "constraint_bias": Recipe("gamma: G udot = gamma", binding.constraint_bias, bound=True),
     "closure": Recipe(
         "closing conditions of all cut joints, dependent ones too", binding.closure, bound=True
     ),

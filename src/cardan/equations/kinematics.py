@@ -22,6 +22,7 @@ from . import paths
 from .carried import XYZ, Cuts
 from .chosen_speeds import by_speeds, speeds_of_joints
 from .closures import Closures
+from .following import Following
 from .joint_motion import JointMotion, JointPose, joint_motion, joint_pose, turn
 from .memo import Memo
 from .placeholders import resolved
@@ -36,10 +37,14 @@ class Kinematics:
             the system's u are then these.
         cut: Whether values that bodies hand on become leaves, so that steps of a recursion can be
             told apart. Nothing may be differentiated through them.
+        following: Gives names to what closed circuits determine, for people to read.
     """
 
-    def __init__(self, system: System, speeds: Sequence[Named] = (), cut: bool = False) -> None:
-        self.system = system
+    def __init__(
+        self, system: System, speeds: Sequence[Named] = (), cut: bool = False,
+        following: Following | None = None,
+    ) -> None:  # fmt: skip
+        self.system, self.following = system, following
         self.graph = system.graph.fork()
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known

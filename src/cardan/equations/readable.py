@@ -12,6 +12,9 @@ from ..ir.function import Block, Function
 if TYPE_CHECKING:
     import sympy
 
+    from .following import Following
+    from .record import Equations
+
 
 class Readable(ABC):
     """The forms for people of equations that can be derived."""
@@ -26,6 +29,15 @@ class Readable(ABC):
     @abstractmethod
     def function(self, name: str, of: str | None = None) -> Function:
         """One function as expressions."""
+
+    @property
+    @abstractmethod
+    def follows(self) -> bool:
+        """Whether circuits determine coordinates that :meth:`named` has names for."""
+
+    @abstractmethod
+    def named_function(self, name: str) -> tuple[Function, Following]:
+        """A function with what closed circuits determine under names."""
 
     @property
     @abstractmethod
@@ -55,9 +67,11 @@ class Readable(ABC):
             try:
                 self._read[name] = readable(self.as_described.function(name), self.symbols)
             except TooLong as problem:
+                names = f"equations.named('{name}'), which names what follows, or " * self.follows
                 raise DerivationError(
                     f"{name} has an entry of {problem.operations:,} operations: too long to write "
-                    f"out. Use equations.symbolic('{name}'), which keeps shared intermediates"
+                    f"out. Use {names}equations.symbolic('{name}'), which keeps shared "
+                    "intermediates"
                 ) from problem
         return self._read[name].copy()
 
@@ -101,6 +115,47 @@ class Readable(ABC):
         """phi by name, as SymPy expressions of the parameters: ``arm.mass``, ``arm.xx`` ..."""
         names = self.as_described.function("inertial_parameters").outputs[0].entries
         return dict(zip(names, self.written("inertial_parameters"), strict=True))
+
+    @property
+    def constraint_bias(self) -> sympy.Matrix:
+        """gamma (m, 1) as SymPy: G udot = gamma."""
+        return self.written("constraint_bias")
+
+    def named(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+        """A function of a mechanism as books write it, with names for what its circuits determine.
+
+        Where circuits are solved in closed form, a joint that follows keeps the name of its
+        coordinate, ``phi``; ``phi.theta`` is its rate by that of ``theta``, ``phi.theta.theta``
+        that of ``phi.theta``, ``phi.bias`` its acceleration at udot = 0 where several speeds move
+        it, and ``phi.t`` its rate where they rest. Without such circuits nothing needs a name.
+
+        Returns:
+            (definitions, matrix): (symbol, expression), each in terms of the ones before it.
+
+        Raises:
+            DerivationError: an entry is too long to write out; :meth:`symbolic` is not.
+        """
+        from .named import named
+
+        if not self.follows:
+            return [], self.written(name)
+        key = f"named {name}"
+        if key not in self._read:
+            self._read[key] = named(self, name)
+        definitions, matrix = self._read[key]
+        return list(definitions), matrix.copy()
+
+    def _repr_latex_(self: Equations) -> str:  # type: ignore[misc]
+        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
+        from .formula import latex
+
+        return rf"$\displaystyle {latex(self)}$"
+
+    def _repr_html_(self: Equations) -> str:  # type: ignore[misc]
+        """Formulas, intermediates and counts in notebooks."""
+        from .shown import html
+
+        return html(self)
 
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.

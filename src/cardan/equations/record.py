@@ -24,6 +24,7 @@ from .counts import Counts, overview
 from .dynamics import Dynamics
 from .explained import Explained
 from .feasibility import Feasibility, feasibility
+from .following import Following
 from .kinematics import Kinematics
 from .linearized.linear import Linearizable
 from .looped import FOLDED, LOOPED, by_bodies, repeats
@@ -243,6 +244,19 @@ class Equations(Readable, Linearizable, Explained):
         """Whether a function can be derived as a recursion."""
         return not self.chosen and not self.system.closed and name in self.formalism.loops
 
+    @property
+    def follows(self) -> bool:
+        """Whether circuits determine coordinates that :meth:`named` has names for."""
+        return bool(self.system.closures) and not self.chosen
+
+    def named_function(self, name: str) -> tuple[Function, Following]:
+        """A function with what closed circuits determine under names; see :meth:`named`."""
+        following = Following.of(self.system, self.blocks)
+        # a method that differentiates energies would have to differentiate what has names
+        plain = replace(self.as_described.fresh, method="composite")
+        k = Kinematics(self.system, following=following)
+        return plain._derive(name, self.c_name(name), None, k), following
+
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         names = {b.name: b.entries for b in self.blocks.values()}
         units = {b.name: b.units for b in self.blocks.values()}
@@ -341,12 +355,6 @@ class Equations(Readable, Linearizable, Explained):
     def __repr__(self) -> str:
         counted = f"{len(self.system.bodies)} bodies, {len(self.coordinates)} coordinates"
         return f"Equations('{self.system.name}', {self.method}: {counted})"
-
-    def _repr_latex_(self) -> str:
-        """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
-        from .formula import latex
-
-        return rf"$\displaystyle {latex(self)}$"
 
     def export(
         self,

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import prod
+from math import inf, prod
 from typing import Any
 
 import sympy
@@ -23,12 +23,16 @@ from .graph import Graph
 from .nesting import Bracket, Nested, Rank, Term, flat, nested
 from .ops import LEAVES
 from .sum_to_product import Sum, shortest, split
-from .sympy_out import OPERATIONS, Leaves, Names, What, expression_of, shaped, written_out
+from .sympy_out import Leaves, Names, What, applied, expression_of, shaped, written_out
 
 # elementary steps for all entries together: a few seconds at most
 STEPS = 500_000
 # operations of an entry that is written out; terms whose common factors are looked for in every way
 LONGEST, NESTED = 4000, 120
+# operations of a sum before anything is taken out that may get short enough; steps to write one
+FLAT, WRITING = 4 * LONGEST, 4
+# operations inside a function: longer ones nobody reads, and SymPy looks through for minutes
+INSIDE = 200
 
 
 class TooLong(Exception):
@@ -39,12 +43,16 @@ class TooLong(Exception):
         self.operations = operations
 
 
-def readable(what: What, names: Names | None = None, budget: Budget | None = None) -> Any:
+def readable(
+    what: What, names: Names | None = None, budget: Budget | None = None, longest: int = 0
+) -> Any:
     """Expressions written out as people write them.
 
     Args:
         what, names: As for :func:`cardan.ir.sympy_out.to_sympy`.
         budget: Steps that simplification may take; what is over budget stays as it came.
+        longest: Operations of an entry beyond which nothing is tried; by default there is no such
+            limit as long as its simplified form can be read.
 
     Returns:
         A SymPy matrix, or an expression for a Scalar.
@@ -53,6 +61,10 @@ def readable(what: What, names: Names | None = None, budget: Budget | None = Non
         TooLong: an entry is too long to be read, simplified or not.
     """
     graph, roots, rows, columns = written_out(what)
+    if longest:
+        sizes, _ = _sizes(graph, live(graph, roots))
+        if max(sizes[root] for root in roots) > longest:
+            raise TooLong(max(sizes[root] for root in roots))
     writer = Writer(graph, roots, Leaves(graph, what, names), budget or Budget(STEPS))
     entries = {root: writer.entry(root) for root in dict.fromkeys(roots)}
     return shaped(what, rows, columns, [entries[root] for root in roots])
@@ -81,13 +93,15 @@ class Writer:
         self.expansion = Expansion(graph, budget, long=long)
         # what is taken as a whole must be short enough to be written
         wholes = [i for i in order if graph.nodes[i][0] in (*WHOLE, "var", "atom")]
-        short = [i for i in (*roots, *wholes) if i not in long]
+        unwritten = _long(graph, order, self.sizes)
+        short = [i for i in (*roots, *wholes) if i not in unwritten]
         self.plain: dict[int, Any] = {}
         for i in live(graph, short):
             self.plain[i] = expression_of(graph, i, self.plain, leaves)
         self.expansion.made.update((i, None) for i in wholes if i not in self.plain)
         self.expansion.expand(order)
-        self._written: dict[tuple[Any, ...], Any] = {}
+        self._written: dict[tuple[Any, ...], tuple[float, float, Any]] = {}
+        self._sizes: dict[int, float] = {}
 
     def entry(self, root: int) -> Any:
         """The best form of a node that is found.
@@ -111,20 +125,41 @@ class Writer:
         """Terms of an entry as it came, multiplied out; 0 where they are many."""
         if self.terms[root] > NESTED:
             return 0
-        return len(sympy.Add.make_args(sympy.expand(self.plain[root])))
+        return len(sympy.Add.make_args(sympy.expand(_opaque(self.plain[root], {}))))
 
     def forms(self, poly: Poly) -> list[tuple[int, int, Any]]:
         """Ways to write a polynomial: terms, operations, expression."""
         found: list[tuple[int, int, Any]] = [] if poly else [(0, 0, sympy.Integer(0))]
+        budget = self.expansion.budget
         for terms in self._sums(poly):
+            # what is written inside other functions again and again may be long as a whole only
+            size = sum(self._size(factor) for _, powers in terms for factor in powers)
+            if size > FLAT:
+                continue
             nests = [flat(terms)]
             for rank in RANKS if len(terms) <= NESTED else RANKS[:1]:
                 # looking at a factor takes a twentieth of the time of a product
-                if self.expansion.budget.spend(len(terms) ** 2 // 20):
+                if budget.spend(len(terms) ** 2 // 20):
                     nests.append(nested(terms, rank))
-            written = [self._write(nest) for nest in nests]
-            found += [(len(terms), made.count_ops(), made) for made in written]
+            for nest in nests:
+                if budget.spend(WRITING * (len(terms) + int(size))):
+                    made = self._write(nest)
+                    found.append((len(terms), made.count_ops(), made))
         return found
+
+    def _size(self, factor: Any) -> float:
+        """Operations of a factor at most; infinite where it is too long to be written."""
+        if not isinstance(factor, int):
+            _, angle = factor
+            return 1 + sum(2 + self._size(g) for mono, _ in angle for g, _ in mono)
+        if factor not in self._sizes:
+            op, *given = self.expansion.generators[factor]
+            polys = given if op not in ("leaf", "pi") else []
+            inside = max((self._poly(poly)[1] for poly in polys), default=0)
+            self._sizes[factor] = 1.0 + inside if inside <= INSIDE else inf
+            if op == "leaf":
+                self._sizes[factor] += self.sizes[given[0]]
+        return self._sizes[factor]
 
     def _sums(self, poly: Poly) -> list[list[Term]]:
         """The terms of a polynomial, with short products of waves in two variants."""
@@ -138,10 +173,11 @@ class Writer:
         variants = variants if poly else []
         return [_terms(variant) for variant in variants]
 
-    def _poly(self, key: tuple[Any, ...]) -> Any:
-        """A polynomial inside a generator."""
+    def _poly(self, key: tuple[Any, ...]) -> tuple[float, float, Any]:
+        """The best form of a polynomial inside a generator; one without end where there is none."""
         if key not in self._written:
-            self._written[key] = min(self.forms(dict(key)), key=_measure)[2]
+            forms: list[Any] = self.forms(dict(key))
+            self._written[key] = min(forms, key=_measure, default=(inf, inf, None))
         return self._written[key]
 
     def _write(self, form: Nested) -> Any:
@@ -166,10 +202,10 @@ class Writer:
             return self.plain[given[0]]
         if op == "pi":
             return sympy.pi
-        written = [self._poly(poly) for poly in given]
+        written = [self._poly(poly)[2] for poly in given]
         if op == "inverse":
             return 1 / written[0]
-        return written[0] if op == "whole" else OPERATIONS[op](*written)
+        return written[0] if op == "whole" else applied(op, *written)
 
     def _mono(self, mono: Mono) -> Any:
         return sympy.Mul(*(self._factor(g) ** n for g, n in mono))
@@ -209,6 +245,30 @@ def _sizes(graph: Graph, order: Sequence[int]) -> tuple[dict[int, int], dict[int
     return sizes, terms
 
 
+def _long(graph: Graph, order: Sequence[int], sizes: Mapping[int, int]) -> frozenset[int]:
+    """Nodes that are too long to be written, as a whole or inside a function."""
+    found: set[int] = set()
+    for i in order:
+        read = operands(graph.nodes[i])
+        function = graph.nodes[i][0] not in POLYNOMIAL
+        inside = max((sizes[k] for k in read), default=0) if function else 0
+        if sizes[i] > LONGEST or inside > INSIDE or any(k in found for k in read):
+            found.add(i)
+    return frozenset(found)
+
+
+def _opaque(expression: Any, found: dict[Any, Any]) -> Any:
+    """An expression with symbols for what multiplying out would only expand inside."""
+    kind = expression.func
+    if not expression.args or not (kind in (sympy.Add, sympy.Mul) or _is_power(expression)):
+        return expression if expression.is_Atom else found.setdefault(expression, sympy.Dummy())
+    return kind(*(_opaque(part, found) for part in expression.args))
+
+
+def _is_power(expression: Any) -> bool:
+    return bool(expression.is_Pow and expression.exp.is_Integer and expression.exp > 0)
+
+
 def _measure(form: tuple[int, int, Any]) -> tuple[int, int]:
     return form[:2]
 
@@ -226,5 +286,6 @@ def _waves(factor: Any, count: int) -> Any:
     return isinstance(factor, Bracket), isinstance(factor, tuple), count, str(factor)
 
 
+POLYNOMIAL = frozenset(["add", "sub", "mul", "div", "neg", *LEAVES])
 # which factor is taken out first
 RANKS: tuple[Rank, ...] = (_frequent, _waves, _first_declared)

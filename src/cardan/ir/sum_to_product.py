@@ -42,15 +42,16 @@ def shortest(waves: Mapping[Wave, Fraction], units: Mapping[Mono, Multiple], bud
     """
     terms: Sum = {() if wave == CONSTANT else (wave,): c for wave, c in waves.items()}
     while 1 < len(terms) <= MOST and budget.spend(len(terms) ** 2):
-        best, gain = None, 0
+        best, gain = None, (0, 0)
         items = sorted(terms.items())
         for i, (p, a) in enumerate(items):
             for q, b in items[:i]:
                 before = cost(p, a) + cost(q, b) + 1
                 for made in _merged(p, a, q, b, units):
                     after = sum(cost(x, c) for x, c in made.items()) + len(made) - 1
-                    if before - after > gain:
-                        best, gain = (p, q, made), before - after
+                    # of two forms as long the one with fewer terms
+                    if (before - after, 2 - len(made)) > gain:
+                        best, gain = (p, q, made), (before - after, 2 - len(made))
         if best is None:
             break
         p, q, made = best

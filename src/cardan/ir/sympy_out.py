@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from itertools import chain, count
+from itertools import chain, count, islice
 from typing import Any
 
 import sympy
@@ -165,9 +165,28 @@ def expression_of(graph: Graph, i: int, found: Mapping[int, Any], leaves: Leaves
     if op == "table":
         number, derivative = (int(graph.nodes[k][1]) for k in node[1:3])
         return _table(graph, number, derivative)(found[node[3]])
-    return OPERATIONS[op](*[found[k] for k in node[1:]])
+    return applied(op, *[found[k] for k in node[1:]])
 
 
+def applied(op: str, *given: Any) -> Any:
+    """An operator of SymPy's; functions of long expressions are left as they are.
+
+    SymPy looks for signs and squares in what it takes a root or an angle of, which takes minutes
+    where that is long.
+    """
+    if op in ARITHMETIC or all(_short(x) for x in given):
+        return OPERATIONS[op](*given)
+    with sympy.evaluate(False):
+        return OPERATIONS[op](*given)
+
+
+def _short(x: Any) -> bool:
+    return next(islice(sympy.preorder_traversal(x), EVALUATED, None), None) is None
+
+
+# parts of an expression that SymPy may look through; operators that it only puts together
+EVALUATED = 60
+ARITHMETIC = frozenset(["add", "sub", "neg"])
 RELATIONS = {"lt": sympy.Lt, "le": sympy.Le, "eq": sympy.Eq}
 LOGIC = {"and": sympy.And, "or": sympy.Or, "not": sympy.Not}
 

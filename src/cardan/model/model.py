@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,7 +28,7 @@ from .frame import Frame, Located, Place, triple
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
 from .shape import Shape
-from .summary import summary
+from .summary import html, summary
 from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
@@ -88,8 +87,8 @@ class Model(Vocabulary):
         return f"Model({self.name!r}, {len(self.bodies)} bodies, {len(self.joints)} joints)"
 
     def _repr_html_(self) -> str:
-        """Summary and drawn graph in notebooks."""
-        return f"<pre>{escape(str(self))}</pre>{self.graph.svg()}"
+        """Tables and the drawn graph in notebooks."""
+        return html(self)
 
     # bodies and frames
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..ir.html import Html, block, details, paragraph, table, text_block
 from .connections import Joint
 
 if TYPE_CHECKING:
@@ -40,6 +41,26 @@ def summary(model: Model) -> str:
     lines += _forces(model)
     lines += [f"note: {_fit(note, 160)}" for note in model.notes]
     return "\n".join(lines)
+
+
+def html(model: Model) -> str:
+    """The same as tables, with the graph drawn and the numbers that have names."""
+    first, *lines = summary(model).splitlines()
+    parts = [paragraph(first), paragraph(lines[0])]
+    for rows in (_rows(model), _beams(model)):
+        if len(rows) > 1:
+            parts.append(table(rows[0], rows[1:]))
+    if model.forces:
+        parts.append(text_block("\n".join(_forces(model)).strip()))
+    declared = [
+        (what, name, f"{number.value:g}", number.unit)
+        for what, numbers in (("parameter", model.parameters), ("input", model.inputs))
+        for name, number in numbers.items()
+    ]
+    if declared:
+        parts.append(details("declared", table(("", "name", "value", "unit"), declared)))
+    parts += [paragraph(f"note: {note}") for note in model.notes]
+    return block(*parts, Html(model.graph.svg()))
 
 
 def _rows(model: Model) -> list[list[str]]:

@@ -95,6 +95,12 @@ class Trajectory:
 
         return summary(self)
 
+    def _repr_html_(self) -> str:
+        """Coordinates drawn over time in notebooks, and the summary."""
+        from .shown import html
+
+        return html(self)
+
     def __len__(self) -> int:
         return len(self.t)
 

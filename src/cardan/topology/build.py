@@ -35,6 +35,7 @@ def build(
     model: Model,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     branches: Mapping[str, str] | None = None,
+    independent: Collection[str] | None = None,
 ) -> System:
     """The system graph of a model.
 
@@ -44,16 +45,18 @@ def build(
             True for all.
         branches: Solve circuits in closed form where that can be: joint that closes one -> "+" or
             "-". None: solve none.
+        independent: Joints that no circuit is solved for; a single one may be a name alone.
 
     Returns:
         The system, with notes on what does not act.
 
     Raises:
-        TopologyError: circuits, loose bodies, reversed joints.
+        TopologyError: circuits, loose bodies, reversed joints; ``independent`` names no joint.
         ModelError: quantities that cannot be what they say.
     """
     try:
-        return _build(model, BuiltIn.of(specialize), branches)
+        kept = (independent,) if isinstance(independent, str) else independent or ()
+        return _build(model, BuiltIn.of(specialize), branches, kept)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
@@ -70,6 +73,7 @@ def _build(
     model: Model,
     built_in: BuiltIn | None,
     branches: Mapping[str, str] | None,
+    independent: Collection[str],
     placing: Collection[str] = (),
 ) -> System:
     scene, rotors = with_rotors(model)
@@ -84,7 +88,7 @@ def _build(
     # the tree: bodies, frames, joints and their slots
     assembly = _grown(Assembly(scene, convert, rotors.place, nodes))
     settle(assembly)
-    cuts, solved = _circuits(assembly, branches)
+    cuts, solved = _circuits(assembly, branches, independent)
     closures, closable = ((), solved) if branches is None else (solved, ())
     assembly.number(closures)
     for frame in scene.frames.values():
@@ -96,7 +100,8 @@ def _build(
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
         placing = assembly.beams.geometry
-        return _build(model, BuiltIn.with_names(built_in, placing), branches, placing)
+        names = BuiltIn.with_names(built_in, placing)
+        return _build(model, names, branches, independent, placing)
 
     # what expressions may speak of, then the expressions
     convert.moving = True
@@ -159,15 +164,29 @@ def _grown(assembly: Assembly) -> Assembly:
 
 
 def _circuits(
-    assembly: Assembly, branches: Mapping[str, str] | None
+    assembly: Assembly, branches: Mapping[str, str] | None, kept: Collection[str]
 ) -> tuple[tuple[Cut, ...], tuple[Closure, ...]]:
-    """The cuts that are left, and those that are or could be solved in closed form."""
+    """The cuts that are left, and those that are or could be solved in closed form.
+
+    Args:
+        assembly: Bodies and joints.
+        branches: As :func:`build` takes them.
+        kept: Joints that are not solved for.
+
+    Raises:
+        TopologyError: one of these does not exist.
+    """
+    for name in kept:
+        if name not in assembly.model.joints:
+            known = near(name, assembly.model.joints)
+            raise TopologyError(f"independent: joint '{name}' does not exist.{known}")
     parents = [rigid.parent for rigid in assembly.bodies]
     convert, joints = assembly.convert, assembly.joints
     cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
     if not cuts and not branches:
         return cuts, ()
-    free = [assembly.model.joints[joint.name].motion is None for joint in joints]
+    own = assembly.model.joints
+    free = [own[j.name].motion is None and j.name not in kept for j in joints]
     axes = Axes(joints, parents, Numbers(convert))
     solved, rest = closed_forms(cuts, axes, free, branches or {})
     return (cuts if branches is None else rest), solved

@@ -33,7 +33,7 @@ def closed_forms(
 
     Args:
         cuts: All circuits.
-        axes, free: The joints of the tree; whether nothing prescribes their motion.
+        axes, free: The joints of the tree; which of them may follow from the others.
         branches: Joint that closes a circuit, or motor or slide of its leg -> "+" or "-": which
             solution.
 

@@ -144,6 +144,10 @@ class GraphView:
     def _repr_svg_(self) -> str:
         return self.svg()
 
+    def _repr_html_(self) -> str:
+        """The picture in the colors of the page: pictures alone are black on dark pages too."""
+        return self.svg()
+
 
 def view(model: Model) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""

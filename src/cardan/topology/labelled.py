@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from ..ir.html import block, paragraph, table
+
 
 @dataclass(frozen=True)
 class Labelled:
@@ -34,6 +36,10 @@ class Labelled:
         import numpy as np
 
         return np.array(self.entries, dtype=dtype or int).reshape(self.shape)
+
+    def _repr_html_(self) -> str:
+        rows = [(n, *(x or "·" for x in r)) for n, r in zip(self.rows, self.entries, strict=True)]
+        return block(paragraph(self.about), table(("", *self.columns), rows))
 
     def __str__(self) -> str:
         head = max((len(name) for name in self.rows), default=0)
