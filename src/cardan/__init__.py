@@ -104,7 +104,7 @@ _PUBLIC: dict[str, str] = {
     "sample": "analyses.sample",
     "Ensemble": "analyses.ensembles",
     "Trajectory": "runtime.trajectory",
-    "load_motion": "runtime.trajectory",
+    "load_motion": "runtime.storage",
     **dict.fromkeys(
         (
             "CardanError",

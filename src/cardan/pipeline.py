@@ -171,6 +171,23 @@ def derive(
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
         )
+    found = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
+    return replace(found, free=topology.build(scene)) if specialize else found
+
+
+def _relative(
+    scene: Model,
+    system: System,
+    method: str,
+    speeds: Mapping[str, Any] | None,
+    rewrites: Sequence[str] | None,
+    bound: Treatment,
+) -> Equations:
+    """Equations in joint coordinates.
+
+    Raises:
+        DerivationError: beams, or a formalism that does not take the system.
+    """
     if system.segments:
         raise DerivationError(
             f"beam '{system.segments[0].name}': relative coordinates take rigid bodies only. A "
@@ -181,8 +198,7 @@ def derive(
     if speeds:
         chosen = topology.named_speeds(scene, system, speeds)
         method = "kane" if method == "auto" else method
-    found = chosen_by(system, method, chosen, rewrites, treatment(constraints))
-    return replace(found, free=topology.build(scene)) if specialize else found
+    return chosen_by(system, method, chosen, rewrites, bound)
 
 
 def _absolute(system: System, given: Sequence[str], plane: str | None) -> Absolute:

@@ -14,7 +14,8 @@ import pytest
 import cardan as cd
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.runtime import toolchain
-from cardan.runtime.trajectory import Trajectory, load
+from cardan.runtime.storage import load
+from cardan.runtime.trajectory import Trajectory
 
 G = 9.81
 FINE: dict[str, Any] = {"rtol": 1e-11, "atol": 1e-12}

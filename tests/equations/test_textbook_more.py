@@ -139,7 +139,6 @@ def test_rolling_disk() -> None:
 
 
 def test_whipple_bicycle() -> None:
-    pytest.importorskip("cardan.equations.linearized.record", reason="no linear models yet")
     v, g, rR, rF = sp.symbols("v g rR rF")
     straight = {"wheel.u.x": v, "wheel.u.spin": v / rR, "hub.u": -v / rR, "axle.u": v / rF}
     linear = cd.derive(whipple.scene()).linearize(u=straight)

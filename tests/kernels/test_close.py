@@ -12,7 +12,8 @@ import pytest
 
 from cardan.analyses.stepper import stepper
 from cardan.errors import SolveWarning
-from cardan.runtime.trajectory import Trajectory, load
+from cardan.runtime.storage import load
+from cardan.runtime.trajectory import Trajectory
 from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
 FINE: dict[str, dict[str, Any]] = {

@@ -112,12 +112,7 @@ def satellite(kind: str) -> cd.Model:
     return scene
 
 
-needs_element = pytest.mark.skipif(
-    not hasattr(cd, "GravityGradient"), reason="no element for the gradient of gravity"
-)
-
-
-@pytest.mark.parametrize("kind", ["written", pytest.param("element", marks=needs_element)])
+@pytest.mark.parametrize("kind", ["written", "element"])
 def test_satellite_in_a_gradient_of_gravity(kind: str) -> None:
     model = cd.compile(satellite(kind))
     for number, (Ix, Iy, Iz) in enumerate(INERTIAS):

@@ -16,6 +16,7 @@ from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
+from ..ir.rewrite import rebuild
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from . import paths

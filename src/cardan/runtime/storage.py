@@ -186,12 +186,17 @@ def _write(file: Any, variables: Variables) -> None:
             setattr(variable, key, text.encode("ascii", "backslashreplace"))
 
 
-def load_run(path: Path, model: CompiledModel | None) -> Trajectory:
-    """Read a run.
+def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
+    """Read a run that :meth:`.Trajectory.save` wrote.
+
+    Args:
+        path: The file.
+        model: The compiled model, for what needs it (reactions, outputs, further poses).
 
     Raises:
         ModelError: not a run of cardan, a newer format, or a model with other coordinates.
     """
+    path = Path(path)
     values, notes, poses = _read(path)
     manifest = opened(json.loads(notes["manifest"]))
     for key in ("available", "z", "s"):

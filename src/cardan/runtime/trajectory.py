@@ -384,18 +384,3 @@ class Trajectory:
         from ..view.page import write_page
 
         return write_page(self, Path(path), fps=fps, title=title)
-
-
-def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
-    """Read a run that :meth:`Trajectory.save` wrote.
-
-    Args:
-        path: The file.
-        model: The compiled model, for what needs it (reactions, outputs, further poses).
-
-    Raises:
-        ModelError: not such a file, or the model has other coordinates.
-    """
-    from .storage import load_run
-
-    return load_run(Path(path), model)

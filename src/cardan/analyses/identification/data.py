@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ArgumentError, near
-from ...runtime.trajectory import Trajectory, load
+from ...runtime.storage import load
+from ...runtime.trajectory import Trajectory
 from . import smoothing
 
 if TYPE_CHECKING:
