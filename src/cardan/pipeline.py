@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import hashlib
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from . import __version__, topology
+from . import topology
 from .codegen import generate, layout, manifest, mesh
+from .codegen.fingerprint import fingerprint
 from .equations.absolute.lowering import lowered
 from .equations.absolute.record import Absolute
 from .equations.branches import with_branches
@@ -356,42 +355,6 @@ def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations |
             f"{', '.join(given)}: the equations are derived already; give it to derive()"
         )
     return scene
-
-
-def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> str:
-    """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
-    system: System = equations.system
-    digest = hashlib.sha256()
-    for part in (
-        __version__,
-        _compiler_state(),
-        *_choices(equations),
-        loops,
-        system.graph.nodes,
-        system.graph.tables,
-        system,
-        system.frames,
-        system.parameters,
-        system.atoms,
-    ):
-        digest.update(repr(part).encode())
-    return digest.hexdigest()
-
-
-def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
-    """How equations were derived, besides the system."""
-    if isinstance(equations, Absolute):
-        planes = [kind.plane for kind in equations.places.kinds]
-        return "absolute", planes, mesh.numbers(equations)
-    return equations.method, equations.rewrites, equations.chosen, equations.treatment
-
-
-@lru_cache(maxsize=1)
-def _compiler_state() -> list[tuple[str, int, int]]:
-    """Size and time of change of every file of this package: an edited compiler starts anew."""
-    root = Path(__file__).parent
-    files = sorted(path for path in root.rglob("*") if path.suffix in (".py", ".h"))
-    return [(path.name, (s := path.stat()).st_size, s.st_mtime_ns) for path in files]
 
 
 def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:

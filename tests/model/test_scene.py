@@ -14,10 +14,10 @@ import sympy
 
 import cardan as cd
 from cardan.cli import main
+from cardan.codegen.fingerprint import fingerprint
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
 from cardan.model.files.scene import from_text, keys
-from cardan.pipeline import fingerprint
 from cardan.topology import build
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
+from cardan.codegen.fingerprint import fingerprint
 from cardan.model.files.expression import parse
 from cardan.model.files.scene.words import Words
-from cardan.pipeline import fingerprint
 from external.robots import FILES, ROBOTS
 from mechanisms import ZOO, Mechanism
 from mechanisms.carried import CARRIED

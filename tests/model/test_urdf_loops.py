@@ -9,8 +9,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
+from cardan.codegen.fingerprint import fingerprint
 from cardan.model.files.urdf import from_text
-from cardan.pipeline import fingerprint
 from mechanisms.closed import four_bar
 from mechanisms.closed_planar import four_bar_angles
 
