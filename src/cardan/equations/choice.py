@@ -40,8 +40,6 @@ def chosen_by(
             f"'{system.name}' is made of written equations, which are taken as they are: leave out "
             "method= and speeds="
         )
-    if method != "auto" and FORMALISMS[method].energies:
-        _check_energies(system, method)
     names = None if rewrites is None else check_names(rewrites)
     plain = Equations(system, method, chosen, "", names, treatment=treatment)
     if method != "auto":
@@ -78,14 +76,6 @@ def check_method(method: str) -> None:
         f" '{method}' is called '{other}' here." if other else near(method, ("auto", *FORMALISMS))
     )
     raise DerivationError(f"method '{method}' does not exist.{hint}")
-
-
-def _check_energies(system: System, method: str) -> None:
-    if any(joint.element.bodiless for joint in system.joints):
-        raise DerivationError(
-            f"method '{method}' differentiates energies, but '{system.name}' is made of written "
-            "equations, which tell of none: leave method= out"
-        )
 
 
 def check_chooses(method: str) -> None:

@@ -95,6 +95,7 @@ class Recipe:
         moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
             user chose.
         happens: Whether there is one only of systems with events.
+        linear: Whether there is one only where forces are linear in masses and first moments.
     """
 
     about: str
@@ -105,6 +106,7 @@ class Recipe:
     solved: bool = False
     moves: bool = False
     happens: bool = False
+    linear: bool = False
 
 
 def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:

@@ -254,10 +254,12 @@ RECIPES: dict[str, Recipe] = {
     "regressor": Recipe(
         "Y: tau is Y phi and what does not depend on phi, the inertial parameters",
         regressor.regressor,
+        linear=True,
     ),
     "energy_regressor": Recipe(
         "kinetic and potential energy, and power without a potential, per inertial parameter",
         regressor.energy_regressor,
+        linear=True,
     ),
     "inertial_parameters": Recipe(
         "phi: what forces and energies are linear in", regressor.inertial_parameters

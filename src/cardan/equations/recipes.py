@@ -96,6 +96,13 @@ def missing(system: System, name: str) -> str:
             f"function '{name}' is one of systems with constraints; nothing binds the speeds of "
             f"'{system.name}'"
         )
+    pulls = [force for force in system.forces if force.element.masses() is not None]
+    if RECIPES[name].linear and pulls:
+        return (
+            f"'{system.name}' has no function '{name}': force '{pulls[0].name}' "
+            f"({pulls[0].element.kind}) acts on masses where their centers are, and is not linear "
+            "in first moments and inertias. Take the force out to identify the bodies"
+        )
     if RECIPES[name].happens and not system.events:
         return (
             f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"

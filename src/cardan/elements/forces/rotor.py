@@ -90,6 +90,9 @@ class Rotor(ForceElement):
         units = {"torque": "N*m", "friction": "N*m*s/rad"}
         return {name: Quantity(getattr(self, name), unit) for name, unit in units.items()}
 
+    def linear(self) -> tuple[str, ...]:
+        return ("momentum", "friction")
+
     def frames(self) -> dict[str, Any]:
         return {"frame": self.frame}
 

@@ -60,7 +60,6 @@ class Formalism:
         binds: Whether it takes constraints.
         couples: Whether it takes joints that follow others.
         chooses: Whether it takes speeds that the user chose.
-        energies: Whether it differentiates energies, of which written equations do not tell.
     """
 
     name: str
@@ -77,4 +76,3 @@ class Formalism:
     binds: bool = True
     couples: bool = True
     chooses: bool = True
-    energies: bool = False

@@ -62,5 +62,4 @@ HAMILTON = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
-    energies=True,
 )

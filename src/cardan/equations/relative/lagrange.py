@@ -45,5 +45,4 @@ LAGRANGE = Formalism(
     bias,
     drawn,
     rewrites=within_bodies,
-    energies=True,
 )
