@@ -1,0 +1,109 @@
+/*
+ * mass_matrix of rotor
+ * M: kinetic energy is 1/2 uᵀ M u
+ * formalism: composite
+ * rewrites: base_parameters
+ * passes: reassociate, schedule
+ *
+ * Sizes: out 25, work 0, w 6
+ * Operations per call: 16 = 7 mul, 2 add, 2 cos, 2 sin, 2 sub, 1 neg
+ * Operations of prepare: 3 = 2 sub, 1 add
+ *
+ * Input q (5): generalized coordinates
+ *   q[0]  x [m]
+ *   q[1]  y [m]
+ *   q[2]  tilt [rad]
+ *   q[3]  lean [rad]
+ *   q[4]  spin [rad]
+ *
+ * Input p (6): parameters, read by prepare_ only
+ *
+ * Output M (5 x 5): out[0 ... 24], row by row
+ */
+#include "cardan.h"
+
+CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
+{
+    /* disk: base inertia */
+    const wreal disk_inertia_xx = p[3]; /* kg m^2 */
+    const wreal disk_inertia_yy = p[4]; /* kg m^2 */
+    const wreal disk_base_inertia_yy = disk_inertia_yy - disk_inertia_xx;
+    w[3] = disk_base_inertia_yy; /* disk_base_inertia_yy */
+
+    /* shaft: inertia, composite inertia */
+    const wreal disk_inertia_zz = p[5]; /* kg m^2 */
+    w[4] = disk_inertia_xx + disk_base_inertia_yy; /* shaft_inertia */
+    w[5] = disk_inertia_zz - disk_inertia_xx; /* shaft_composite_inertia_zz */
+
+    /* parameters as they are */
+    w[0] = p[2]; /* disk.mass [kg] */
+    w[1] = p[3]; /* disk.inertia.xx [kg m^2] */
+    w[2] = p[5]; /* disk.inertia.zz [kg m^2] */
+}
+
+#include "lanes.h"
+
+/* M: kinetic energy is 1/2 uᵀ M u */
+CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
+    real *CARDAN_RESTRICT work)
+{
+    const real *const q = in->q;
+    const wreal *const w = in->w;
+    (void)work;
+
+    /* shared by several: cos, sin */
+    const real lean_q = q[3]; /* rad */
+    const real spin_q = q[4]; /* rad */
+    const real angle[CARDAN_PADDED(2)] = {spin_q, lean_q};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real spin_cos = cosine[0];
+    const real spin_sin = sine[0];
+    const real lean_cos = cosine[1];
+    const real lean_sin = sine[1];
+
+    /* shaft: inertia, composite inertia */
+    const wreal disk_base_inertia_yy = w[3];
+    const wreal shaft_inertia = w[4];
+    const real shaft_inertia_2 = disk_base_inertia_yy * spin_sin;
+    const real shaft_composite_inertia_xx = spin_sin * shaft_inertia_2;
+    out[18] = shaft_inertia - shaft_composite_inertia_xx; /* M: lean.u,lean.u */
+
+    /* c: composite inertia, inertia */
+    const wreal disk_inertia_xx = w[1]; /* kg m^2 */
+    const wreal shaft_composite_inertia_zz = w[5];
+    const real c_composite_inertia_xy = -spin_cos * shaft_inertia_2 * lean_cos;
+    const real c_inertia = lean_sin * (shaft_composite_inertia_zz
+        - shaft_composite_inertia_xx) * lean_sin;
+    out[13] = c_composite_inertia_xy; /* M: tilt.u,lean.u */
+    out[17] = c_composite_inertia_xy; /* M: lean.u,tilt.u */
+    out[12] = disk_inertia_xx + shaft_composite_inertia_xx + c_inertia; /* M: tilt.u,tilt.u */
+
+    /* M */
+    const wreal disk_inertia_zz = w[2]; /* kg m^2 */
+    const real M_5_3 = disk_inertia_zz * lean_sin;
+    out[14] = M_5_3; /* M: tilt.u,spin.u */
+    out[22] = M_5_3; /* M: spin.u,tilt.u */
+
+    /* results that are numbers or inputs */
+    out[0] = CARDAN_REAL(w[0]); /* M: x.u,x.u */
+    out[1] = CARDAN_REAL(0.0); /* M: x.u,y.u */
+    out[2] = CARDAN_REAL(0.0); /* M: x.u,tilt.u */
+    out[3] = CARDAN_REAL(0.0); /* M: x.u,lean.u */
+    out[4] = CARDAN_REAL(0.0); /* M: x.u,spin.u */
+    out[5] = CARDAN_REAL(0.0); /* M: y.u,x.u */
+    out[6] = CARDAN_REAL(w[0]); /* M: y.u,y.u */
+    out[7] = CARDAN_REAL(0.0); /* M: y.u,tilt.u */
+    out[8] = CARDAN_REAL(0.0); /* M: y.u,lean.u */
+    out[9] = CARDAN_REAL(0.0); /* M: y.u,spin.u */
+    out[10] = CARDAN_REAL(0.0); /* M: tilt.u,x.u */
+    out[11] = CARDAN_REAL(0.0); /* M: tilt.u,y.u */
+    out[15] = CARDAN_REAL(0.0); /* M: lean.u,x.u */
+    out[16] = CARDAN_REAL(0.0); /* M: lean.u,y.u */
+    out[19] = CARDAN_REAL(0.0); /* M: lean.u,spin.u */
+    out[20] = CARDAN_REAL(0.0); /* M: spin.u,x.u */
+    out[21] = CARDAN_REAL(0.0); /* M: spin.u,y.u */
+    out[23] = CARDAN_REAL(0.0); /* M: spin.u,lean.u */
+    out[24] = CARDAN_REAL(w[2]); /* M: spin.u,spin.u */
+    return CARDAN_OK;
+}
