@@ -20,6 +20,7 @@ from cardan.ir.readable import STEPS, TooLong, readable
 from cardan.ir.sympy_bridge import to_sympy
 from equations.classical import CLASSICAL
 from mechanisms import ZOO
+from spread import some
 
 
 def chain(n: int, planar: bool = True) -> cd.Model:
@@ -49,7 +50,7 @@ class Counting(Budget):
 
 
 @pytest.mark.parametrize("planar", [True, False], ids=["planar", "spatial"])
-@pytest.mark.parametrize("name", ["mass_matrix", "bias"])
+@pytest.mark.parametrize("name", some(["mass_matrix", "bias"], 2))
 @pytest.mark.parametrize("steps", [STEPS, 20_000])
 def test_budget_on_twelve_bodies(planar: bool, name: str, steps: int) -> None:
     function = cd.derive(chain(12, planar)).function(name)

@@ -42,7 +42,7 @@ def results(example: Path, function: str, compiler: str, flags: tuple[str, ...])
     return np.array([call(file, values, compiler, flags).out for values in inputs(model)])
 
 
-@pytest.mark.parametrize(("example", "function"), some(CASES, 2))
+@pytest.mark.parametrize(("example", "function"), some(CASES, 4))
 def test_the_bits_of_the_loaded_model(example: Path, function: str) -> None:
     model = cd.compile(cd.derive(scene_of(example)), functions=FUNCTIONS)
     compiler = cache.compiler()
@@ -59,7 +59,7 @@ def test_the_bits_of_the_loaded_model(example: Path, function: str) -> None:
 
 
 @pytest.mark.skipif(len(compilers()) < 2, reason="needs gcc and the package ziglang")
-@pytest.mark.parametrize(("example", "function"), some(CASES, 2, 1))
+@pytest.mark.parametrize(("example", "function"), some(CASES, 4, 1))
 def test_two_compilers(example: Path, function: str) -> None:
     fast = {
         "gcc": (*STRICT, "-O2", "-march=native", "-ffp-contract=fast"),

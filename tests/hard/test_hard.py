@@ -43,7 +43,7 @@ def test_a_run_in_gimbal_lock_names_the_cure(name: str, method: str) -> None:
 
 
 @pytest.mark.parametrize("method", ["RK4", "RKMK4", "EnergyMidpoint", "GeneralizedAlpha"])
-@pytest.mark.parametrize("step", [1e-4, 1e-3, 1e-2, 1e-1])
+@pytest.mark.parametrize("step", [pytest.param(1e-4, marks=pytest.mark.slow), 1e-3, 1e-2, 1e-1])
 def test_given_steps_past_a_lock_are_right_or_end(step: float, method: str) -> None:
     case = CASES["gimbal lock, 12 sequences"]
     how = {method: Cell(1e-3, {"step": step})}

@@ -80,7 +80,7 @@ def test_exported_elements_are_clean(tmp_path: Path, sanitizers: None) -> None:
 
 
 DRAWN = enumerate(zip(drawn(), cycle(METHODS), strict=False))
-CASES = some(((name, k % 2 == 1, method) for k, (name, method) in DRAWN), 3)
+CASES = some(((name, k % 2 == 1, method) for k, (name, method) in DRAWN), 4)
 
 
 @pytest.mark.parametrize(("name", "loops", "method"), CASES)
