@@ -3,6 +3,8 @@
 Its URDF says one thing; the robot carries a tool, and its joints are stiffer than they were. It
 moves in a way that shows its inertia, positions and torques are measured with noise, and the model
 is corrected by what they tell: no more than they can tell, each number with its deviation.
+
+Run it anywhere; it writes into ``out/identify_arm``.
 """
 
 from pathlib import Path
@@ -11,6 +13,8 @@ import numpy as np
 
 import cardan as cd
 
+out = Path("out/identify_arm")
+out.mkdir(parents=True, exist_ok=True)
 scene = cd.load(Path(__file__).with_name("arm.urdf"))
 model = cd.compile(scene)
 
@@ -21,7 +25,7 @@ print(base)
 # a motion that shows them, within the limits of the joints
 motion = cd.excitation(model, period=8.0, speed=3.0, acceleration=20.0, steps=15)
 print(motion)
-motion.save("motion.csv", rate=200)
+motion.save(out / "motion.csv", rate=200)
 
 # the robot does it five times; here it is a simulated one
 robot = model.with_parameters({
@@ -55,4 +59,4 @@ for name, one in (("as the file says", model), ("identified", found.model)):
     left = one.torques(other).forces - want.forces
     missed = np.sqrt(np.mean(left**2, axis=0)) / want.rms
     print(f"{name:16}: torques missed by {', '.join(f'{x:.1%}' for x in missed)}")
-found.plot("fit.png")
+found.plot(out / "fit.png")

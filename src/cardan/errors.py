@@ -123,6 +123,7 @@ def near(name: str, known: Iterable[str]) -> str:
     """
     names = list(known)
     listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
-    close = get_close_matches(name, names, n=1)
+    close = [one for one in names if one.casefold() == name.casefold()]
+    close = close or get_close_matches(name, names, n=1)
     hint = f" Did you mean '{close[0]}'?" if close else ""
     return f" Known: {listed}.{hint}" if names else " There are none."

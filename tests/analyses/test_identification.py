@@ -333,6 +333,13 @@ def test_refusals_name_the_culprit(tmp_path: Path) -> None:
     model = arm()
     t = np.linspace(0, 1, 50)
     still = {"t": t, "q": np.zeros((50, 3)), "tau": np.zeros((50, 3))}
+    with pytest.raises(ArgumentError, match=r"no forces in the data: .*'waist.tau'"):
+        model.identify(still)
+    still["tau"] += 1
+    with pytest.raises(ArgumentError, match="less than a period"):
+        model.identify(still, period=2.0)
+    with pytest.raises(ArgumentError, match=r"'waist' has shape \(49,\), t has \(50,\)"):
+        model.identify({"t": t, "waist": t[1:]})
     with pytest.raises(SolveError, match=r"do not tell .*model\.excitation"):
         model.identify(still)
     with pytest.raises(ArgumentError, match=r"'elbo' is no column of this model.*elbow"):

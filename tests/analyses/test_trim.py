@@ -196,6 +196,17 @@ def test_what_cannot_be_had(top: cd.CompiledModel, options: dict[str, Any], said
         assert not top.trim({"nutation": 0.5}, **given).converged
 
 
+def test_a_force_without_a_lever() -> None:
+    scene = cd.Model("crank", gravity=(0, 0, -G))
+    bar = scene.body("bar", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, bar)
+    scene.force("pull", cd.Force(bar.at(0, 0, -1), (scene.input("F"), 0, 0)))
+    model = cd.compile(scene)
+    with pytest.raises(cd.SolveError, match=r"'F' = .* still growing .* Free .*: <joint>.force"):
+        model.trim({"pin": math.pi / 2}, free=["F"], check=True)
+    assert model.trim({"pin": math.pi / 2}, free=["pin.force"]).converged
+
+
 def test_weight_that_does_not_turn_along() -> None:
     scene = cd.Model("wheel", gravity=(0, 0, -G))
     wheel = scene.body("wheel", mass=1.0, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))

@@ -40,6 +40,13 @@ def status(*words: str) -> int:
         return int(stop.code or 0)
 
 
+def test_angles_in_parts_of_pi(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert status("equilibrium", scene, "--hold", "foot=-pi/4") == 0
+    assert "foot = -0.7853981634" in capsys.readouterr().out
+    assert status("equilibrium", scene, "--hold", "foot=pie") == 2
+    assert "'foot=pie' does not read JOINT=VALUE" in capsys.readouterr().err
+
+
 def test_equilibrium(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert status("equilibrium", scene, "--set", "torque=1") == 0
     assert "foot = 0.5" in capsys.readouterr().out

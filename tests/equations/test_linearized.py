@@ -80,6 +80,7 @@ def test_chosen_inputs_and_outputs() -> None:
         ({"independent": ["rale"]}, "Did you mean 'rail'"),
         ({"values": {"w": 1.0}}, "no symbol 'w'"),
         ({"q": {"rail": (1, 2)}}, "has 1 entries"),
+        ({"q": {"rail": "alpha"}}, "'alpha', a text"),
         ({"udot": "none"}, "'free'"),
         ({"route": "differentiate"}, "Did you mean 'differentiated'"),
     ],

@@ -172,6 +172,15 @@ def test_every_product_is_paid_for(monkeypatch: pytest.MonkeyPatch) -> None:
     assert expansion.made[x.node] is None
 
 
+def test_decimals_stay_what_they_were() -> None:
+    assert str(read(m * (a - sp.Float(0.9)))) == "m*(a - 0.9)"
+    assert str(read(sp.Float(0.7) * a * m + sp.Float(0.7) * b * m)) == "0.7*m*(a + b)"
+    cosine, sine = sp.Float(0.955336489125606), sp.Float(0.29552020666134)
+    found = read((cosine * a + sine * b) * (cosine * b - sine * a) * (cosine * m + sine * l))
+    assert max(len(str(x)) for x in found.atoms(sp.Number)) < 20
+    assert all(abs(x) < 10 for x in found.atoms(sp.Number))
+
+
 def test_too_long_is_said() -> None:
     x = scalar(sp.sqrt(a) + b)
     for _ in range(14):

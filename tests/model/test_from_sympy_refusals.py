@@ -30,7 +30,7 @@ def written(**changed: Any) -> cd.Model:
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        ({"f": [sm.Symbol("k") * Q]}, r"1 symbols have no value: give parameters=\{'k'"),
+        ({"f": [sm.Symbol("k") * Q]}, r"1 symbol has no value: give parameters=\{'k'"),
         ({"f": [sm.Function("foo")(Q)]}, r"'foo\(q\(t\)\)' is no function"),
         ({"f": [sm.gamma(Q)]}, "'gamma' in .* is no function"),
         ({"f": [cd.table([0, 1, 2], [0, 1, 4], kind="linear")(Q)]}, "is a table of data"),
@@ -41,6 +41,7 @@ def written(**changed: Any) -> cd.Model:
         ({"f": [sm.Symbol("q")]}, "the name 'q' stands for"),
         ({"q": [sm.Symbol("q")]}, r"make it with dynamicsymbols\('q'\)"),
         ({"f": [sm.sqrt(-2 - Q**2)]}, "no state was found"),
+        ({"M": sm.zeros(1)}, "M is singular"),
     ],
 )
 def test_refusals_name_the_culprit(changed: dict[str, Any], words: str) -> None:

@@ -204,7 +204,7 @@ def family(
     if not columns:
         raise ModelError(
             "say what changes, from where to where, such as root_locus(P=(0, 10)) or "
-            "root_locus(spin=(0, 300))"
+            "campbell(spin=(0, 300))"
         )
     if not (count is None or (isinstance(count, int) and count > 1)):
         raise ModelError(f"count={count!r}: a number of members, at least 2")

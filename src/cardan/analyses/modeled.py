@@ -105,9 +105,8 @@ class Modeled:
         if name not in known:
             words = ""
             if name not in entries(self.model.manifest, "q"):
-                words = missing(self.model.manifest, "q", name) + " "
+                words = ": " + missing(self.model.manifest, "q", name).removesuffix(".")
             raise ModelError(
-                f"hold: '{name}' is no coordinate that can be held. {words}"
-                f"{near(name, known).strip()}"
+                f"hold: '{name}' is no coordinate that can be held{words}.{near(name, known)}"
             )
         return known[name]

@@ -173,6 +173,13 @@ def _open(problem: Trimming, guess: Guess) -> Array:
     return np.asarray(V[rank:])
 
 
+def _ran_away(problem: Trimming, guess: Guess) -> bool:
+    """Whether forces grew until what is wanted counts for nothing beside them."""
+    size = np.abs(problem.matrix(guess)).max(axis=1, initial=0.0)
+    wishes = size[problem.wishes(guess)]
+    return bool(np.any((wishes > 0) & (wishes <= OPEN * size.max(initial=0.0))))
+
+
 def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
     """Why it is no steady motion, or "" where it is one."""
     if not met:
@@ -186,6 +193,13 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
         )
     own = problem.left_over(guess, _open(problem, guess))
     names = [name for name, size in own.items() if size > OWN]
+    if names and _ran_away(problem, guess):
+        values = problem.values(guess)
+        said = ", ".join(f"'{name}' = {values.get(name, 0.0):.3g}" for name in names)
+        return (
+            f"no steady motion: {said} and still growing where the search ended: it hardly acts "
+            f"there. {problem.cure()}"
+        )
     if names:
         said = " and ".join(f"'{name}'" for name in names)
         return (

@@ -348,12 +348,22 @@ class Trimming:
             own[name] = float(np.abs(changed[k]).max(initial=0.0)) / self.system.columns[k]
         return own
 
+    def cure(self) -> str:
+        """What to do where what is free does not help."""
+        inputs = [name for name in self.system.inputs if name not in self.kinds]
+        known = ", ".join([*inputs, f"<joint>{FORCE}", "<joint>.u"])
+        return f"Free something that does: {known}; or want something else, start nearer"
+
+    def wishes(self, guess: Guess) -> slice:
+        """The conditions that are what is wanted."""
+        first = len(self.first(guess).v) + len(guess.at.z)
+        return slice(first, first + len(self.wanted))
+
     def complaint(self, guess: Guess, row: int, miss: float) -> str:
         """What a condition says that does not hold, and what to do."""
         found = self.first(guess)
         nv, nz, nw = len(found.v), len(guess.at.z), len(self.wanted)
-        known = [*self.system.inputs, f"<joint>{FORCE}", "<joint>.u"]
-        cure = f"Free something that does: {', '.join(known)}; or want something else, start nearer"
+        cure = self.cure()
         if row < nv:
             name = self.system.speeds[found.v[row]]
             value = miss * self.system.columns[found.v[row]]

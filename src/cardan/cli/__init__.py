@@ -154,7 +154,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 128 + signal.SIGPIPE
     except (CardanError, OSError) as problem:
-        print(f"cardan {options.command}: {problem}", file=sys.stderr)
+        said = str(problem).removeprefix(f"{options.command}: ")
+        print(f"cardan {options.command}: {said}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print(f"cardan {options.command}: interrupted", file=sys.stderr)

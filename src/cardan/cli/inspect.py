@@ -91,10 +91,14 @@ def _meshed(equations: Any) -> dict[str, object]:
 
 def display(scene: Model, overview: str, found: Document, out: Console) -> None:
     """A document on a screen."""
+    from ..explain.content import Figure
+
     out.print(str(scene.graph), soft_wrap=True)
     out.print()
     out.print(overview, soft_wrap=True)
     for section in found.sections:
+        if all(isinstance(block, Figure) for block in section.blocks):
+            continue  # the graph stands above
         out.print()
         out.print(section.title.upper(), soft_wrap=True)
         for block in section.blocks:

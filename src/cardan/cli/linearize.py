@@ -19,7 +19,7 @@ EPILOG = """\
 examples:
   cardan linearize trolley.yaml
         about its equilibrium: states, eigenvalues, damping ratios
-  cardan linearize trolley.yaml --q pole=3.14 --input cart --output pole
+  cardan linearize cart_pole.yaml --q pole=pi --input cart --output pole
         about the other one; a force along the cart's speed drives, the angle is seen
   cardan linearize rotor.yaml --u spin=14
         in steady motion

@@ -68,11 +68,31 @@ def count(text: str) -> int:
     return int(text)
 
 
+def _value(text: str) -> float:
+    """A number, or a constant such as pi/3.
+
+    Raises:
+        ValueError: it is neither.
+    """
+    try:
+        return float(text)
+    except ValueError:
+        if "pi" not in text:
+            raise
+    from ..errors import CardanError
+    from ..model.files.expression import parse
+
+    try:
+        return float(parse(text, {}, where=text))
+    except (CardanError, TypeError) as problem:
+        raise ValueError(text) from problem
+
+
 def named(text: str) -> tuple[str, float | list[float]]:
     """The type of ``elbow=0.3`` or ``ball=1,0,0,0``."""
     name, found, numbers = text.rpartition("=")
     try:
-        values = [float(x) for x in numbers.split(",")]
+        values = [_value(x) for x in numbers.split(",")]
     except ValueError:
         values = []
     if not (found and name and values and all(map(math.isfinite, values))):

@@ -65,7 +65,7 @@ def overview(equations: Equations) -> str:
     lines = [
         f"equations of '{s.name}' by {equations.method}"
         + (f" ({equations.reason})" if equations.reason else ""),
-        f"  {sum(bool(b.parts) for b in s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
+        f"  {sum(len(b.parts) for b in s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
         f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
         "  q: " + _row(equations.coordinates),
         "  u: " + _row(equations.speeds),

@@ -32,6 +32,7 @@ class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
     def written(self, expression: Any) -> str:
         """MathML without names of entities; factors stand apart, since some of them are words."""
         text = str(self.doprint(expression)).replace(PRODUCT, '<mspace width="0.2em"/>')
+        text = text.replace("<mo>-</mo>", "<mo>−</mo>")
         # fractions in a matrix as large as elsewhere
         return text.replace("<mtable>", '<mtable displaystyle="true">')
 

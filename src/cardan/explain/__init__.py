@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import DerivationError, near
+from ..errors import DerivationError
 from ..view.page import publish
 from .content import Document
 from .facts import facts
@@ -60,9 +60,7 @@ def checked(path: Path) -> str:
 
     ending = path.suffix.lower()
     if ending not in WRITERS:
-        raise DerivationError(
-            f"'{path.name}': pages end in {', '.join(WRITERS)}.{near(ending, WRITERS)}"
-        )
+        raise DerivationError(f"'{path.name}': pages end in {', '.join(WRITERS)}")
     return ending
 
 

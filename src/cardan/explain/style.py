@@ -26,6 +26,8 @@ figcaption { margin-top: .4rem; }
 math { overflow-wrap: normal; white-space: nowrap; font-size: 1.03em;
        font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", "Libertinus Math",
        "TeX Gyre Termes Math", math, serif; }
+/* dots above words are seen as well as those above letters */
+mover > mo { font-size: 145%; }
 .formula { margin: 1.1rem 0 .25rem; padding-left: 3.2rem; text-indent: -2rem; line-height: 1.9; }
 .terms { margin: 0 0 1.1rem 1.2rem; padding-left: .9rem; border-left: 1px solid var(--line);
          display: grid; grid-template-columns: minmax(5rem, 11rem) minmax(0, 1fr);

@@ -9,6 +9,8 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
 
+from .exact import is_fraction
+
 Powers = Mapping[Any, int]
 Term = tuple[Fraction, Powers]
 Rank = Callable[[Hashable, int], Any]
@@ -91,6 +93,9 @@ def _common(terms: Sequence[Term]) -> tuple[Fraction, Powers]:
     """Greatest common factor; its sign is that of most terms, of the first where they balance."""
     numerator = gcd(*(c.numerator for c, _ in terms))
     number = Fraction(numerator, lcm(*(c.denominator for c, _ in terms)))
+    if not is_fraction(number) and all(abs(c) != number for c, _ in terms):
+        # x - 0.9 and not 0.1 (10 x - 9); measured numbers have nothing in common
+        number = Fraction(1)
     if sum(1 if c < 0 else -1 for c, _ in terms) >= (terms[0][0] > 0):
         number = -number
     powers: dict[Any, int] = {}

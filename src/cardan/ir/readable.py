@@ -33,6 +33,8 @@ LONGEST, NESTED = 4000, 120
 FLAT, WRITING = 4 * LONGEST, 4
 # operations inside a function: longer ones nobody reads, and SymPy looks through for minutes
 INSIDE = 200
+# whole numbers beyond are written as floats
+WRITTEN = 10**12
 
 
 class TooLong(Exception):
@@ -224,7 +226,7 @@ def _terms(sums: Mapping[Mono, Sum]) -> list[Term]:
 
 
 def _number(c: Fraction) -> Any:
-    if is_fraction(c):
+    if is_fraction(c) and abs(c.numerator) < WRITTEN:
         return sympy.Rational(c.numerator, c.denominator)
     return sympy.Float(float(c))
 

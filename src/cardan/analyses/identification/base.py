@@ -83,11 +83,18 @@ class Base:
 
     def of(self, phi: ArrayLike) -> Array:
         """Base parameters (..., nb) of inertial parameters (..., n)."""
-        return np.asarray(np.asarray(phi, dtype=float) @ self.matrix.T)
+        return np.asarray(self._all("of", phi) @ self.matrix.T)
 
     def regressor(self, Y: ArrayLike) -> Array:
         """Y_b (..., nb) of a regressor Y (..., n): its independent columns."""
-        return np.asarray(np.asarray(Y)[..., self.columns])
+        return np.asarray(self._all("regressor", Y)[..., self.columns])
+
+    def _all(self, word: str, values: ArrayLike) -> Array:
+        """Numbers (..., n) for all parameters."""
+        found, count = np.asarray(values, dtype=float), len(self.parameters)
+        if found.shape[-1:] != (count,):
+            raise ArgumentError(f"{word}: shape {found.shape}, expected (..., {count})")
+        return found
 
     def __repr__(self) -> str:
         lines = [f"'{self.name}': {len(self)} base parameters of {len(self.parameters)}"]

@@ -152,6 +152,10 @@ def _of_table(model: CompiledModel, data: Any) -> dict[str, Array]:
     for key in given:
         if key not in known:
             raise ArgumentError(f"data: '{key}' is no column of this model.{near(key, known)}")
+        if key not in BLOCKS and given[key].shape != given["t"].shape:
+            raise ArgumentError(
+                f"data: '{key}' has shape {given[key].shape}, t has {given['t'].shape}"
+            )
     found = {"t": given["t"]}
     for block in BLOCKS:
         if block in given:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...errors import ArgumentError, near
 from ..actuation import named_speeds
 from .base import WANTED, Base, base_parameters, circuits, needed
-from .data import Data, measured
+from .data import Data, columns, measured
 from .estimate import fitted
 from .result import Identification
 from .rows import Rows, of_energy, of_forces
@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 FORMS = ("torque", "energy")
 # columns that circuits make dependent, seen at measured positions
 RANK = 1e-6
+# of the forces that the nominal model could take: rounding
+NOTHING = 1e-9
 
 
 def identify(
@@ -73,6 +75,7 @@ def identify(
     seen = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
     sigma = _noise(model, noise)
     rows = _rows(model, seen, form, cutoff, chosen, stretch, sigma)
+    _acting(model, rows)
     if base is None:
         bound = circuits(model)
         base = base_parameters(model, rows.A, rank=RANK) if bound else base_parameters(model)
@@ -110,6 +113,22 @@ def _rows(
     if form == "energy":
         return of_energy(model, seen, stretch, np.ones(model.nu) if sigma is None else sigma)
     return of_forces(model, seen, cutoff, chosen)
+
+
+def _acting(model: CompiledModel, rows: Rows) -> None:
+    """Nothing is told by motions in which no force acts.
+
+    Raises:
+        ArgumentError: all forces are zero.
+    """
+    nominal = np.abs(list(model.inertial_parameters().values()))
+    if np.abs(rows.b).max(initial=0.0) <= NOTHING * (np.abs(rows.A) @ nominal).max(initial=0.0):
+        names = list(columns(model)["tau"])
+        raise ArgumentError(
+            "identify: there are no forces in the data: give tau (nt, nu), or columns such as "
+            f"'{names[0]}'; of a run the forces are those of the motors in the model. Motion alone "
+            "would fit a robot without mass"
+        )
 
 
 def _noise(model: CompiledModel, noise: Any) -> Array | None:

@@ -15,6 +15,7 @@ from ...errors import ArgumentError
 Array = NDArray[np.float64]
 ORDER = 4  # of the filter, which runs forward and backward
 DEGREE = 5  # of splines
+WHOLE = 0.9  # of a period: the least data for a series
 EVEN = 1e-6  # steps of time that differ by less, relative to them, are equal
 PASSED = 1.8  # samples per period of the cutoff that are left: their noise is independent
 
@@ -74,8 +75,12 @@ def series(t: Array, values: Array, period: float, harmonics: int) -> tuple[Arra
     """Values (nt, k) as a Fourier series, with its first two derivatives.
 
     Raises:
-        ArgumentError: fewer samples than coefficients.
+        ArgumentError: fewer samples than coefficients, or less than a period.
     """
+    if t[-1] - t[0] < WHOLE * period:
+        raise ArgumentError(
+            f"period={period:g} s: the data are of {t[-1] - t[0]:.4g} s, less than a period"
+        )
     if len(t) <= 2 * harmonics + 1:
         raise ArgumentError(
             f"{len(t)} samples do not determine {2 * harmonics + 1} coefficients of a series"

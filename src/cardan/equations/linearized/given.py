@@ -29,13 +29,18 @@ def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[i
     """Entry of a block -> its value; several entries by the name of their joint.
 
     Raises:
-        DerivationError: unknown names, or another number of values.
+        DerivationError: unknown names, texts, or another number of values.
     """
     found: dict[int, Any] = {}
     for name, value in given.items():
         places = places_of(name, names)
         if not places:
             raise DerivationError(f"linearize: there is no {what} '{name}'.{near(name, names)}")
+        if isinstance(value, str):
+            raise DerivationError(
+                f"linearize: '{name}' is {value!r}, a text; give a number or an expression of "
+                "SymPy, such as sympy.Symbol('alpha')"
+            )
         several = isinstance(value, Sequence) or getattr(value, "ndim", 0) > 0
         values = list(value) if several else [value]
         if len(values) != len(places):

@@ -221,7 +221,9 @@ class Reference:
         places = places_of(name, self.names["u"])
         if len(places) != 1:
             known = (*self.increments, *self.names["u"])
-            raise DerivationError(f"linearize: there is no speed '{name}'.{near(name, known)}")
+            raise DerivationError(
+                f"linearize: there is no coordinate or speed '{name}'.{near(name, known)}"
+            )
         return places[0]
 
     @cached_property

@@ -79,6 +79,11 @@ def _model(
         scene.parameter(parameter, value)
     _declare_inputs(scene, told, bound, inputs)
     solved = not all(_symmetric(state.M) for state in found)
+    if solved and any(_singular(state.M) for state in found):
+        raise ModelError(
+            "from_sympy: M is singular: some speed has no inertia, or M's rows are not those of "
+            "all equations. Every acceleration must follow from M u' = f"
+        )
     graph, symbols = Graph(), dict[Any, int]()
     kinematics = _kinematics(graph, symbols, source, told)
     inertia, forces = _motion(graph, symbols, source, found, solved)
@@ -170,6 +175,16 @@ def _symmetric(M: np.ndarray[Any, Any]) -> bool:
     if np.abs(M - M.T).max(initial=0.0) > ROUNDING * largest:
         return False
     return bool(np.all(np.linalg.eigvalsh(M) > ROUNDING * largest))
+
+
+def _singular(M: np.ndarray[Any, Any]) -> bool:
+    """Whether M has no inverse, in units of its own rows and columns."""
+    size = np.abs(M).max(axis=1, initial=0.0)
+    if not size.all():
+        return True
+    rows = M / size[:, None]
+    across = np.abs(rows).max(axis=0)
+    return not across.all() or bool(np.linalg.cond(rows / across) > 1 / ROUNDING)
 
 
 def _energy(

@@ -120,6 +120,10 @@ def _input(x: Any, source: Source) -> str:
     return f"{base.func.__name__}{DERIVED[order]}"
 
 
+def _many(count: int) -> str:
+    return "1 symbol has" if count == 1 else f"{count} symbols have"
+
+
 def _parameters(
     symbols: Iterable[Any], source: Source, given: Mapping[Any, float]
 ) -> dict[Any, float]:
@@ -143,7 +147,7 @@ def _parameters(
         idle = [name for name in values if name not in known]
         hint = near(missing[0], idle).replace(" Known:", " Used by nothing:") if idle else ""
         raise ModelError(
-            f"from_sympy: {len(missing)} symbols have no value: give parameters={{{listed}}}.{hint}"
+            f"from_sympy: {_many(len(missing))} no value: give parameters={{{listed}}}.{hint}"
         )
     found = {symbol: float(values.pop(name)) for name, symbol in known.items()}
     return found | {sympy.Symbol(name): float(value) for name, value in values.items()}
