@@ -146,3 +146,11 @@ def test_constant_along_motions(build: Callable[[], cd.Model]) -> None:
     # and the machine that measures can see a change
     other = model.momentum(motion.q, motion.u)
     assert np.ptp(other[:, 5]) > 1e-3 or np.ptp(other[:, 0]) > 1e-3
+
+
+def test_a_small_pendulum_depends_on_its_angle() -> None:
+    scene = cd.Model("watch", gravity=(0, 0, -9.81))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, scene.body("a", 1e-9, com=(0, 0, -1e-4)))
+    found = cd.derive(scene).conserved()
+    assert found.cyclic == ()
+    assert found.names == ("energy",)
