@@ -154,3 +154,16 @@ def test_internal_states_stand_in_the_equations_of_second_order() -> None:
         np.testing.assert_allclose(numbers[name], getattr(beside, name), rtol=1e-12, atol=1e-12)
     assert numbers["inner"][0, 0] == pytest.approx(100.0, rel=1e-12)
     assert "= B r + Z z" in str(found)
+
+
+def test_coordinates_of_second_order_are_named_alike_in_formulas_and_numbers() -> None:
+    equations = cd.derive(two_swings(1.0, 1.0, 0.0))
+    symbolic = equations.linearize(independent="a_pin")
+    numeric = cd.compile(equations).linearize()
+    assert numeric.second_order("a_pin").coordinates == ("a_pin",)
+    for found in (symbolic, numeric):
+        assert found.second_order(["a_pin", "b_pin", "a_pin"]).coordinates == ("a_pin", "b_pin")
+        with pytest.raises(cd.CardanError, match="at least one coordinate"):
+            found.second_order([])
+        with pytest.raises(cd.CardanError, match="give a list of names"):
+            found.second_order([1])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...errors import DerivationError, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
 from .first_order import Plant
@@ -197,7 +198,11 @@ class Linearized:
                 their equations.
         """
         at = self._reference
-        names = self.coordinates if coordinates is None else tuple(coordinates)
+        names = self.coordinates
+        if coordinates is not None:
+            names = tuple(dict.fromkeys(listed("coordinates", coordinates, "steer")))
+        if not names:
+            raise DerivationError("linearize: name at least one coordinate")
         places = [
             at.increments.index(name) if name in at.increments else at.slot(name) for name in names
         ]

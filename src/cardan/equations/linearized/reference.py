@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import DerivationError, near
+from ...errors import DerivationError, listed, near
 from ...ir.derivative import forward
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
@@ -78,7 +78,7 @@ class Reference:
         self._set_positions(q, t)
         if self.symbols.unused():
             raise DerivationError(f"linearize: values: no symbol '{self.symbols.unused()[0]}'")
-        self._choose([] if wanted is None else list(wanted))
+        self._choose([] if wanted is None else listed("independent", wanted, "crank"))
         self._set_speeds(u)
         self._set_accelerations(udot)
         self._set_multipliers()
