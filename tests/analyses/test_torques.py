@@ -106,3 +106,21 @@ def test_circuits_by_chosen_actuators() -> None:
     assert not every.unique
     assert np.linalg.norm(every.forces) < np.linalg.norm(crank.forces)
     assert "least norm" in repr(every)
+
+
+def test_names_with_dots_and_a_u_are_found() -> None:
+    scene = cd.Model("leg", gravity=(0, 0, -9.81))
+    thigh = scene.body("thigh", mass=1, com=(0, 0, -0.5))
+    foot = scene.body("foot", mass=1, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))
+    scene.joint("leg.upper", cd.Revolute("y"), scene.ground, thigh)
+    scene.joint("leg.under", cd.Spherical(), thigh.at(0, 0, -1), foot)
+    equations = cd.derive(scene)
+    model = cd.compile(equations)
+    found = model.torques(model.simulate(0.1, q={"leg.upper": 0.3}))
+    assert found["leg.upper"] is not None
+    assert found["leg.under.x"].shape == found.t.shape
+    named = ("leg.upper", *(f"along leg.under.u.{x}" for x in "xyz"))
+    linear = model.linearize()
+    assert linear.along == named
+    assert linear.states == equations.linearize().states
+    assert "legpper" not in equations._repr_latex_()

@@ -116,6 +116,9 @@ def test_formulas_of_a_linear_model(scene: str, capsys: pytest.CaptureFixture[st
     assert json.loads(capsys.readouterr().out)["K"] == [["-P*load.frame.position.z*cos(phi) + k"]]
     assert status("linearize", scene, "--about", "foot=0") == 1
     assert "go with --symbolic" in capsys.readouterr().err
+    for words in (("--vary", "k=1,2"), ("--want", "foot=0"), ("--plot", "x.png")):
+        assert status("linearize", scene, "--symbolic", *words) == 1
+        assert f"{words[0]} does not go with --symbolic" in capsys.readouterr().err
     assert status("linearize", scene, "--symbolic", "--about", "foot=") == 2
 
 

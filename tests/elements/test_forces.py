@@ -237,6 +237,7 @@ BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
     "wheel friction": (lambda: cd.Rotor("A", inertia=1, friction=-1), "friction is -1; give 0 or"),
     "mu": (lambda: cd.CentralGravity("A", -1.0), "central_gravity: mu is -1; give 0 or more"),
     "bodies": (lambda: cd.J2("A", 1.0, 0.1, 1.0, bodies=3), "j2: 3 is no body; give a body"),
+    "body twice": (lambda: cd.CentralGravity("A", 1.0, ["B", "B"]), "body 'B' is named twice"),
     "force": (lambda: cd.GravityGradient("A", 1.0, force=1), "force is True or False, not 1"),
     "shaft": (lambda: cd.Drive("one", 0.1, stiffness=nan), "drive: stiffness is nan; give"),
 }

@@ -146,3 +146,42 @@ def test_constant_along_motions(build: Callable[[], cd.Model]) -> None:
     # and the machine that measures can see a change
     other = model.momentum(motion.q, motion.u)
     assert np.ptp(other[:, 5]) > 1e-3 or np.ptp(other[:, 0]) > 1e-3
+
+
+def test_a_small_pendulum_depends_on_its_angle() -> None:
+    scene = cd.Model("watch", gravity=(0, 0, -9.81))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, scene.body("a", 1e-9, com=(0, 0, -1e-4)))
+    found = cd.derive(scene).conserved()
+    assert found.cyclic == ()
+    assert found.names == ("energy",)
+
+
+def test_a_small_circuit_keeps_its_energy() -> None:
+    size, mass = 1e-4, 1e-9
+    inertia = (0.1 * mass * size**2,) * 3
+    scene = cd.Model("switch", gravity=(0, 0, -9.81))
+    a, c = (scene.body(n, mass, com=(0, 0, -size / 2), inertia=inertia) for n in "ac")
+    b = scene.body("b", mass, com=(size / 2, 0, 0), inertia=inertia)
+    scene.joint("A", cd.Revolute("y"), scene.ground, a)
+    scene.joint("B", cd.Revolute("y"), a.at(0, 0, -size), b)
+    scene.joint("D", cd.Revolute("y"), scene.ground.at(size, 0, 0), c)
+    scene.joint("C", cd.Revolute("y"), b.at(size, 0, 0), c.at(0, 0, -size), cut=True)
+    found = cd.derive(scene).conserved()
+    assert found.names == ("energy",)
+
+
+def test_bodies_hard_to_shift_and_easy_to_turn_keep_no_more_than_others() -> None:
+    scene = cd.Model("dense", gravity=(0, 0, 0))
+    ball = scene.body("ball", mass=1e3, inertia=(1e-11, 2e-11, 2.5e-11))
+    scene.joint("free", cd.Free(), scene.ground, ball)
+    found = cd.derive(scene).conserved()
+    assert set(found.names) == {*EVERY, "energy"}
+
+
+def test_a_light_pendulum_on_a_heavy_cart_depends_on_its_angle() -> None:
+    scene = cd.Model("cart", gravity=(0, 0, -9.81))
+    cart = scene.body("cart", mass=1e3)
+    bob = scene.body("bob", mass=1e-9, com=(0, 0, -1e-3))
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, cart)
+    scene.joint("pin", cd.Revolute("y"), cart, bob)
+    assert cd.derive(scene).conserved().cyclic == ("rail",)

@@ -99,7 +99,7 @@ def test_the_benchmark_bicycle() -> None:
     assert straight.needed == {}
     found = straight.second_order(wanted)
     numbers = {name: SIGNS @ x @ SIGNS for name, x in found.at(v=[0.0, 1.0, 2.0]).items()
-               if name != "forces"}  # fmt: skip
+               if name not in ("forces", "inner")}  # fmt: skip
     M, C, K = (numbers[name] for name in ("M", "damping", "K"))
     expected = {name: np.array(BICYCLE[name]) for name in ("M", "C1", "K0", "K2")}
     np.testing.assert_allclose(M[0], expected["M"], rtol=1e-12, atol=1e-12)
@@ -111,3 +111,60 @@ def test_the_benchmark_bicycle() -> None:
     assert {m for entry in found.K for m in sp.Poly(entry, v).monoms()} == {(0,), (2,)}
     with pytest.raises(cd.DerivationError, match="enters the equations"):
         straight.second_order(["rear_contact.lean"])
+
+
+def two_swings(m: float, l: float, k: float) -> cd.Model:
+    """Two pendulums side by side with a spring of turns between them."""
+    scene = cd.Model("swings", gravity=(0, 0, -9.81))
+    mass, length, k = scene.parameter("m", m), scene.parameter("l", l), scene.parameter("k", k)
+    for name in "ab":
+        swing = scene.body(name, mass=mass, com=(0, 0, -length))
+        scene.joint(f"{name}_pin", cd.Revolute("y"), scene.ground, swing)
+    twist = scene.q("a_pin") - scene.q("b_pin")
+    scene.force("on_a", cd.JointForce("a_pin", -k * twist))
+    scene.force("on_b", cd.JointForce("b_pin", k * twist))
+    return scene
+
+
+@pytest.mark.parametrize("values", [(1e-9, 1e-4, 1e-12), (1.0, 1.0, 0.0), (1e6, 10.0, 1.0)])
+def test_what_couples_is_seen_at_any_size_and_where_it_is_0_by_default(
+    values: tuple[float, float, float],
+) -> None:
+    found = cd.derive(two_swings(*values)).linearize()
+    with pytest.raises(cd.DerivationError, match="'b_pin' enters the equations of a_pin"):
+        found.second_order(["a_pin"])
+
+
+def test_what_a_tiny_reference_takes_is_told() -> None:
+    scene = cd.Model("tiny", gravity=(0, 0, -9.81))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, scene.body("a", 1e-9, com=(1e-4, 0, 0)))
+    assert list(cd.derive(scene).linearize().needed) == ["pin.u"]
+    assert cd.derive(scene).linearize(q={"pin": sp.pi / 2}).needed == {}
+
+
+def test_internal_states_stand_in_the_equations_of_second_order() -> None:
+    scene = cd.Model("strut", gravity=(0, 0, 0))
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=2.0))
+    ends = scene.ground.at(-2, 0, 0), "cart"
+    scene.force("strut", cd.Maxwell(*ends, stiffness=100.0, damping=3.0, length=2.0))
+    equations = cd.derive(scene)
+    found = equations.linearize().second_order()
+    beside = cd.compile(equations).linearize().second_order()
+    numbers = found.at()
+    for name in ("M", "K", "inner"):
+        np.testing.assert_allclose(numbers[name], getattr(beside, name), rtol=1e-12, atol=1e-12)
+    assert numbers["inner"][0, 0] == pytest.approx(100.0, rel=1e-12)
+    assert "= B r + Z z" in str(found)
+
+
+def test_coordinates_of_second_order_are_named_alike_in_formulas_and_numbers() -> None:
+    equations = cd.derive(two_swings(1.0, 1.0, 0.0))
+    symbolic = equations.linearize(independent="a_pin")
+    numeric = cd.compile(equations).linearize()
+    assert numeric.second_order("a_pin").coordinates == ("a_pin",)
+    for found in (symbolic, numeric):
+        assert found.second_order(["a_pin", "b_pin", "a_pin"]).coordinates == ("a_pin", "b_pin")
+        with pytest.raises(cd.CardanError, match="at least one coordinate"):
+            found.second_order([])
+        with pytest.raises(cd.CardanError, match="give a list of names"):
+            found.second_order([1])

@@ -148,3 +148,20 @@ def test_rolling_bodies_in_motion(name: str) -> None:
     found = equations.linearize(q=place, u=speeds, udot="free")
     assert len(found.coordinates) > len(found.speeds)
     judge(equations, found, values_of(found, "q"), values_of(found, "u"))
+
+
+def test_lengths_at_which_a_reference_of_numbers_stays_open_are_refused() -> None:
+    scene = cd.Model("rectangle", gravity=(0, 0, -9.81))
+    length = scene.parameter("l", 1.0)
+    left = scene.body("left", mass=1, com=(0, 0, -length / 2))
+    beam = scene.body("beam", mass=1, com=(0.5, 0, 0))
+    right = scene.body("right", mass=1, com=(0, 0, -0.5))
+    scene.joint("A", cd.Revolute("y"), scene.ground, left)
+    scene.joint("B", cd.Revolute("y"), left.at(0, 0, -length), beam)
+    scene.joint("D", cd.Revolute("y"), scene.ground.at(1, 0, 0), right)
+    scene.joint("C", cd.Revolute("y"), beam.at(1, 0, 0), right.at(0, 0, -1), cut=True)
+    found = cd.derive(scene).linearize()
+    # masses leave it closed
+    assert found.at({"left.mass": 2.0})["A"].shape == (2, 2)
+    with pytest.raises(cd.DerivationError, match="circuits do not close"):
+        found.at(l=1.1)

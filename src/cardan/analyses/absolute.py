@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from ..errors import ModelError
+from ..ir.names import of_rate
 from ..runtime.absolute.carried import leading
 from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation
@@ -288,7 +289,7 @@ class Absolute(Modeled):
         turning = set(self._turning.ravel().tolist())
         found = []
         for k, name in enumerate(self.speeds):
-            own = name.replace(".u", "", 1)
+            own = of_rate(name)
             same = own in self.coordinates and k not in turning
             found.append(own if same else f"along {name}")
         return tuple(found)

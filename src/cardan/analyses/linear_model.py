@@ -186,7 +186,11 @@ class LinearModel:
                 "equations of second order of all. Name those that others do not change: "
                 "second_order(['...']); or take A and B"
             )
-        names = tuple(self.states[: self.n] if coordinates is None else coordinates)
+        names = self.states[: self.n]
+        if coordinates is not None:
+            names = tuple(dict.fromkeys(listed("coordinates", coordinates, "steer")))
+        if not names:
+            raise ModelError("second_order: name at least one coordinate")
         places = self._along(names)
         rows = self.increments[places]
         by_y, by_rate, left = reduced(rows, self.A, self.z)
@@ -204,7 +208,6 @@ class LinearModel:
 
     def _along(self, names: tuple[str, ...]) -> list[int]:
         """Places of increments along speeds."""
-        listed("coordinates", names, "steer")
         for name in names:
             if name not in self.along:
                 raise ModelError(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
+from ..ir.names import of_rate
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
 from .assemble import assemble
@@ -197,7 +198,7 @@ class Relative(Modeled):
         q, u = model.split(model.random_state(0))
         N = self.turning(Moment(0.0, q, u, u, r=self.given_inputs(None)))
         for k, name in enumerate(self.speeds):
-            own = model.manifest["speeds"][k].get("of") or name.replace(".u", "", 1)
+            own = model.manifest["speeds"][k].get("of") or of_rate(name)
             place = self.coordinates.index(own) if own in self.coordinates else -1
             same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
             found.append(own if same else f"along {name}")

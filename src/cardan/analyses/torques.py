@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ArgumentError, near
+from ..ir.names import of_rate
 from ..runtime.trajectory import Trajectory
 from .actuation import actuation, named_speeds
 from .identification.base import circuits
@@ -51,7 +52,7 @@ class Torques:
     unique: bool
 
     def _place(self, name: str) -> int:
-        known = [*self.actuators, *(a.replace(".u", "", 1) for a in self.actuators)]
+        known = [*self.actuators, *(of_rate(a) for a in self.actuators)]
         if name not in known:
             raise ArgumentError(f"'{name}' is no actuator here.{near(name, known)}")
         return known.index(name) % len(self.actuators)

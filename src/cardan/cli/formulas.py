@@ -13,6 +13,8 @@ from . import reading
 if TYPE_CHECKING:
     from ..equations.record import Equations
 
+# what formulas have no use for
+NUMBERS = ("hold", "set", "want", "free", "vary", "coordinate", "campbell", "sensitivity", "plot")
 # names in an expression, but for functions
 NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*(?!\w|\.\w|\s*\()")
 
@@ -43,10 +45,15 @@ def wanted(options: argparse.Namespace) -> bool:
     """Whether formulas are asked for.
 
     Raises:
-        ModelError: options of formulas without ``--symbolic``.
+        ModelError: options of formulas without ``--symbolic``, or with it those of numbers.
     """
     if not options.symbolic and (options.about or options.independent):
         raise ModelError("--about and --independent go with --symbolic")
+    odd = next((name for name in NUMBERS if options.symbolic and getattr(options, name)), None)
+    if odd is not None:
+        raise ModelError(
+            f"--{odd} does not go with --symbolic: formulas are about what --q, --u and --about say"
+        )
     return bool(options.symbolic)
 
 

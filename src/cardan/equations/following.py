@@ -18,6 +18,7 @@ from ..elements.joints.joint import entries
 from ..ir.function import Block, live
 from ..ir.graph import ONE, ZERO, Graph
 from ..ir.matrix import Matrix
+from ..ir.names import of_rate
 from ..ir.ops import LEAVES
 from ..ir.rewrite import rebuild
 from .dyads import alive
@@ -115,7 +116,7 @@ class Following:
         return [name for name in self.definitions if name in found]
 
     def _speed(self, slot: int) -> str:
-        return self.speeds[slot].replace(".u", "", 1)
+        return of_rate(self.speeds[slot])
 
     def _column(self, g: Graph, names: Sequence[str], x: Matrix) -> Matrix:
         nodes = [self._named(g, name, node) for name, node in zip(names, x.nodes, strict=True)]

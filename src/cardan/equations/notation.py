@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ..ir.names import of_rate
+
 if TYPE_CHECKING:
     from .record import Equations
 
@@ -110,7 +112,7 @@ def symbols(equations: Equations) -> Mapping[str, Notation]:
             if coordinate is not None:
                 found[key] = notation(coordinate, dots + 1)
             else:
-                found[key] = Notation("u", name.replace(".u", "", 1), dots)
+                found[key] = Notation("u", of_rate(name), dots)
     return _distinct(found)
 
 

@@ -123,11 +123,19 @@ def _consistent(equations: Equations, c: Context, states: States) -> None:
         states.values["u"] = states.values["u"] - step[..., 0]
         named |= {"G": own.jacobian, "gamma": own.gamma}
     found = {n: np.nan_to_num(x) for n, x in states.of(function_of(equations, c, named)).items()}
-    mass, right = found["M"], found["drive"]
+    # in units in which every speed has mass 1 and every constraint length 1
+    units = 1.0 / np.sqrt(divisors(np.diagonal(found["M"], axis1=1, axis2=2)))[..., np.newaxis]
+    mass, right = units * found["M"] * np.swapaxes(units, 1, 2), units * found["drive"]
     if closed:
-        G, n, m = found["G"], mass.shape[-1], found["G"].shape[-2]
-        rows = np.zeros((states.count, n + m, n + m))
+        G, n, m = found["G"] * np.swapaxes(units, 1, 2), mass.shape[-1], found["G"].shape[-2]
+        sizes = divisors(np.linalg.norm(G, axis=-1, keepdims=True))
+        rows, G = np.zeros((states.count, n + m, n + m)), G / sizes
         rows[:, :n, :n], rows[:, :n, n:], rows[:, n:, :n] = mass, np.swapaxes(G, 1, 2), G
-        mass, right = rows, np.concatenate([right, found["gamma"]], axis=1)
+        mass, right = rows, np.concatenate([right, found["gamma"] / sizes], axis=1)
     solved = np.linalg.pinv(mass, rcond=1e-12, hermitian=True) @ right
-    states.values["udot"] = solved[:, : equations.system.nu, 0]
+    states.values["udot"] = (units * solved[:, : equations.system.nu])[..., 0]
+
+
+def divisors(sizes: Array) -> Array:
+    """Sizes to divide by: 1 for what has none."""
+    return np.where(sizes > 0.0, sizes, 1.0)

@@ -10,6 +10,7 @@ from ..equations.formula import rates_are_speeds
 from ..equations.notation import GREEK, Notation, notation
 from ..errors import DerivationError
 from ..ir.function import Function, operands
+from ..ir.names import of_rate
 from . import content as d
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ class Formulas:
     def _indices(self, letter: str) -> Sequence[str]:
         """Rows and columns by coordinate or speed; the speed of a joint is called after it."""
         equations = self.equations
-        speeds = [name.replace(".u", "", 1) for name in equations.speeds]
+        speeds = [of_rate(name) for name in equations.speeds]
         rows = equations.constraint_rows
         if letter == "M":
             return [f"{a}, {b}" for a in speeds for b in speeds]

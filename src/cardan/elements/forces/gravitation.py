@@ -51,16 +51,19 @@ def several(who: str, bodies: Any) -> tuple[Any, ...]:
     """Bodies as written: one, several, or () for all of the scene that have mass.
 
     Raises:
-        ModelError: something else.
+        ModelError: something else, or one twice: it would be pulled twice.
     """
     if bodies is None:
         return ()
     alone = isinstance(bodies, str) or not isinstance(bodies, Sequence)
     listed = (bodies,) if alone else tuple(bodies)
-    for body in listed:
+    names = [getattr(body, "name", body) for body in listed]
+    for k, (body, name) in enumerate(zip(listed, names, strict=True)):
         if not isinstance(body, str) and not hasattr(body, "mass"):
             raise ModelError(
                 f"{who}: {body!r} is no body; give a body, several of them or their names, or "
                 "leave bodies out for all that have mass"
             )
+        if name in names[:k]:
+            raise ModelError(f"{who}: body '{name}' is named twice; it is pulled once")
     return listed

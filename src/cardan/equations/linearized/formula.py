@@ -36,15 +36,20 @@ def second_order_latex(found: SecondOrder) -> str:
         for name, sign in signs
         if not found.matrices.matrices[name].is_zero
     ]
-    right = f"{_matrix(equations, found, 'forces')} r" if found.inputs else "0"
-    return f"{' + '.join(left)} = {right}"
+    given = (("forces", "r"), ("inner", "z"))
+    right = [
+        f"{_matrix(equations, found, name)} {sign}"
+        for name, sign in given
+        if not found.matrices.matrices[name].is_zero
+    ]
+    return f"{' + '.join(left)} = {' + '.join(right) or '0'}"
 
 
 def _matrix(equations: Any, found: SecondOrder, name: str) -> str:
     try:
         return of_matrix(equations, getattr(found, name))
     except DerivationError:
-        return {"damping": "(D + G)", "K": "(K + N)", "forces": "B"}.get(name, name)
+        return {"damping": "(D + G)", "K": "(K + N)", "forces": "B", "inner": "Z"}.get(name, name)
 
 
 def overview(found: Linearized) -> str:
@@ -63,7 +68,9 @@ def overview(found: Linearized) -> str:
 
 def rows_of(found: SecondOrder) -> list[str]:
     """The equations of second order, and every matrix that is not zero."""
-    lines = ["  M y'' + (D + G) y' + (K + N) y = B r,  y = " + ", ".join(found.coordinates)]
+    inner = "" if found.matrices.matrices["inner"].is_zero else " + Z z"
+    about = f",  y = {', '.join(found.coordinates)}"
+    lines = [f"  M y'' + (D + G) y' + (K + N) y = B r{inner}{about}"]
     told = (
         ("M", "M"),
         ("D", "dissipative"),
@@ -71,6 +78,7 @@ def rows_of(found: SecondOrder) -> list[str]:
         ("K", "conservative"),
         ("N", "circulatory"),
         ("B", "forces"),
+        ("Z", "inner"),
     )
     return lines + [line for letter, name in told for line in _rows(found, name, letter)]
 

@@ -13,13 +13,14 @@ from .given import NOMINAL
 from .reference import Reference
 
 Array = NDArray[np.float64]
+OPEN = 1e-8  # of circuits: what assembling leaves at the most, with room for other numbers
 
 
 def by_name(at: Reference, given: Mapping[str, Any]) -> dict[str, Array]:
     """Inputs of Functions at the reference: numbers or arrays by name, the rest by default.
 
     Raises:
-        DerivationError: an unknown name, or a symbol without a value.
+        DerivationError: an unknown name, a symbol without a value, or circuits that do not close.
     """
     parameters, symbols = at.names["p"], at.symbols.values
     for name in given:
@@ -36,7 +37,14 @@ def by_name(at: Reference, given: Mapping[str, Any]) -> dict[str, Array]:
     if followed and any(name not in ("t", *followed) for name in given):
         own |= {name: x for name, x in _closed_again(at, p, own).items() if name not in given}
     values = {"t": [given.get("t", 0.0)], "p": p, NOMINAL: list(own.values())}
-    return {name: stacked(row) for name, row in values.items()}
+    found = {name: stacked(row) for name, row in values.items()}
+    if given and not at.trusted and not at.open_at(found) <= OPEN:
+        raise DerivationError(
+            f"linearize: the circuits do not close at the reference with {', '.join(given)} as "
+            "given. Give coordinates as expressions in what changes, or fewer of them, so that "
+            "those left out are assembled anew; or the values as defaults of the scene"
+        )
+    return found
 
 
 def _closed_again(at: Reference, p: list[Any], own: Mapping[str, Any]) -> dict[str, Any]:

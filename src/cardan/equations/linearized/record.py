@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...errors import DerivationError, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
 from .first_order import Plant
@@ -26,18 +27,22 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 KEPT = 1e-9  # forces below this part of the largest ones at hand are none
-SECOND = ("M", "damping", "K", "dissipative", "gyroscopic", "conservative", "circulatory", "forces")
+SECOND = (
+    "M", "damping", "K", "dissipative", "gyroscopic", "conservative", "circulatory", "forces",
+    "inner",
+)  # fmt: skip
 
 
 @final
 @dataclass(frozen=True, repr=False, eq=False)
 class SecondOrder:
-    """M y'' + damping y' + K y = forces r, with damping = D + G and stiffness K + N by symmetry.
+    """M y'' + damping y' + K y = forces r + inner z: damping is D + G, K is K + N by symmetry.
 
     Attributes:
         coordinates: Names of y.
         inputs: Names of r.
-        matrices: ``M damping K dissipative gyroscopic conservative circulatory forces``.
+        matrices: ``M damping K dissipative gyroscopic conservative circulatory forces
+            inner``, the last for internal states z.
     """
 
     coordinates: tuple[str, ...]
@@ -193,7 +198,11 @@ class Linearized:
                 their equations.
         """
         at = self._reference
-        names = self.coordinates if coordinates is None else tuple(coordinates)
+        names = self.coordinates
+        if coordinates is not None:
+            names = tuple(dict.fromkeys(listed("coordinates", coordinates, "steer")))
+        if not names:
+            raise DerivationError("linearize: name at least one coordinate")
         places = [
             at.increments.index(name) if name in at.increments else at.slot(name) for name in names
         ]
@@ -205,7 +214,11 @@ class Linearized:
         x = second_order(at, self._reduced, places)
         (D, G), (K, N) = parts_of(x.damping), parts_of(x.K)
         own = dict(
-            zip(SECOND, (x.M, x.damping, x.K, D, G, K, N, self._pushes(places)), strict=True)
+            zip(
+                SECOND,
+                (x.M, x.damping, x.K, D, G, K, N, self._pushes(places), x.inner),
+                strict=True,
+            )
         )
         told = tuple(at.increments[k] for k in places)
         return SecondOrder(told, self.inputs, Written(at, own))
@@ -272,7 +285,10 @@ class Linearized:
         at = self._reference
         values = at.number(at.needed)[:, 0]
         balance = float(np.abs(at.number(at.put(at.balance))).max(initial=0.0))
-        rows = [n for n, x in enumerate(values) if abs(x) > KEPT * max(balance, 1.0)]
+        # forces that small changes of the motion would make are none
+        x = self._reduced
+        own = np.hstack([np.abs(at.number(m)) for m in (x.M, x.C, x.K)]).max(axis=1, initial=0.0)
+        rows = [n for n, x in enumerate(values) if abs(x) > KEPT * max(balance, own[n])]
         if not rows:
             return {}
         read = Written(at, {"needed": picked(at.needed, rows, [0])}).read("needed")

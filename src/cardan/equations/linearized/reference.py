@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import DerivationError, near
+from ...errors import DerivationError, listed, near
 from ...ir.derivative import forward
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
@@ -78,7 +78,7 @@ class Reference:
         self._set_positions(q, t)
         if self.symbols.unused():
             raise DerivationError(f"linearize: values: no symbol '{self.symbols.unused()[0]}'")
-        self._choose([] if wanted is None else list(wanted))
+        self._choose([] if wanted is None else listed("independent", wanted, "crank"))
         self._set_speeds(u)
         self._set_accelerations(udot)
         self._set_multipliers()
@@ -125,6 +125,17 @@ class Reference:
         given = [x.value for x in self.system.parameters] if p is None else p
         return {"t": [TRIED], "p": given, NOMINAL: own}
 
+    def trials(self) -> list[Array | None]:
+        """Parameters at which something may be seen not to vanish: the default ones, and others.
+
+        A parameter that is 0 by default hides what it brings.
+        """
+        p = np.array([x.value for x in self.system.parameters], dtype=np.float64)
+        other = np.where(p == 0.0, np.random.default_rng(7).uniform(0.5, 1.5, len(p)), p)
+        if not np.any(p == 0.0) or self.open_at(self.tried(other)) > CLOSED:
+            return [None]
+        return [None, other]
+
     # what is given
 
     def _set(self, letter: str, nodes: Sequence[int]) -> None:
@@ -166,7 +177,7 @@ class Reference:
             self.values[self.time] = self.graph.const(t)
         self._set("q", nodes)
         self.assembly: Assembly | None = None
-        if self.positions and not self.trusted and self._open() > CLOSED:
+        if self.positions and not self.trusted and self.open_at(self.tried()) > CLOSED:
             self._assemble(given)
 
     def _driven(self) -> bool:
@@ -180,8 +191,13 @@ class Reference:
         """Constraints of position level."""
         return self.d.constraints.positions if self.system.closed else 0
 
-    def _open(self) -> float:
-        return float(np.abs(self.number(self.put(self.d.constraints.position))).max(initial=0.0))
+    def open_at(self, values: Mapping[str, Any]) -> float:
+        """How far circuits are open at the reference, the most of a batch of values."""
+        if not self.positions:
+            return 0.0
+        x = self.put(self.d.constraints.position)
+        function = Function("x", self.graph, self.inputs, (Output("x", (x.rows,), x.nodes),))
+        return float(np.abs(evaluate(function, values, "numpy")["x"]).max(initial=0.0))
 
     def _assemble(self, given: Mapping[int, Any]) -> None:
         """Coordinates that are not given become symbols with the values that close the circuits."""

@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...errors import DerivationError
 from ...ir.matrix import Matrix
 from .reduced import Reduced
 from .reference import Reference, picked
 
-ROUNDING = 1e-11
+Array = NDArray[np.float64]
+ROUNDING = 1e-11  # of the largest entry of the same matrix
+EPS = 1e-15  # of the largest entry of all of them
 
 
 @dataclass(frozen=True)
@@ -21,15 +24,13 @@ class Parts:
 
     Attributes:
         M, damping, K: (n, n).
-        forces: What multiplies the inputs (n, nr).
-        internal: What multiplies internal states, on the left (n, nz).
+        inner: What multiplies internal states, on the right side (n, nz).
     """
 
     M: Matrix
     damping: Matrix
     K: Matrix
-    forces: Matrix
-    internal: Matrix
+    inner: Matrix
 
 
 def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
@@ -51,14 +52,17 @@ def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
     own_y, own_w = [at.y.index(k) for k in wanted], [at.w.index(k) for k in wanted]
     other_y = [n for n in range(len(at.y)) if n not in own_y]
     other_w = [n for n in range(len(at.w)) if n not in own_w]
-    for matrix, others, columns in (
-        (x.M, other_w, at.w), (x.C, other_w, at.w), (x.K, other_y, at.y)
-    ):  # fmt: skip
-        _refuse_others(at, picked(matrix, own_w, others), [columns[n] for n in others], wanted)
+    for p in at.trials():
+        rows = [at.number(picked(m, own_w, range(m.columns)), p) for m in (x.M, x.C, x.K)]
+        sizes = [float(np.abs(row).max(initial=0.0)) for row in rows]
+        own = (other_w, at.w), (other_w, at.w), (other_y, at.y)
+        for row, size, (others, columns) in zip(rows, sizes, own, strict=True):
+            least = max(ROUNDING * size, EPS * max(sizes))
+            _refuse_others(at, row[:, others], least, [columns[n] for n in others], wanted)
     M, C, K = picked(x.M, own_w, own_w), picked(x.C, own_w, own_w), picked(x.K, own_w, own_y)
     turned = picked(x.Ty, own_y, own_y)
     moved = picked(x.Tw, own_y, own_w) - Matrix.identity(at.graph, len(wanted))
-    if np.abs(at.number(moved)).max(initial=0.0) > ROUNDING:
+    if any(np.abs(at.number(moved, p)).max(initial=0.0) > ROUNDING for p in at.trials()):
         raise DerivationError("linearize: the independent speeds are no rates of the increments")
     if not turned.is_zero:
         # w = y' - T y
@@ -69,19 +73,15 @@ def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
             )
         K = K - C @ turned - M @ picked(x.Tydot, wanted, wanted)
         C = C - M @ turned
-    rows = range(x.by_r.columns)
-    return Parts(M, C, K, picked(x.by_r, own_w, rows), picked(x.by_z, own_w, range(x.by_z.columns)))
+    return Parts(M, C, K, -picked(x.by_z, own_w, range(x.by_z.columns)))
 
 
 def _refuse_others(
-    at: Reference, coupling: Matrix, others: Sequence[int], wanted: Sequence[int]
+    at: Reference, coupling: Array, least: float, others: Sequence[int], wanted: Sequence[int]
 ) -> None:
-    """Nothing but what is wanted may stand in its equations."""
-    if coupling.is_zero:
-        return
-    size = np.abs(at.number(coupling)).max(axis=0, initial=0.0)
-    for n, value in enumerate(size):
-        if value > ROUNDING:
+    """Nothing but what is wanted may stand in its equations beyond rounding."""
+    for n, value in enumerate(np.abs(coupling).max(axis=0, initial=0.0)):
+        if value > least:
             told = ", ".join(at.increments[k] for k in wanted)
             raise DerivationError(
                 f"linearize: '{at.increments[others[n]]}' enters the equations of {told}: take it "
