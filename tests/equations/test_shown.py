@@ -112,3 +112,12 @@ def test_models_and_tables() -> None:
     assert "revolute" in text(scene.graph)
     assert "incidence" in text(scene.graph.incidence)
     assert "second.base_xx" in text(cd.derive(CLASSICAL["arm"].scene()).base_parameters())
+
+
+def test_what_is_prescribed_altogether_has_no_matrices() -> None:
+    scene = cd.Model("clock", gravity=(0, 0, -9.81))
+    hand = scene.body("hand", mass=1, com=(0, 0, -1))
+    scene.joint("axle", cd.Revolute("y"), scene.ground, hand, motion=cd.t)
+    equations = cd.derive(scene)
+    assert equations.mass_matrix.shape == (0, 0)
+    assert "M: none" in ElementTree.tostring(html(equations), encoding="unicode")

@@ -70,6 +70,8 @@ class Formulas:
             definitions, matrix = equations.named(name)
         except DerivationError:
             return self._long(sign, name)
+        if not len(matrix):
+            return paragraph(f"{sign}: none")
         if name == "qdot" and rates_are_speeds(equations, matrix):
             return paragraph("q̇ = u")
         if matrix.is_zero_matrix:

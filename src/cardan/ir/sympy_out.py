@@ -79,7 +79,7 @@ def written_out(what: What) -> tuple[Graph, list[int], int, int]:
         roots, columns = list(what.roots), 1
         if len(what.outputs) == 1 and len(what.outputs[0].shape) == 2:
             columns = what.outputs[0].shape[1]
-        rows = len(roots) // columns
+        rows = len(roots) // columns if columns else 0
     nodes = what.graph.nodes
     solutions: dict[int, list[int]] = {}
     factors: dict[tuple[int, ...], Factor] = {}
