@@ -179,6 +179,20 @@ def test_damping_inside_a_shaft(turning: bool) -> None:
     assert found.values[-1, forward].real > 0
 
 
+def test_motions_on_the_line_do_not_cross_it() -> None:
+    """A turn of the whole has the frequency of the spin in axes of the body, the nutation crosses."""
+    scene = cd.Model("gyrostat", gravity=(0, 0, 0))
+    I1, I2, I3, h = 4.0, 4.2, 3.6, 3.0
+    bus = scene.body("bus", mass=1.0, inertia=(I1, I2, I3))
+    scene.joint("attitude", cd.Spherical(), scene.ground, bus)
+    scene.force("wheel", cd.Rotor(bus, axis="z", momentum=h))
+    found = cd.compile(scene).campbell({"attitude.u.z": (0, 3)}, count=16)
+    # ((I3 - I1) n + h) ((I3 - I2) n + h) = I1 I2 n^2
+    roots = np.roots([(I3 - I1) * (I3 - I2) - I1 * I2, (2 * I3 - I1 - I2) * h, h**2])
+    # beside it both motions are next to the line: which is meant is told to some 1e-6 only
+    assert found.critical() == pytest.approx([n for n in roots if n > 0], rel=1e-5)
+
+
 @pytest.mark.slow
 def test_shaft_of_a_beam() -> None:
     EI, length, m, across, along = 100.0, 1.0, 2.0, 0.02, 0.035

@@ -29,6 +29,7 @@ from .locus import END, Locus, locus
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
+SYNCHRONOUS = 1e-7  # of the largest speed: frequencies this near to a line lie on it
 ROUND = 0.1  # whirl of motions that go round
 SHOWN = 8
 
@@ -78,8 +79,12 @@ class Campbell:
             raise ModelError(f"critical({order!r}): a multiple of the speed, 1, 2, ...")
         found = list[float]()
         off = self.frequencies - order * np.abs(self.speed)[:, None]
+        # a motion that keeps to the line, as turns of the whole do in axes at rest, does not cross it
+        apart = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
         for k in range(off.shape[1]):
-            for i in np.flatnonzero(off[:-1, k] * off[1:, k] <= 0):
+            for i in np.flatnonzero(
+                (off[:-1, k] * off[1:, k] <= 0) & (apart[:-1, k] | apart[1:, k])
+            ):
                 # both at the end and at the next begin it is one
                 if off[i, k] == 0 and (i > 0 or self.speed[i] == 0):
                     continue
