@@ -180,7 +180,7 @@ def test_damping_inside_a_shaft(turning: bool) -> None:
 
 
 def test_motions_on_the_line_do_not_cross_it() -> None:
-    """A turn of the whole has the frequency of the spin in axes of the body, the nutation crosses."""
+    """In axes of the body turns of the whole keep to the line of the spin; nutation crosses it."""
     scene = cd.Model("gyrostat", gravity=(0, 0, 0))
     I1, I2, I3, h = 4.0, 4.2, 3.6, 3.0
     bus = scene.body("bus", mass=1.0, inertia=(I1, I2, I3))

@@ -79,7 +79,7 @@ class Campbell:
             raise ModelError(f"critical({order!r}): a multiple of the speed, 1, 2, ...")
         found = list[float]()
         off = self.frequencies - order * np.abs(self.speed)[:, None]
-        # a motion that keeps to the line, as turns of the whole do in axes at rest, does not cross it
+        # a motion that keeps to the line, as turns of the whole do in axes at rest, is no crossing
         apart = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
         for k in range(off.shape[1]):
             for i in np.flatnonzero(
