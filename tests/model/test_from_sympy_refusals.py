@@ -164,3 +164,22 @@ def test_a_shipped_model_is_judged_without_sympy(tmp_path: Path) -> None:
     command = [sys.executable, "-c", program, str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    "place", ["M", "f", "kinematics", "q", "constraint", "output", "potential"]
+)
+def test_a_text_is_refused_and_never_run(place: str, tmp_path: Path) -> None:
+    """SymPy would run it as Python."""
+    q, u = me.dynamicsymbols("q u")
+    ran = tmp_path / "ran"
+    text = f"open({str(ran)!r}, 'w')"
+    put = {name: text if name == place else value for name, value in
+           (("q", q), ("kinematics", u), ("M", 1), ("f", -q), ("constraint", q - u))}  # fmt: skip
+    equations = ([put["q"]], [u], [put["kinematics"]], [[put["M"]]], [put["f"]],
+                 {"c": put["constraint"]})  # fmt: skip
+    options = {"outputs": {"o": text}} if place == "output" else {}
+    options |= {"potential": text} if place == "potential" else {}
+    with pytest.raises(cd.ModelError, match="is a text, which is not run"):
+        cd.from_sympy(equations, **options)
+    assert not ran.exists()

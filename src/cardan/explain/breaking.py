@@ -191,7 +191,7 @@ NAMES = {"Abs": "abs"}
 def short(expression: Any) -> Any:
     """The expression with numbers of a few digits."""
     if not hasattr(expression, "atoms"):
-        return sympy.sympify(expression)
+        return sympy.sympify(expression, strict=True)
     floats = {f: sympy.Float(f"{float(f):.{DIGITS}g}") for f in expression.atoms(sympy.Float)}
     return expression.xreplace(floats) if floats else expression
 

@@ -101,7 +101,7 @@ class Symbols:
 
         from ...ir.sympy_bridge import from_sympy
 
-        expression = sympy.sympify(value)
+        expression = sympy.sympify(value, strict=True)
         own = sorted(expression.free_symbols, key=lambda s: s.name)
         symbols = {s: self.known[s.name] if s.name in self.known else self.add(s.name) for s in own}
         return from_sympy(self.graph, expression, symbols)

@@ -45,10 +45,14 @@ def from_sympy(
 
     Raises:
         ModelError: no such form, unknown functions, symbols without a value, names given twice,
-            accelerations outside of M u', constraints that contradict.
+            accelerations outside of M u', constraints that contradict, texts for expressions.
 
     Source: T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
     """
     from .making import made
+    from .texts import refuse_texts
 
+    told = {"equations": equations, "outputs": outputs, "potential": potential}
+    for what, given in told.items():
+        refuse_texts(what, given)
     return made(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)

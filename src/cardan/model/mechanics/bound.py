@@ -139,7 +139,7 @@ def plain(words: Words, source: Source) -> dict[Any, Any]:
 def bound_of(words: Words, source: Source, replaced: Mapping[Any, Any]) -> Bound:
     """Kinematics and constraints of a source in plain symbols."""
     positions, speeds = (
-        {name: sympy.sympify(e).xreplace(replaced) for name, e in part.items()}
+        {name: sympy.sympify(e, strict=True).xreplace(replaced) for name, e in part.items()}
         for part in (source.positions, source.speeds)
     )
     told = [*positions.values(), *speeds.values()]
@@ -151,7 +151,7 @@ def bound_of(words: Words, source: Source, replaced: Mapping[Any, Any]) -> Bound
     return Bound(
         tuple(sympy.Symbol(name) for name in words.q),
         tuple(sympy.Symbol(name) for name in words.u),
-        tuple(sympy.sympify(e).xreplace(replaced) for e in source.rates),
+        tuple(sympy.sympify(e, strict=True).xreplace(replaced) for e in source.rates),
         positions,
         speeds,
         following,

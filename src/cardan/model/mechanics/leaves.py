@@ -13,7 +13,7 @@ def leaves(expressions: Iterable[Any]) -> list[Any]:
     """Symbols, functions of time, derivatives and tables in expressions, as they appear."""
     seen: set[Any] = set()
     found: list[Any] = []
-    stack = [sympy.sympify(e) for e in expressions][::-1]
+    stack = [sympy.sympify(e, strict=True) for e in expressions][::-1]
     while stack:
         e = stack.pop()
         if e in seen:

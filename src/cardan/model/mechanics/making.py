@@ -43,9 +43,9 @@ def made(
 ) -> Model:
     """As :func:`cardan.from_sympy`."""
     source = source_of(equations)
-    shown = {key: sympy.sympify(e) for key, e in outputs.items()}
+    shown = {key: sympy.sympify(e, strict=True) for key, e in outputs.items()}
     rest = [source.lagrangian] if source.lagrangian is not None else []
-    rest += [] if potential is None else [sympy.sympify(potential)]
+    rest += [] if potential is None else [sympy.sympify(potential, strict=True)]
     told = words(source, [*scalars(source), *shown.values(), *rest], parameters, source.inputs)
     replaced = plain(told, source)
     bound = bound_of(told, source, replaced)
@@ -205,7 +205,7 @@ def _energy(
     Raises:
         ModelError: a potential that is not one of coordinates.
     """
-    expression = source.lagrangian if potential is None else sympy.sympify(potential)
+    expression = source.lagrangian if potential is None else sympy.sympify(potential, strict=True)
     if expression is None or (moved is None and potential is None):
         return ()
     if moved is None:

@@ -20,7 +20,7 @@ def numbers(expressions: Sequence[Any], values: Mapping[Any, float]) -> list[flo
         values: Symbol, function of time or derivative -> its value.
     """
     found = _Numbers(values)
-    return [found.of(sympy.sympify(e)) for e in expressions]
+    return [found.of(sympy.sympify(e, strict=True)) for e in expressions]
 
 
 class _Numbers:

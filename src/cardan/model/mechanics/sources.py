@@ -199,12 +199,12 @@ def _written(q: Any, u: Any, *rest: Any) -> Source:
     if not isinstance(bound, Mapping):
         bound = {f"constraint{i + 1}": x for i, x in enumerate(bound)}
     moving = {*u, *(x.diff(dynamicsymbols._t) for x in q)}
-    told = {name: sympy.sympify(x) for name, x in bound.items()}
+    told = {name: sympy.sympify(x, strict=True) for name, x in bound.items()}
     speeds = {name: x for name, x in told.items() if any(x.has(v) for v in moving)}
     return Source(
         q,
         u,
-        tuple(sympy.sympify(x) for x in kinematics),
+        tuple(sympy.sympify(x, strict=True) for x in kinematics),
         tuple(M),
         tuple(f),
         positions={name: x for name, x in told.items() if name not in speeds},
