@@ -42,9 +42,10 @@ types: $(VENV)/.installed-test
 	$(BIN)/mypy
 
 test: lint types
-	# two processes on two cores: no threads of theirs besides
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist loadfile \
-		-m 'not external and not slow' $(PYTEST_ARGS)
+	# two processes on two cores: no threads of theirs besides; the many that tests start
+	# read bytecode whatever the user's settings
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE= \
+		$(BIN)/python -m pytest -n 2 --dist loadfile -m 'not external and not slow' $(PYTEST_ARGS)
 
 # what make test takes a spread of
 slow: $(VENV)/.installed-test

@@ -829,3 +829,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + constraints_multipliers_101 * E6_multiplier_py + constraints_multipliers_79;
     return status;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {7, 75, 32, 0, 7, 7, 0, 0, 0, 58, 0, 0, 0, 0, 7, 0, 0, 0, 0};
+#endif

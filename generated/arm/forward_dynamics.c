@@ -318,3 +318,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = elbow_drive * M_D_inverse_3 + M_factor_2 * waist_udot - M_L_3_2 * shoulder_udot;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {3, 0, 21, 0, 3, 3, 0, 0, 0, 29, 0, 0, 0, 0, 3, 0, 0, 0, 0};
+#endif

@@ -284,3 +284,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = shoulder_u * shoulder_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {3, 0, 16, 0, 3, 3, 0, 0, 0, 29, 0, 3, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -178,3 +178,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[8] = CARDAN_REAL(w[3]); /* M: elbow.u,elbow.u */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {9, 0, 11, 0, 3, 0, 0, 0, 0, 29, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif

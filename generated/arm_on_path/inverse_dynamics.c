@@ -170,3 +170,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = shoulder_motor_data_10 * shoulder_motor_data_11 + shoulder_tau_2 + upper_n_y;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {2, 0, 6, 1, 2, 2, 0, 0, 0, 12, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -3437,3 +3437,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     status |= forward_dynamics_part4(in, out, work);
     return status;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {8, 282, 38, 0, 8, 8, 0, 0, 0, 26, 0, 0, 0, 0, 8, 0, 0, 0, 0};
+#endif

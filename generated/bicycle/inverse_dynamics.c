@@ -542,3 +542,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_R_5 * rear_wheel_n_z;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {8, 0, 23, 0, 8, 8, 0, 0, 0, 26, 0, 8, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -574,3 +574,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[63] = CARDAN_REAL(w[3]); /* M: front_hub.u,front_hub.u */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {64, 0, 24, 0, 8, 0, 0, 0, 0, 26, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -140,3 +140,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = hang_drive_angle2 * M_D_inverse_2; /* udot: hang.u.angle2dot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {2, 0, 8, 0, 2, 2, 0, 0, 0, 4, 0, 0, 0, 0, 2, 0, 0, 0, 0};
+#endif

@@ -124,3 +124,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = hang_cos_2 * bucket_n_x + hang_sin_2 * bucket_n_z; /* tau: hang.u.angle1.tau [N*m] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {2, 0, 5, 0, 2, 2, 0, 0, 0, 4, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -110,3 +110,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = swing_drive * M_D_inverse_2 + M_factor * slide_udot; /* udot: swing.udot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {2, 0, 4, 0, 2, 2, 0, 0, 1, 7, 0, 0, 0, 0, 2, 0, 0, 0, 0};
+#endif

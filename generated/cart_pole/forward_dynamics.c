@@ -109,3 +109,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = hinge_drive * M_D_inverse_2 - M_L_2_1 * track_udot; /* udot: hinge.udot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {2, 0, 4, 0, 2, 2, 0, 0, 1, 6, 0, 0, 0, 0, 2, 0, 0, 0, 0};
+#endif

@@ -62,3 +62,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[3] = CARDAN_REAL(w[1]); /* M: hinge.u,hinge.u */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {4, 0, 3, 0, 2, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -126,3 +126,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = elbow_drive * M_D_inverse_2 - M_L_2_1 * shoulder_udot; /* udot: elbow.udot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {2, 0, 7, 0, 2, 2, 0, 0, 0, 3, 0, 0, 0, 0, 2, 0, 0, 0, 0};
+#endif

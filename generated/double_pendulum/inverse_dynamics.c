@@ -111,3 +111,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = shoulder_udot * upper_inertia_force - lower_base * upper_a_x - lower_f + lower_n_y;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {2, 0, 6, 0, 2, 2, 0, 0, 0, 3, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+#endif

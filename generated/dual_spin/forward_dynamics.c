@@ -178,3 +178,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[3] = tube_drive * M_D_inverse_4 + M_factor * attitude_udot_y; /* udot: tube.udot [m/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {4, 0, 17, 0, 5, 4, 0, 0, 0, 9, 0, 0, 0, 0, 4, 0, 0, 0, 0};
+#endif

@@ -128,3 +128,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[3] = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z; /* tau: tube.u.tau [N] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {4, 0, 8, 0, 5, 4, 0, 0, 0, 9, 0, 4, 0, 0, 0, 0, 0, 0, 0};
+#endif

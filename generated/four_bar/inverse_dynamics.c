@@ -162,3 +162,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = D_udot * rocker_inertia_force - gravity_y * D_cos * rocker_first_moment_x;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {3, 0, 8, 0, 3, 3, 0, 0, 0, 20, 0, 3, 0, 0, 0, 0, 0, 0, 0};
+#endif

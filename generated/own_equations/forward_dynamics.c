@@ -147,3 +147,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - M_L_3_2 * equations_udot_u1;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {3, 0, 9, 0, 3, 3, 0, 0, 1, 4, 0, 0, 0, 0, 3, 0, 0, 0, 0};
+#endif

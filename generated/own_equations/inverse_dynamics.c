@@ -125,3 +125,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = mul_1_5 * u2dot - mul_1_11 * vdot + mul_1_12 * u1dot - add_1_2 - add_1_5 + add_1_5;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {3, 0, 9, 0, 3, 3, 0, 0, 1, 4, 0, 3, 0, 0, 0, 0, 0, 0, 0};
+#endif

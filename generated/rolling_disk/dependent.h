@@ -14,15 +14,18 @@
  * follow from others. Only the lower triangle of A is read.
  *
  * Every row is measured by the root of its diagonal entry, so that units and masses do not matter;
- * the largest pivot left is taken next. A row whose pivot is below CARDAN_DEPENDENT of its diagonal
- * entry depends on those before it: the sine of its angle to them is the root of that. Its unknown
- * becomes 0, whatever B says there. Rows of which rounding is all that is left, as of a condition
- * across a plane in which everything moves, have no direction: no measure is below
- * CARDAN_VANISHED of the largest. Runs do not ask where a row is about to depend: see hold.c.
+ * of those of which a part is left, CARDAN_LEAST of what is left of the row that depends least, the
+ * largest is taken next: where a row passes through zero beside others that hold the same, it would
+ * magnify what they miss, by far more than one at a small angle to those before it. A row whose
+ * pivot is below CARDAN_DEPENDENT of its diagonal entry depends on those before it: the sine of its
+ * angle to them is the root of that. Its unknown becomes 0, whatever B says there. Rows of which
+ * rounding is all that is left, as of a condition across a plane in which everything moves, have no
+ * direction: no measure is below CARDAN_VANISHED of the largest. Runs do not ask where a row is about to depend: see hold.c.
  * Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 10.3.
  */
 #define CARDAN_DEPENDENT 1e-9
 #define CARDAN_VANISHED 1e-15
+#define CARDAN_LEAST 1e-3
 CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, double *scratch)
 {
     double *const order = scratch, *const size = scratch + n;
@@ -38,14 +41,15 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
     }
     for (int i = 0; i < n; ++i) size[i] = (cardan_max)(size[i], CARDAN_VANISHED * largest);
     for (; rank < n; ++rank) {
-        /* what is left of the row that is least dependent on those before it */
+        /* the largest of the rows that do not depend much more than others on those before them */
         int best = -1;
         double share = CARDAN_DEPENDENT;
         for (int i = rank; i < n; ++i)
-            if (a[i * n + i] > share * size[i]) {
+            share = (cardan_max)(share, CARDAN_LEAST * (a[i * n + i] / size[i]));
+        for (int i = rank; i < n; ++i)
+            if (a[i * n + i] > share * size[i]
+                && (best < 0 || a[i * n + i] > a[best * n + best]))
                 best = i;
-                share = a[i * n + i] / size[i];
-            }
         if (best < 0) break;
         cardan_swap_rows(n, a, best, rank);
         cardan_swap_columns(n, a, best, rank);

@@ -351,3 +351,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - constraints_L_5_3 * constraints_multipliers_28 * rolling_multiplier_lateral;
     return status;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {5, 13, 11, 0, 5, 5, 0, 0, 0, 3, 0, 0, 0, 0, 5, 0, 0, 0, 0};
+#endif

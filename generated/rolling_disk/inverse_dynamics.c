@@ -179,3 +179,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[3] = rolling_R_4 * coin_n_x - r_1 * coin_f_y + rolling_R_5 * coin_n_z;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {5, 0, 5, 0, 5, 5, 0, 0, 0, 3, 0, 5, 0, 0, 0, 0, 0, 0, 0};
+#endif

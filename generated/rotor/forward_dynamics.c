@@ -208,3 +208,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[4] = spin_drive * M_D_inverse_5 - M_L_5_3 * tilt_udot; /* udot: spin.udot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {5, 0, 12, 0, 5, 5, 0, 0, 0, 6, 0, 0, 0, 0, 5, 0, 0, 0, 0};
+#endif

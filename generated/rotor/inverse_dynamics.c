@@ -163,3 +163,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = 8000.0 * tilt_q - 20000.0 * y_q + c_n_x; /* tau: tilt.u.tau [N*m] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {5, 0, 6, 0, 5, 5, 0, 0, 0, 6, 0, 5, 0, 0, 0, 0, 0, 0, 0};
+#endif

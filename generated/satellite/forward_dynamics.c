@@ -225,3 +225,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = attitude_drive_z * M_D_inverse_3; /* udot: attitude.u.zdot [rad/s^2] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {3, 0, 15, 1, 3, 3, 0, 0, 0, 7, 0, 0, 0, 0, 3, 0, 0, 0, 0};
+#endif

@@ -1440,3 +1440,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + constraints_multipliers_151;
     return status;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {10, 24, 35, 0, 11, 10, 0, 0, 0, 30, 0, 0, 0, 0, 10, 0, 0, 0, 0};
+#endif

@@ -465,3 +465,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[5] = drift_R_zx * hub_f_x + drift_R_zy * hub_f_y + drift_R_zz * hub_f_z;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {10, 0, 23, 0, 11, 10, 0, 0, 0, 30, 0, 10, 0, 0, 0, 0, 0, 0, 0};
+#endif

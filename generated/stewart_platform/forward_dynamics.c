@@ -7532,3 +7532,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     status |= forward_dynamics_part6(in, out, work);
     return status;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {21, 847, 107, 0, 22, 21, 0, 0, 6, 96, 0, 0, 0, 0, 21, 0, 0, 0, 0};
+#endif

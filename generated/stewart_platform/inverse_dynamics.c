@@ -984,3 +984,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = rod0_f_z - drive0; /* tau: slide0.u.tau [N] */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int inverse_dynamics_sizes[] = {21, 0, 47, 0, 22, 21, 0, 0, 6, 96, 0, 21, 0, 0, 0, 0, 0, 0, 0};
+#endif

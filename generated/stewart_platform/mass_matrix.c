@@ -1003,3 +1003,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[440] = CARDAN_REAL(w[15]); /* M: slide5.u,slide5.u */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {441, 0, 47, 0, 22, 0, 0, 0, 0, 96, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif

@@ -343,3 +343,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[4] = right_hang_drive_angle2 * M_D_inverse_5 + M_factor * track_udot;
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int forward_dynamics_sizes[] = {5, 0, 18, 1, 5, 5, 0, 0, 1, 13, 0, 0, 0, 0, 5, 0, 0, 0, 0};
+#endif

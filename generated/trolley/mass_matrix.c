@@ -136,3 +136,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[24] = CARDAN_REAL(w[5]); /* M: right.hang.u.angle2,right.hang.u.angle2 */
     return CARDAN_OK;
 }
+
+#ifdef CARDAN_LOADED
+/* numbers of out, work, w and of the blocks that are read: see manifest.json */
+const int mass_matrix_sizes[] = {25, 0, 7, 0, 5, 0, 0, 0, 0, 13, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+#endif

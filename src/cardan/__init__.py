@@ -105,6 +105,7 @@ _PUBLIC: dict[str, str] = {
     "Ensemble": "analyses.ensembles",
     "Trajectory": "runtime.trajectory",
     "load_motion": "runtime.storage",
+    "load_ensemble": "analyses.ensembles.stored",
     **dict.fromkeys(
         (
             "CardanError",
@@ -117,6 +118,7 @@ _PUBLIC: dict[str, str] = {
             "ArgumentError",
             "FunctionError",
             "SolveError",
+            "ModelWarning",
             "BuildWarning",
             "SolveWarning",
         ),
@@ -124,7 +126,7 @@ _PUBLIC: dict[str, str] = {
     ),
 }
 _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
-_RENAMED = {"load_model": "load", "load_motion": "load"}
+_RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 __all__ = ["__version__", *_PUBLIC]
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+import sys
+import warnings
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
-from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from reprlib import Repr
+from typing import Any
+from unicodedata import normalize
 
 
 class CardanError(Exception):
@@ -22,6 +25,10 @@ class TopologyError(CardanError, ValueError):
 
 class DerivationError(CardanError, ValueError):
     """Equations of the asked kind do not exist for this system."""
+
+
+class StructuralZero(DerivationError, ZeroDivisionError):
+    """Expressions of a scene divide by what is zero at all of its states."""
 
 
 class CodegenError(CardanError, ValueError):
@@ -55,12 +62,42 @@ class SolveError(CardanError, ArithmeticError):
     """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
 
 
+class ModelWarning(UserWarning):
+    """Something in a scene that may not be meant."""
+
+
+class ImpossibleWarning(ModelWarning):
+    """Numbers of a scene that nothing real has; ``cardan check`` counts them as errors."""
+
+
 class BuildWarning(UserWarning):
     """Compiled code is kept elsewhere than it should be, or there is none."""
 
 
 class SolveWarning(UserWarning):
     """Numbers failed, but what was computed is kept."""
+
+
+def warn(message: str, category: type[Warning]) -> None:
+    """Warn at the line of the caller's code, however deep in cardan the reason was found."""
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and _inside(frame.f_globals.get("__name__", "")):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, category, stacklevel=level)
+
+
+def _inside(module: str) -> bool:
+    return module.partition(".")[0] in ("cardan", "contextlib")
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number with its noun, such as ``"1 body"``, ``"2 bodies"``.
+
+    Args:
+        number: How many.
+        one, many: The noun; many is one with an s if left out.
+    """
+    return f"{number} {one if number == 1 else many or one + 's'}"
 
 
 def listed(word: str, given: object, example: str) -> list[str]:
@@ -72,7 +109,7 @@ def listed(word: str, given: object, example: str) -> list[str]:
     names = [given] if isinstance(given, str) else given
     found = [*names] if isinstance(names, Iterable) else [None]
     if not all(isinstance(name, str) for name in found):
-        raise ModelError(f"{word}={given!r}: give a list of names, such as ['{example}']")
+        raise ModelError(f"{word}={shown(given)}: give a list of names, such as ['{example}']")
     return [str(name) for name in found]
 
 
@@ -85,45 +122,66 @@ def named(word: str, given: object, example: str) -> Mapping[str, Any]:
     if given is None:
         return {}
     if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
-        raise ModelError(f"{word}={given!r}: give names with values, such as {word}={{{example}}}")
+        raise ModelError(
+            f"{word}={shown(given)}: give names with values, such as {word}={{{example}}}"
+        )
     return given
 
 
-P = ParamSpec("P")
-R = TypeVar("R")
+def shown(value: object, most: int = 60) -> str:
+    """A value in an error message: short, and never an error of its own."""
+    shortened = _SHORT.repr(value)
+    return shortened if len(shortened) <= most else f"{shortened[: most - 4]} ..."
 
 
-def spelled(function: Callable[P, R]) -> Callable[P, R]:
-    """A function that tells misspelt arguments by the near ones.
-
-    Raises:
-        ArgumentError: on a call with a keyword that it does not have.
-    """
-    code = function.__code__
-    known = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-
-    @wraps(function)
-    def called(*given: P.args, **named: P.kwargs) -> R:
-        unknown = next((name for name in named if name not in known), None)
-        if unknown is None:
-            return function(*given, **named)
-        names = [name for name in known if name not in ("self", "model")]
-        raise ArgumentError(
-            f"{function.__name__}({unknown}=...): there is no such argument.{near(unknown, names)}"
-        )
-
-    return called
+_SHORT = Repr()
+_SHORT.maxlevel, _SHORT.maxstring, _SHORT.maxother, _SHORT.maxlong = 3, 60, 60, 60
 
 
-def near(name: str, known: Iterable[str]) -> str:
+# letters of other alphabets that look like Latin ones
+_ALIKE = str.maketrans(
+    "аеѕіјорсухАВЕЅІЈКМНОРСТУХһԁԛԝΑΒΕΖΗΙΚΜΝΟΡΤΥΧονı",
+    "aesijopcyxABESIJKMHOPCTYXhdqwABEZHIKMNOPTYXovi",
+)
+
+
+def looks(name: str) -> str:
+    """What a name looks like: equal for names that differ to a program, and not to the eye."""
+    return normalize("NFC", normalize("NFD", name).translate(_ALIKE))
+
+
+def points(name: str) -> str:
+    """A name with the code points that are not ASCII: ``'pеn' (U+0435)``."""
+    foreign = ", ".join(f"U+{ord(letter):04X}" for letter in name if ord(letter) > 127)
+    return f"'{name}' ({foreign or 'ASCII'})"
+
+
+def near(name: object, known: Iterable[str]) -> str:
     """The end of an error message: the known names, and the likely one.
 
     Returns:
         Such as ``" Known: base, upper, forearm. Did you mean 'forearm'?"``.
     """
-    names = list(known)
+    # a set has another order in every process
+    names = sorted(known) if isinstance(known, set | frozenset) else list(known)
+    name = name if isinstance(name, str) else ""
     listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
     close = [one for one in names if one.casefold() == name.casefold()]
     close = close or get_close_matches(name, names, n=1)
+    same = [one for one in names if one != name and looks(one) == looks(name)]
     hint = f" Did you mean '{close[0]}'?" if close else ""
+    if same:
+        hint = f" Did you mean {points(same[0])}? It only looks like {points(name)}."
     return f" Known: {listed}.{hint}" if names else " There are none."
+
+
+def outside(value: float, lower: float | None, upper: float | None, unit: str = "") -> str:
+    """Why a coordinate is not within the limits of its joint, in words; "" where it is."""
+    unit = f" {unit}".rstrip()
+    if lower is not None and value < lower:
+        past = f"below the lower limit {lower:g}{unit}"
+    elif upper is not None and value > upper:
+        past = f"above the upper limit {upper:g}{unit}"
+    else:
+        return ""
+    return f"the start {value:g}{unit} is {past}, and limits do not act: give another start"

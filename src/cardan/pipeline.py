@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import topology
-from .codegen import generate, layout, manifest, mesh
+from .arguments import checked
+from .codegen import CFile, generate, layout, manifest, mesh
 from .codegen.fingerprint import fingerprint
 from .equations.absolute.lowering import lowered
 from .equations.absolute.record import Absolute
@@ -17,12 +17,15 @@ from .equations.branches import with_branches
 from .equations.choice import check_chooses, chosen_by
 from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
-from .errors import BuildError, DerivationError, SolveWarning, near
+from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime import folder as cache
 from .runtime.absolute.evaluated import FUNCTIONS as OF_ELEMENTS
 from .runtime.compiled import CompiledModel
+from .runtime.judged import unjudged
 
 if TYPE_CHECKING:
+    from .ir.function import Function
+    from .ir.recursion import Recursion
     from .model import Model
     from .topology.system import Named, System
 
@@ -64,6 +67,7 @@ def derive(
 ) -> Absolute: ...
 
 
+@checked
 def derive(
     scene: Model,
     coordinates: str = "auto",
@@ -117,7 +121,7 @@ def derive(
     """
     if coordinates not in COORDINATES:
         raise DerivationError(
-            f"coordinates '{coordinates}' do not exist.{near(str(coordinates), COORDINATES)}"
+            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
         )
     if speeds and method != "auto":
         check_chooses(method)
@@ -180,6 +184,7 @@ def _absolute(system: System, given: Sequence[str], plane: str | None) -> Absolu
     return lowered(system, plane)
 
 
+@checked
 def compile(
     scene: Model | Equations | Absolute,
     functions: Sequence[str] = STANDARD,
@@ -253,13 +258,36 @@ def compile(
             function = equations.form(name, of, loops)
             notes = equations.notes(name, of, function)
             file = generate(function, model=equations.system.name, notes=notes, of=of)
-            try:
-                layout.add_function(folder, file, function)
-            except OSError as error:
-                raise _unwritable(folder, error) from error
+            _add(folder, base, file, function)
         return c_name
 
-    return CompiledModel(folder, provide, threads=threads)
+    model = CompiledModel(folder, provide, threads=threads)
+    _say_what_is_not_checked(model)
+    return model
+
+
+def _add(folder: Path, base: manifest.Base, file: CFile, function: Function | Recursion) -> None:
+    """Write one function into the folder of its model."""
+    try:
+        try:
+            layout.add_function(folder, file, function)
+        except (CodegenError, FileNotFoundError):
+            # a folder that was removed or damaged meanwhile is made again
+            layout.write_model(folder, base)
+            layout.add_function(folder, file, function)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+
+
+def _say_what_is_not_checked(model: CompiledModel) -> None:
+    """Warn where builds of a model are compared with nothing but what they were written from."""
+    why = unjudged(model)
+    if why:
+        warn(
+            f"model '{model.name}': its builds are {why}. They are compared with the expressions "
+            "they were written from alone; model.verify() says so function by function",
+            SolveWarning,
+        )
 
 
 def _asked(equations: Equations, functions: Sequence[str]) -> tuple[str, ...]:
@@ -285,7 +313,7 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
     found = equations.feasibility()
     if not found.closes:
         name = equations.system.name
-        warnings.warn(f"model '{name}', at its parameters: {found}", SolveWarning, stacklevel=3)
+        warn(f"model '{name}', at its parameters: {found}", SolveWarning)
 
 
 def _of_elements(
@@ -328,6 +356,6 @@ def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
 
 def _unwritable(folder: Path, error: OSError) -> BuildError:
     return BuildError(
-        f"the C of the model cannot be written to {folder} ({error.strerror}). Make room with: "
-        "cardan doctor --prune, or name another directory= or CARDAN_CACHE"
+        f"the C of the model cannot be written to {folder} ({error.strerror}). "
+        f"{cache.cure(error)}, or name another directory="
     )

@@ -7,8 +7,7 @@ import pytest
 import cardan as cd
 
 
-@pytest.fixture(scope="session")
-def double() -> cd.CompiledModel:
+def double_scene() -> cd.Model:
     """A planar double pendulum of rods, damped at the elbow, with a torque at the shoulder."""
     scene = cd.Model("double", gravity=(0, 0, -9.81))
     rod = cd.inertia.rod(1.0, 0.5, axis="z")
@@ -19,7 +18,12 @@ def double() -> cd.CompiledModel:
     torque = scene.input("torque")
     scene.force("motor", cd.JointForce("shoulder", torque))
     scene.output("height", lower.position()[2])
-    return cd.compile(scene)
+    return scene
+
+
+@pytest.fixture(scope="session")
+def double() -> cd.CompiledModel:
+    return cd.compile(double_scene())
 
 
 @pytest.fixture(scope="session")

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.record import UNSOLVED
 from cardan.analyses.settings import settings
 from cardan.analyses.signals import signals
 from cardan.analyses.simulate import runner_of
@@ -151,6 +152,47 @@ def test_condition_does_not_depend_on_the_step(model: cd.CompiledModel) -> None:
         small = [c for h, c in conditions.items() if h <= 1e-4]
         assert max(conditions.values()) < 100
         assert max(small) < 1.05 * min(small)
+
+
+MODEL_FUNCTION = ctypes.CFUNCTYPE(
+    ctypes.c_int, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_void_p
+)
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8])
+@pytest.mark.parametrize("longer", [1.0, 1e12])
+def test_speeds_that_come_open_fail_their_step(longer: float, rtol: float) -> None:
+    """Rows that a matrix takes for so much longer make all corrections small, and close nothing.
+
+    At steps of 10 us what speeds miss moves nothing to speak of in a step: it counts by itself.
+    """
+    model = cd.compile(CLOSED["four_bar"].build())
+    state = CLOSED["four_bar"].state(0.3, 1.0, {row["name"] for row in model.manifest["joints"]})
+    start = model.simulate([0, 1e-9], q=state.q, u=state.u).x[0]
+    how = settings(cd.GeneralizedAlpha(0.8), rtol, 1e-3 * rtol, None, 1e-5, 1.0)
+    runner = runner_of(model, how, signals([], None, None, (0.0, 1.0)))
+    runner.want(None, dense=False)
+    assert runner.start(0.0, start, [1.0]) == 0
+    nu, m = model.nu, model.nlam
+    right = MODEL_FUNCTION(runner.record.balance_tangent)
+
+    def wrong(given: Any, out: Any, work: Any) -> int:
+        """K C M (nu, nu) each, R and G (m, nu): G is made longer."""
+        status: int = right(given, out, work)
+        for k in range(m * nu):
+            out[3 * nu * nu + m * nu + k] *= longer
+        return status
+
+    kept = MODEL_FUNCTION(wrong)
+    runner.record.balance_tangent = ctypes.cast(kept, ctypes.c_void_p).value
+    answer = runner.drive(2000)
+    numbers = ctypes.cast(runner.record.y, ctypes.POINTER(ctypes.c_double))
+    q, u = model.split(np.array(numbers[: model.nq + nu]))
+    missed = float(np.abs(model.constraint_rates(q, u)).max())
+    print(f"{longer}, {rtol}: {runner.record.steps} steps, {missed:.1e} m/s left")
+    assert (answer == UNSOLVED) == (longer > 1)
+    # the tolerance times the speed of the links, 1.1 to 1.2 rad/s
+    assert missed <= 1.5 * rtol
 
 
 MECHANISMS = ("four_bar", "bricard", "stewart")

@@ -31,8 +31,9 @@ def test_double_pendulum(double: cd.CompiledModel, step: float) -> None:
     kept = double.simulate(times, method="EnergyMidpoint", **options)
     lost = double.simulate(times, method="RK4", **options)
     assert kept.status == "finished"
-    # the solver accepts a thousand roundings of the energies at worst
-    assert missing(kept) <= 1e-11
+    # the solver accepts a thousand roundings of the energies at worst, in steps of either sign:
+    # a random walk, three times its spread after all steps
+    assert missing(kept) <= 3 * 1000 * np.finfo(float).eps * np.sqrt(2e4)
     assert missing(lost) >= 1e-3
 
 

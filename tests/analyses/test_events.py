@@ -65,7 +65,7 @@ def test_energy_is_accounted_for_over_impacts(ball: cd.CompiledModel) -> None:
 def test_summary_says_what_happened(ball: cd.CompiledModel) -> None:
     text = repr(ball.simulate(3.0, q=START))
     for words in (
-        "1 internal states, 1 modes",
+        "1 internal state, 1 mode",
         "events    floor.lower (impact), ",
         "times: 0.45",
         "floor.impact = -",

@@ -97,7 +97,7 @@ def test_frequency_response(cart: cd.CompiledModel) -> None:
 def test_to_control(cart: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> None:
     found = cart.linearize()
     monkeypatch.setitem(sys.modules, "control", None)
-    with pytest.raises(ModuleNotFoundError, match="pip install control"):
+    with pytest.raises(ModuleNotFoundError, match=r"pip install 'cardan\[control\]'"):
         found.to_control()
     given: dict[str, Any] = {}
 
@@ -106,8 +106,9 @@ def test_to_control(cart: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> 
         return given
 
     monkeypatch.setitem(sys.modules, "control", SimpleNamespace(StateSpace=system))
-    assert found.to_control() is given
-    assert given["states"] == list(found.states)
+    made, names = found.to_control()
+    assert made is given
+    assert given["states"] == [names[state] for state in found.states]
     assert given["inputs"] == ["push"]
     assert all(a is b for a, b in zip(given["matrices"], (found.A, found.B, found.C, found.D),
                                       strict=True))  # fmt: skip
@@ -116,9 +117,9 @@ def test_to_control(cart: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> 
 def test_python_control_agrees(cart: cd.CompiledModel) -> None:
     control = pytest.importorskip("control")
     found, omega = cart.linearize(), np.array([0.5, 2.0, 9.0])
-    system = found.to_control()
+    system, names = found.to_control()
     assert isinstance(system, control.StateSpace)
-    assert list(system.state_labels) == list(found.states)
+    assert list(system.state_labels) == [names[state] for state in found.states]
     expected = np.ravel(system(1j * omega))
     np.testing.assert_allclose(found.frequency_response(omega)[:, 0, 0], expected, rtol=1e-12)
 

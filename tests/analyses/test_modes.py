@@ -262,7 +262,7 @@ def test_a_part_without_mass_is_told() -> None:
         (lambda m: m.modes(0), "at least 1"),
         (lambda m: m.modes("two"), "at least 1"),
         (lambda m: m.modes().shape(7), "no mode 7"),
-        (lambda m: m.modes().animate("one", "x.html"), "no mode 'one'"),
+        (lambda m: m.modes().animate("one", "x.html"), "k='one': give a whole number"),
         (lambda m: m.modes(q={"sholder": 1}), "shoulder"),
     ],
 )

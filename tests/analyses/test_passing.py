@@ -74,12 +74,16 @@ def test_parallelogram_and_kites(links: tuple[float, ...]) -> None:
     """Energy is kept the better, the smaller the tolerance; every run passes the same places."""
     model = cd.compile(four_bar(*links))
     x0 = model.assemble({"A": 0.9}, u={"A": 7.0}).x
-    drifts, passed = [], []
+    drifts, beside, passed = [], [], []
     for rtol in FALLING:
-        motion = model.simulate(3.0, x0=x0, rtol=rtol, atol=1e-2 * rtol, check=True)
-        drifts.append(float(np.abs(motion.drift[-1]) / motion.energy.kinetic.max()))
+        motion = model.simulate(3.0, x0=x0, rtol=rtol, atol=1e-2 * rtol)
+        largest = float(motion.energy.kinetic.max())
+        drifts.append(float(np.abs(motion.drift[-1]) / largest))
+        beside.append(float(np.abs(motion.drift).max()) / largest)
         passed.append(motion.statistics["passed"])
-    print(links, drifts, passed)
+    print(links, drifts, beside, passed)
+    # of the two rows inside a passage, by its polynomial: the run goes on from its end, without
+    assert beside[-1] < 1e-8
     assert passed[0] > 3
     assert set(passed) == {passed[0]}
     assert all(fine <= max(coarse, 1e-11) for coarse, fine in pairwise(drifts))

@@ -104,7 +104,7 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
         bars.workspace("crank", over={"A": (1, 0)})
     with pytest.raises(cd.ModelError, match="no coordinate 'E'"):
         bars.workspace("crank", over={"E": (0, 1)})
-    with pytest.raises(cd.ArgumentError, match="at least one"):
+    with pytest.raises(cd.ArgumentError, match="samples=0: give a whole number of at least 1"):
         bars.workspace("crank", samples=0)
 
 

@@ -169,7 +169,7 @@ def test_picture(torsion: cd.CompiledModel, tmp_path: Path) -> None:
         (lambda m: m.statics(P=(0, np.nan)), cd.SolveError, "finite"),
         (lambda m: m.statics(P="many"), cd.ArgumentError, r"\(start, end\)"),
         (lambda m: m.statics(P=(0, 1), phi0=[0, 1, 2]), cd.ArgumentError, "'P' has 2"),
-        (lambda m: m.statics(P=(0, 1), steps=0), cd.ModelError, "at least 1"),
+        (lambda m: m.statics(P=(0, 1), steps=0), cd.ArgumentError, "at least 1"),
         (lambda m: m.statics(hold={"bse": (0, 1)}), cd.ModelError, "Did you mean 'base'"),
         (lambda m: m.statics(P=(0, 1), hold="base"), cd.ModelError, "go by name"),
         (lambda m: m.statics({"P": (0, 1)})["bse"], cd.ModelError, "Did you mean 'base'"),

@@ -222,7 +222,7 @@ def test_whirling_of_an_overhung_disk(speed: float) -> None:
     np.testing.assert_allclose(np.sort(found.angular), np.sort([*seen, *others]), rtol=1e-10)
     # beyond the first critical speed the disk is held by gyroscopic forces alone
     assert steady.stable is True
-    assert steady.negative == (2 if speed > forward[0] else 0) + (2 if speed > forward[1] else 0)
+    assert steady.n_negative == (2 if speed > forward[0] else 0) + (2 if speed > forward[1] else 0)
 
 
 @pytest.mark.slow

@@ -177,9 +177,9 @@ def test_files_that_are_no_checkpoint_of_this(
     np.save(tmp_path / "bad.npy", np.zeros(3))
     with pytest.raises(cd.ModelError, match="is no checkpoint"):
         double.resume(tmp_path / "bad.npy")
-    with pytest.raises(cd.ModelError, match=r"cannot be read: Is a directory|is no checkpoint"):
+    with pytest.raises(cd.ModelError, match=r"cannot be read: it is a directory"):
         double.resume(tmp_path)
-    with pytest.raises(cd.ModelError, match="name the file"):
+    with pytest.raises(cd.ArgumentError, match="path=3: give the path of a file"):
         double.resume(3)
 
 
@@ -204,5 +204,5 @@ def test_misspelt_arguments_are_told(double: cd.CompiledModel) -> None:
             call(1.0, *([1.0] if call == double.step else []), rtoll=1e-3)
     with pytest.raises(TypeError, match=r"stepper\(event=...\).* Did you mean 'events'"):
         double.stepper(event={})
-    with pytest.raises(TypeError, match=r"no such argument\. .*: path, events"):
+    with pytest.raises(TypeError, match=r"no such argument\. Known: path, events\."):
         double.resume("run.npz", evnt={})

@@ -145,7 +145,7 @@ def test_pictures_and_words(bars: cd.CompiledModel, tmp_path: Path) -> None:
 def test_mistakes(bars: cd.CompiledModel) -> None:
     with pytest.raises(cd.ModelError, match="no coordinate 'E'"):
         bars.sweep("E", [0.0, 1.0])
-    with pytest.raises(cd.ArgumentError, match="takes a coordinate and its values"):
+    with pytest.raises(cd.ArgumentError, match="driver= is a coordinate and values= its values"):
         bars.sweep("A")
     with pytest.raises(cd.ArgumentError, match=r"not \(n,\)"):
         bars.sweep("A", 1.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ def bars() -> cd.CompiledModel:
     return cd.compile(four_bar())
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.3, math.pi])
+@pytest.mark.parametrize("angle", [0.1, 0.3, math.pi])
 def test_runs_and_assemblies_start_at_the_same_place(bars: cd.CompiledModel, angle: float) -> None:
     found = bars.assemble({"A": angle})
     motion = bars.simulate(1e-6, q={"A": angle})
@@ -88,7 +89,7 @@ def test_the_nearest_value_is_told(scene, name: str, asked: float, reached: floa
 def test_reactions_that_are_not_determined_say_so_once() -> None:
     model = cd.compile(bricard())
     found = model.assemble({"J0": 0.3})
-    with pytest.warns(cd.SolveWarning, match=r"reaction of 'J1' is not determined: .*twice"):
+    with pytest.warns(cd.SolveWarning, match=r"reaction of 'J1' is not determined .*: .*twice"):
         model.reaction("J1", found.q, found.u)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -98,8 +99,12 @@ def test_reactions_that_are_not_determined_say_so_once() -> None:
         motion.reaction("J2")
 
 
-def test_reactions_that_are_determined_say_nothing(bars: cd.CompiledModel) -> None:
-    motion = bars.simulate(0.1, q={"A": 0.3})
+def test_reactions_that_are_determined_say_nothing() -> None:
+    scene = four_bar()
+    # a ball and a universal joint at the coupler: nothing is held twice
+    scene.joints["B"] = replace(scene.joints["B"], kind=cd.Universal("z", "y"))
+    scene.joints["C"] = replace(scene.joints["C"], kind=cd.Spherical())
+    motion = cd.compile(scene).simulate(0.1, q={"A": 0.3})
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert motion.reaction("B").shape == (len(motion), 6)

@@ -226,7 +226,7 @@ def test_weight_that_does_not_turn_along() -> None:
         (lambda m: m.trim({"spin.u": 1.0}, free=["spin.u"]), "wanted and free"),
         (lambda m: m.trim({"nutation": 1.0}, u={"spinn": 3}), "spin"),
         (lambda m: m.trim({"nutation": 1.0}, t=math.inf), "finite"),
-        (lambda m: m.trim(["nutation"]), "names with values"),
+        (lambda m: m.trim(["nutation"]), "give numbers by name"),
         (lambda m: m.trim({"nutation": 0.5}, free=["nutation.force"])["spinn"], "Did you mean"),
     ],
 )

@@ -5,6 +5,9 @@ from __future__ import annotations
 # each room may import the rooms before it
 ORDER = (
     "errors",
+    "regular_file",
+    "whole_file",
+    "arguments",
     "ir",
     "spatial",
     "elements",
@@ -26,7 +29,7 @@ ORDER = (
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
 RUNNING = frozenset({"runtime", "analyses", "view"})
-RUNNING_MAY_IMPORT = RUNNING | {"errors", "ir"}
+RUNNING_MAY_IMPORT = RUNNING | {"errors", "regular_file", "whole_file", "arguments", "ir"}
 
 # public methods whose work lives further down: (module, function) -> module imported inside it
 DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
@@ -87,6 +90,9 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     },
     ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),
     ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
+    ("cardan.runtime.compiled", "CompiledModel.initial"): frozenset(
+        {"cardan.analyses.closed_start"}
+    ),
     ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.runtime.compiled", "CompiledModel.report"): frozenset(

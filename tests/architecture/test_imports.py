@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from graphlib import TopologicalSorter
 
 import pytest
@@ -9,7 +10,11 @@ import pytest
 from architecture.sources import Import, imports, modules, reached, room
 from architecture.table import DOWNWARD, ORDER, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
 
-OURS = [found for found in imports() if room(found.target) and found.target.startswith("cardan")]
+
+@cache
+def ours() -> list[Import]:
+    """Imports of the package's own modules."""
+    return [x for x in imports() if room(x.target) and x.target.startswith("cardan")]
 
 
 def is_downward(found: Import) -> bool:
@@ -28,13 +33,13 @@ def test_every_room_is_in_the_table() -> None:
 
 
 def test_imports_point_upwards() -> None:
-    wrong = [str(found) for found in OURS if not found.function and is_downward(found)]
+    wrong = [str(found) for found in ours() if not found.function and is_downward(found)]
     assert not wrong, "\n".join(wrong)
 
 
 def test_downward_imports_inside_functions_are_the_listed_ones() -> None:
     present: dict[tuple[str, str], set[str]] = {}
-    for found in OURS:
+    for found in ours():
         free = room(found.source) in ("__init__", "pipeline", "cli")
         if found.function and is_downward(found) and not free:
             present.setdefault((found.source, found.function), set()).add(found.target)
@@ -48,7 +53,7 @@ def test_downward_imports_load_no_sympy(target: str) -> None:
 
 def test_no_cycles() -> None:
     graph: dict[str, set[str]] = {name: set() for name in modules()}
-    for found in OURS:
+    for found in ours():
         if not found.function and found.target != found.source and found.name != "__version__":
             graph[found.source].add(found.target)
     # a cycle raises, naming its members
@@ -68,7 +73,7 @@ def test_sympy_is_loaded_by_the_listed_files_only() -> None:
 def test_nothing_imports_a_sympy_file_on_its_own_import() -> None:
     eager = [
         str(found)
-        for found in OURS
+        for found in ours()
         if not found.function
         and found.target in SYMPY_AT_IMPORT
         and found.source not in SYMPY_AT_IMPORT

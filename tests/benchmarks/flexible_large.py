@@ -19,7 +19,6 @@ from typing import TypeVar
 # the benchmarks stand in the folder above
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-import numpy as np
 
 import cardan as cd
 from benchmarks import flexible_problem as problem
@@ -55,7 +54,9 @@ class Costs:
 
         def run(steps: int) -> cd.Trajectory:
             method = cd.GeneralizedAlpha(problem.RHO_INF, index=3)
-            return model.simulate(np.linspace(0, steps * STEP, 2), method=method, step=STEP)
+            return model.simulate(
+                (0.0, steps * STEP), t_eval=(0.0, steps * STEP), method=method, step=STEP
+            )
 
         self._of("first run, one step", lambda: run(1))
         self._of("again", lambda: run(1))

@@ -14,6 +14,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from benchmarks.flexible_figures import Figure
+from benchmarks.provenance import signed
 
 TARGETS = {"time": 0.1, "error": 0.2}
 COLORS = ("#1b6ca8", "#c8553d", "#5a8f4e", "#e0a030", "#7a5aa8")
@@ -123,7 +124,7 @@ def write(found: Found, folder: Path) -> None:
     text = TEXT + _table(HEADINGS, ratios(found)) + DEVIATIONS
     text += "\n![error of the tip against time of a step](flexible.svg)\n\n"
     text += _table(CURVE, lines(found)) + REST + _table(FIGURES, figures(found))
-    (folder / "flexible.md").write_text(text, encoding="utf-8")
+    (folder / "flexible.md").write_text(signed(text), encoding="utf-8")
     with mpl.rc_context({"svg.hashsalt": "cardan", "svg.fonttype": "none", "font.size": 9}):
         figure = drawing.Figure(figsize=(7, 4.4), layout="constrained")
         axes = figure.add_subplot()

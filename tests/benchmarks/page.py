@@ -9,6 +9,7 @@ from pathlib import Path
 from benchmarks.cases import CASES, FORWARD
 from benchmarks.figures import EPS, SINCOS, Figure
 from benchmarks.measure import Found
+from benchmarks.provenance import signed
 from cardan.peers import PEERS, peer
 from cardan.peers.comparison import LANES, OURS
 from cardan.peers.processor import name as processor
@@ -186,4 +187,4 @@ def write(found: Found, rows: Sequence[Figure], folder: Path) -> None:
     if notes:
         text += ["", "## Left out", "", *(f"- {note}" for note in notes)]
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "README.md").write_text("\n".join(text) + "\n", "utf-8")
+    (folder / "README.md").write_text(signed("\n".join(text)), "utf-8")

@@ -27,6 +27,7 @@ sys.path.insert(0, str(ROOT))
 # every build is a first one
 os.environ["CARDAN_CACHE"] = tempfile.mkdtemp(prefix="beside-")
 
+from tests.benchmarks.provenance import signed  # noqa: E402
 from tests.benchmarks.pydy_examples import EXAMPLES  # noqa: E402
 
 import cardan as cd  # noqa: E402
@@ -229,7 +230,7 @@ def main() -> None:
     for name in EXAMPLES:
         rows.append(measured(name, 3 if quick else ROUNDS))
         print(page(rows[-1:]).splitlines()[-1], flush=True)
-    PAGE.write_text(page(rows), encoding="utf-8")
+    PAGE.write_text(signed(page(rows)), encoding="utf-8")
 
 
 def _first() -> tuple[Any, ...]:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
+from cardan.analyses.settings import LARGEST_ATOL, RATIO
 from cardan.analyses.simulate import simulate
 from cardan.cli import COMMANDS, main
 
@@ -153,9 +154,11 @@ def test_defaults_are_those_of_python(capsys: pytest.CaptureFixture[str]) -> Non
         main(("simulate", "--help"))
     text = " ".join(capsys.readouterr().out.split())
     usual = inspect.signature(simulate).parameters
-    for word in ("rtol", "atol"):
-        default = f"{usual[word].default:.0e}".replace("e-0", "e-")
-        assert f"tolerance per step (default {default})" in text
+    default = f"{usual['rtol'].default:.0e}".replace("e-0", "e-")
+    assert f"relative tolerance per step (default {default})" in text
+    ratio, most = (f"{x:.0e}".replace("e-0", "e-") for x in (RATIO, LARGEST_ATOL))
+    assert usual["atol"].default is None
+    assert f"absolute one (default {ratio} rtol, at most {most})" in text
 
 
 def test_simulate_says_how_well_constraints_are_kept(capsys: pytest.CaptureFixture[str]) -> None:

@@ -38,9 +38,9 @@ def test_a_grid_with_random_values(tmp_path: Path, capsys: pytest.CaptureFixture
     assert found["varied"]["waist"] == {"min": 0.0, "mean": 0.5, "max": 1.0}
     assert len(found["results"]["mean of elbow"]) == 11
     with netcdf_file(tmp_path / "a" / "runs.nc", mmap=False) as file:
-        waist = file.variables["varied waist"][:]
+        waist = file.variables["varied_waist"][:]
         np.testing.assert_allclose(np.unique(waist), np.linspace(0, 1, 4), rtol=0, atol=1e-15)
-        assert file.variables["max of elbow"].shape == (40,)
+        assert file.variables["max_of_elbow"].shape == (40,)
         assert file.variables["final"].shape == (40, 6)
     assert status(*words) == 0
     shown = capsys.readouterr().out

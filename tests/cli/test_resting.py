@@ -85,7 +85,7 @@ def test_statics(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str])
 def test_modes(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert status("modes", scene, "--set", "P=1", "--view", "mode.html") == 0
     said = capsys.readouterr().out
-    assert "1 modes" in said
+    assert "1 mode\n" in said
     assert "wrote mode.html" in said
     assert "<script" in (tmp_path / "mode.html").read_text("utf-8")
     assert status("modes", scene, "--json") == 0

@@ -23,6 +23,11 @@ from cardan.ir.interpreter import evaluate
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 SPEED = ("-O2", "-fno-tree-vectorize", "-fno-math-errno")
 EXACT = (*STRICT, *SPEED, "-ffp-contract=off")
+# what cardan gives: all sums of products fused, whatever processor the compiler tunes for
+CONTRACT = {
+    "gcc": ("-ffp-contract=fast", "--param=avoid-fma-max-bits=0"),
+    "clang": ("-ffp-contract=on",),
+}
 ORDER = ["t", "q", "u", "z", "s", "r", "p", "w", "udot", "zdot", "lam", "tau", "wrench", "du", "q0"]
 
 ZIG = (sys.executable, "-m", "ziglang", "cc")

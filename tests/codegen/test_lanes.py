@@ -12,14 +12,11 @@ from cardan.ir.graph import Graph
 from cardan.ir.ops import OPERATORS
 from codegen.functions import ARITY, EXACT, LIBRARY, apply, blocks, random_function, solving, values
 from codegen.lanes import WIDTHS, call_lanes
-from codegen.running import SPEED, STRICT, call, compilers
+from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from codegen.test_solve import PIVOTING, system
 from equations.test_sweeps import chain
 
-FLAGS = {
-    "gcc": (*STRICT, *SPEED, "-march=native", "-ffp-contract=fast"),
-    "clang": (*STRICT, *SPEED, "-march=native", "-ffp-contract=on"),
-}
+FLAGS = {name: (*STRICT, *SPEED, "-march=native", *CONTRACT[name]) for name in CONTRACT}
 # every vector is emulated where the processor has none of its width
 PLAIN = {name: tuple(f for f in flags if f != "-march=native") for name, flags in FLAGS.items()}
 COMPILERS = sorted(compilers())

@@ -103,8 +103,13 @@ def test_foreign_and_damaged_directories_are_refused(tmp_path: Path) -> None:
     add((damaged, "com"))
     text = (damaged / "manifest.json").read_text("utf-8")
     (damaged / "manifest.json").write_text(text[:100], "utf-8")
+    (damaged / "model.h").rename(damaged / "other.h")
     with pytest.raises(CodegenError, match="damaged"):
         start(damaged)
+    # one that is ours is written anew
+    (damaged / "other.h").rename(damaged / "model.h")
+    start(damaged)
+    assert layout.read(damaged) is not None
     (tmp_path / "empty").mkdir()
     function = cd.derive(arm()).function("com")
     cfile = generate(function)

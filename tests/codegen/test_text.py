@@ -20,7 +20,8 @@ from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from codegen.functions import random_function
 from codegen.running import KERNELS, SPEED, STRICT, call, compilers, shared
-from mechanisms import ZOO, Mechanism
+from mechanisms import ZOO
+from spread import some
 
 SCREENED = ("rhs", "inverse_dynamics", "energy", "integrate", "difference", "outputs", "power")
 
@@ -198,9 +199,9 @@ def test_a_placeholder_is_an_error() -> None:
 
 
 @pytest.mark.parametrize("compiler", sorted(compilers()))
-@pytest.mark.parametrize("mechanism", ZOO.values(), ids=str)
-def test_the_zoo_gives_no_warnings(mechanism: Mechanism, compiler: str, tmp_path: Path) -> None:
-    equations = cd.derive(mechanism.build())
+@pytest.mark.parametrize("name", some(ZOO, 3))
+def test_the_zoo_gives_no_warnings(name: str, compiler: str, tmp_path: Path) -> None:
+    equations = cd.derive(ZOO[name].build())
     texts = [generate(equations.function(n)).text for n in SCREENED if n in equations.names()]
     # several functions can stand in one file
     (tmp_path / "all.c").write_text("\n".join(texts), "utf-8")

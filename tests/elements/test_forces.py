@@ -257,7 +257,9 @@ def test_joints_with_the_wrong_number_of_coordinates() -> None:
     ):
         with pytest.raises(cd.ModelError, match=r"on joint 'two': the joint has 2 coordinates"):
             Bench(element)
-    with pytest.raises(cd.ModelError, match=r"'one': 2 values for a joint with 1 speeds; give 1"):
+    with pytest.raises(
+        cd.ModelError, match=r"'one': force has 2 values for a joint of 1 speed; give 1"
+    ):
         Bench(replace(INSTANCES["joint forces"], joint="one"))
 
 

@@ -141,7 +141,7 @@ def test_assembled_positions_follow_the_parameters() -> None:
     equations = cd.derive(CLOSED["slider_crank"].build())
     q = {equations.coordinates[0]: 0.6}
     # both about the motion that starts there by itself
-    found = equations.linearize(q=q, udot="free")
+    found = equations.linearize(q=q, udot="free", independent=[equations.coordinates[1]])
     name = next(p.name for p in equations.system.parameters if p.unit == "m" and p.value > 0.1)
     value = next(p.value for p in equations.system.parameters if p.name == name)
     numbers = found.at({name: 1.02 * value})["A"]

@@ -35,6 +35,7 @@ LEAVES = {
     "22_orbit": ("orbit.nc",),
     "23_dual_spin": ("dual_spin.html",),
     "24_computed_torque": ("arm.html",),
+    "26_lqr": ("drone.html",),
 }
 
 

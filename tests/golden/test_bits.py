@@ -10,7 +10,7 @@ import pytest
 import cardan as cd
 from cardan.codegen.writing import generate
 from cardan.runtime import cache
-from codegen.running import EXACT, STRICT, call, compilers
+from codegen.running import CONTRACT, EXACT, STRICT, call, compilers
 from golden.scenes import EXAMPLES, FUNCTIONS, scene_of
 from spread import some
 
@@ -61,10 +61,7 @@ def test_the_bits_of_the_loaded_model(example: Path, function: str) -> None:
 @pytest.mark.skipif(len(compilers()) < 2, reason="needs gcc and the package ziglang")
 @pytest.mark.parametrize(("example", "function"), some(CASES, 4, 1))
 def test_two_compilers(example: Path, function: str) -> None:
-    fast = {
-        "gcc": (*STRICT, "-O2", "-march=native", "-ffp-contract=fast"),
-        "clang": (*STRICT, "-O2", "-march=native", "-ffp-contract=on"),
-    }
+    fast = {name: (*STRICT, "-O2", "-march=native", *CONTRACT[name]) for name in compilers()}
     first, second = (results(example, function, name, flags) for name, flags in fast.items())
     model = cd.compile(cd.derive(scene_of(example)), functions=FUNCTIONS)
     bounds = [

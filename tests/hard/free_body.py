@@ -64,7 +64,7 @@ CASE = Case(
     hard="an asymmetric body tumbles and flies for 1e5 steps of 2 ms",
     oracle="largest relative change of energy, angular momentum about the center and linear one",
     build=build,
-    t=np.array([0.0, 1e5 * STEP]),
+    t=(0.0, 1e5 * STEP),
     start={"u": {"free": [*SPIN, 0.3, 0.0, -0.2]}},
     error=error,
     expected=expected(100_000),
@@ -74,7 +74,7 @@ LONG = replace(
     CASE,
     name="free body, 1e7 steps",
     hard="the same for 1e7 steps",
-    t=np.array([0.0, 1e7 * STEP]),
+    t=(0.0, 1e7 * STEP),
     # a tenth of the steps or less where each of them solves equations
     expected=expected(10_000_000)
     | {"EnergyMidpoint": Cell(1e-3, {"step": 20 * STEP})}

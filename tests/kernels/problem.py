@@ -14,6 +14,7 @@ from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.errors import CompilerMissing
 from cardan.runtime import abi, cache, kernels
+from cardan.runtime.kinematics import Energy
 from cardan.runtime.trajectory import Trajectory
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
@@ -86,8 +87,12 @@ def function(folder: Path, name: str, body: str, entries: list[str], before: str
 WRITTEN = ("rhs", "power", "events", "transition")
 
 
+class CompiledModel:
+    """What is given for a compiled model is known by this name."""
+
+
 @dataclass
-class Problem:
+class Problem(CompiledModel):
     """As much of a compiled model as the integrators need.
 
     Attributes:
@@ -156,6 +161,18 @@ class Problem:
     def parts_of(self, x: Any) -> tuple[Any, Any, Any]:
         n = self.nq + self.nu
         return x[..., : self.nq], x[..., self.nq : n], x[..., n:]
+
+    def split(self, x: Any) -> tuple[Any, Any, Any]:
+        return self.parts_of(x)
+
+    def energy(self, q: Any, u: Any, *, t: Any, r: Any = None) -> Energy:
+        """Of every row."""
+        function, out = self._function("energy"), np.empty((len(q), 3))
+        for k, row in enumerate(out):
+            given = {"t": np.array([t[k]]), "q": q[k], "u": u[k], "r": r[k] if self.nr else None}
+            blocks = [given.get(name) for name in abi.ORDER]
+            function.caller.call(blocks, [0] * len(blocks), row[None, :])
+        return Energy(*out.T)
 
     @property
     def bodies(self) -> tuple[str, ...]:

@@ -52,7 +52,7 @@ def test_output_times_and_dense_output_agree(tmp_path: Path) -> None:
 
 def test_output_times_cost_nothing_where_none_falls_in_a_step(tmp_path: Path) -> None:
     problem = Problem(tmp_path, SWING)
-    ends = problem.run(np.array([0.0, 3.0]), swing(0.0), rtol=1e-10)
+    ends = problem.run((0.0, 3.0), swing(0.0), t_eval=np.array([0.0, 3.0]), rtol=1e-10)
     dense = problem.run((0.0, 3.0), swing(0.0), rtol=1e-10)
     steps = dense.statistics["steps"]
     assert ends.statistics["steps"] == steps

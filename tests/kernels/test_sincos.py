@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from codegen.running import STRICT, compilers, shared
+from codegen.running import CONTRACT, STRICT, compilers, shared
 
 # the two ways through cardan_sincos: one angle, several at once; and the way of lanes
 SOURCE = """
@@ -33,14 +33,13 @@ void many(int n, const double *x, double *s, double *c)
 RANGE = 1e5
 STATED = 0.83  # ulp, in the head of sincos.h
 SPEED = (*STRICT, "-O2", "-march=native", "-fno-math-errno")
-CONTRACTED = {"gcc": "-ffp-contract=fast", "clang": "-ffp-contract=on"}
 WAYS = [(name, lanes, kind) for name in compilers() for lanes in (1, 2, 4, 8) for kind in (0, 1)]
 
 
 @cache
 def library(compiler: str, lanes: int, contracted: int) -> ctypes.CDLL:
-    contract = CONTRACTED[compiler] if contracted else "-ffp-contract=off"
-    return shared(SOURCE, compiler, (*SPEED, contract, f"-DCARDAN_LANES={lanes}"))
+    contract = CONTRACT[compiler] if contracted else ("-ffp-contract=off",)
+    return shared(SOURCE, compiler, (*SPEED, *contract, f"-DCARDAN_LANES={lanes}"))
 
 
 def sincos(way: tuple[str, int, int], function: str, x: np.ndarray) -> np.ndarray:

@@ -84,7 +84,7 @@ class Tags(HTMLParser):
         self.attributes |= {name for name, _ in attributes}
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 4), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 8), ids=NAMES)
 def test_c_and_python(word: str, tmp_path: Path) -> None:
     equations = cd.derive(scene_of(word, first=True))
     functions = [*equations.operations, "outputs", "power", "energy", ("pose", f"{word} c")]
@@ -143,7 +143,7 @@ def shown_in_notebooks(word: str) -> list[str]:
     return [x._repr_html_() for x in shown]
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 4), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 8), ids=NAMES)
 def test_notebooks(word: str) -> None:
     plain = shown_in_notebooks("plain")
     for ours, theirs in zip(shown_in_notebooks(word), plain, strict=True):
@@ -174,7 +174,7 @@ def explained(word: str) -> dict[str, str]:
     return {e: t for w in WRITERS.values() for e, t in w.write(made, Path("page")).items()}
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 5, 4), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 8, 4), ids=NAMES)
 def test_explained(word: str) -> None:
     found = {"hostile": explained(word), "plain": explained("plain")}
     sheets = [Tags(found[name][".html"]) for name in ("hostile", "plain")]

@@ -10,11 +10,10 @@ import pytest
 from cardan.codegen import generate
 from cardan.ir.interpreter import evaluate
 from codegen.lanes import WIDTHS, call_lanes
-from codegen.running import SPEED, STRICT, call, compilers
+from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from laws.cases import EPS, derived, states, values
 
 MEMBERS = ("spatial_chain", "free_quaternion", "crane")
-CONTRACT = {"gcc": "-ffp-contract=fast", "clang": "-ffp-contract=on"}
 X86 = platform.machine() in ("x86_64", "AMD64")
 # what there is, without AVX-512, without AVX2 and FMA; the clang of ziglang spells them its own way
 PROCESSORS: dict[str, dict[str, tuple[str, ...]]] = {
@@ -48,7 +47,7 @@ def test_every_build_is_right_and_every_width_the_same(
         given | {"q": q[k % len(q)], "u": u[k % len(q)], "tau": tau[k % len(q)]}
         for k in range(LANES)
     ]
-    flags = (*STRICT, *SPEED, *PROCESSORS[processor][compiler], CONTRACT[compiler])
+    flags = (*STRICT, *SPEED, *PROCESSORS[processor][compiler], *CONTRACT[compiler])
     found = np.array([call(file, row, compiler, flags).out for row in rows])
     for lanes in WIDTHS:
         for start in range(0, LANES, lanes):

@@ -17,9 +17,11 @@ from mechanisms import ZOO
 # that of a body has a joint that nobody declares
 MEMBERS = [
     name
-    for name, member in ZOO.items()
-    if not any(isinstance(f.element, cd.Drive | cd.Rotor) for f in member.build().forces.values())
-    and not derived(name).system.closed
+    for name, scene in ((name, member.build()) for name, member in ZOO.items())
+    if not any(isinstance(f.element, cd.Drive | cd.Rotor) for f in scene.forces.values())
+    # a tree has one joint for each body
+    and len(scene.joints) <= len(scene.bodies)
+    and not scene.constraints
 ]
 
 

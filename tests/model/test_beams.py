@@ -166,7 +166,7 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
     "elements is inf;": beam(elements=float("inf")),
     "release_start is 3; give directions": beam(start="ground", release_start=3),
     "prestrain is 3; give strains by name": beam(prestrain=3),
-    "element '\\['helicoidal'\\]' does not exist": beam(element=["helicoidal"]),
+    "element \\['helicoidal'\\] does not exist": beam(element=["helicoidal"]),
     "element 'hellinger' does not exist.*'hellinger_reissner'": beam(element="hellinger"),
     "inertia 'lump' does not exist.*'lumped'": beam(inertia="lump"),
     "section is None; give one of cd.section": beam(section=None),

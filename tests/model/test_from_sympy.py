@@ -213,7 +213,9 @@ def test_a_matrix_that_is_no_mass_matrix_is_solved_for_accelerations() -> None:
     q, u = closed(plain, 3)
     rates = [kane.kindiffdict()[x.diff(T)] for x in kane.q]
     stacked = (kane.q, kane.u, rates, kane.mass_matrix, kane.forcing)
-    scene = cd.from_sympy(stacked, parameters=parameters)
+    # the length stands in the constraint alone, which M of this form has eliminated
+    left = {key: value for key, value in parameters.items() if str(key) != "L"}
+    scene = cd.from_sympy(stacked, parameters=left)
     assert "solved for the accelerations" in str(scene)
     model = cd.compile(scene)
     x = np.concatenate([q, u])

@@ -55,10 +55,9 @@ def test_kinematics_are_linear_and_free_of_inputs() -> None:
             cd.from_sympy(([Q], [U], kinematics, [[1]], [-Q]))
 
 
-def test_values_that_nothing_depends_on_are_kept_and_told() -> None:
-    scene = cd.from_sympy(([Q], [U], [[1]], [-Q]), parameters={"length": 2.0})
-    assert cd.derive(scene).parameters == ("length",)
-    assert "used nowhere" in cd.derive(scene).system.notes[0]
+def test_values_that_nothing_depends_on_are_refused() -> None:
+    with pytest.raises(cd.ModelError, match="'length' does not occur in the equations"):
+        cd.from_sympy(([Q], [U], [[1]], [-Q]), parameters={"length": 2.0})
 
 
 def test_names_that_nothing_has() -> None:

@@ -297,6 +297,8 @@ def test_what_does_not_act_is_named() -> None:
     text = linkage('<connect site1="sa" site2="sb" active="false"/><tendon/>')
     model = from_text(text.replace("<worldbody>", more + "<worldbody>"))
     assert model.notes == [
+        "no contacts are read: bodies pass through each other; add cd.Contact where something "
+        "touches",
         "not read: asset, keyframe, option timestep=, option wind=, equality connect, "
-        "equality tendon"
+        "equality tendon",
     ]

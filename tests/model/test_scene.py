@@ -91,7 +91,7 @@ def test_units_are_converted() -> None:
     ("text", "wanted"),
     [
         ("[1, 2, 3]", (1, 0, 0, 2, 0, 3)),
-        ("[[1, 4, 5], [4, 2, 6], [5, 6, 3]]", (1, 4, 5, 2, 6, 3)),
+        ("[[8, 1, 2], [1, 9, 3], [2, 3, 10]]", (8, 1, 2, 9, 3, 10)),
         ("{xx: 1, yy: 2, zz: 3, xz: 0.1}", (1, 0, 0.1, 2, 0, 3)),
         ("{rod: {mass: 2, length: 3, axis: x}}", (0, 0, 0, 1.5, 0, 1.5)),
         ("{box: {mass: 12, x: 1, y: 2, z: 3}}", (13, 0, 0, 10, 0, 5)),
@@ -144,7 +144,9 @@ FITTING: dict[str, dict[str, Any]] = {
     "friction": {"mu": None, "radius": None},
     "stop": {"lower": -1.0, "restitution": 0.5},
     "lock": {"locked": True},
-    "contact": {"sphere": "a", "other": "ground", "normal": "x"},
+    # said by the damping
+    "contact": {"sphere": "a", "other": "ground", "normal": "x"}
+    | {"restitution": None, "speed": None},
     "watch": {"then": "end", "direction": "up"},
     "rotor": {"axis": "x", "momentum": None, "speed": None, "torque": 2.0},
     "central_gravity": {"center": "ground", "bodies": "a"},

@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from cardan.codegen.fingerprint import fingerprint
+from cardan.model.checks import smallest_moment
 from cardan.model.files.expression import parse
 from cardan.model.files.scene.words import Words
 from external.robots import FILES, ROBOTS
@@ -70,6 +71,12 @@ def test_cut_joints_and_constraints(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", some(FILES, 2))
 def test_robots(name: str, tmp_path: Path) -> None:
     scene = cd.load(ROBOTS / name, base="free")
+    tensors = [body.inertia for body in scene.bodies.values() if any(body.inertia)]
+    if any(smallest_moment(tensor) < 0 for tensor in tensors):
+        # of a robot that others describe it is a warning, of a scene an error
+        with pytest.raises(cd.ModelError, match="negative principal moment"):
+            again(scene, tmp_path)
+        return
     assert_same(scene, again(scene, tmp_path))
 
 
@@ -216,7 +223,7 @@ def test_saving_is_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.Monke
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, "replace", full)
-    with pytest.raises(cd.ModelError, match=r"'scene.yaml' cannot be written: No space"):
+    with pytest.raises(cd.ModelError, match=r"scene.yaml cannot be written: No space"):
         scene.save(path)
     assert path.read_bytes() == before
     assert [entry.name for entry in tmp_path.iterdir()] == ["scene.yaml"]

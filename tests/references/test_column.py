@@ -70,7 +70,7 @@ def test_the_straight_column_says_where_it_buckles() -> None:
     assert low <= critical <= high
     assert high - low < 0.01
     assert path.critical()[0]["P"] == pytest.approx(critical, rel=2e-4)
-    assert path.negative.tolist() == [int(high <= P) for P in path["P"]]
+    assert path.n_negative.tolist() == [int(high <= P) for P in path["P"]]
     # what is kept is the straight column
     np.testing.assert_allclose(path.pose("beam.at1")[:, 2, 3], 0, atol=1e-9)
 

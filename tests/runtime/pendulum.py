@@ -83,11 +83,11 @@ FUNCTIONS: dict[str, dict[str, Any]] = {
         "outputs": [("jacobian", [6, 1], [])],
         "of": "tip",
     },
-    "power": {
+    "outputs": {
         "body": "out[0] = 1 / in->q[0]; return in->q[0] > 3 ? 7 : 0;",
         "prepare": "",
         "inputs": ["q"],
-        "outputs": [("power", [1], ["hinge"])],
+        "outputs": [("outputs", [1], ["hinge"])],
     },
 }
 
@@ -103,7 +103,20 @@ def text(name: str, recipe: dict[str, Any]) -> str:
         f"    (void)in; (void)work;\n    {recipe['body']}\n{end}}}\n\n"
         f"void prepare_{name}(const real *p, wreal *w)\n{{\n"
         f"    (void)p; (void)w;\n    {recipe['prepare']}\n}}\n"
+        f"#ifdef CARDAN_LOADED\nconst int {name}_sizes[] = {{{sizes(name, recipe)}}};\n#endif\n"
     )
+
+
+SIZES = {"pose__bob": 16, "frame_jacobian__tip": 6, "rhs": 2, "energy": 3}
+# q u udot tau of one number, p of three
+BLOCKS = ["t", *"quzsrpw", "udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"]
+
+
+def sizes(name: str, recipe: dict[str, Any]) -> str:
+    """What the object says about itself: out, work, w, and the blocks that are read."""
+    read = {**dict.fromkeys(recipe["inputs"], 1), "p": 3 if "p[" in recipe["prepare"] else 0}
+    own = (SIZES.get(name, 1), recipe.get("work_size", 0), recipe["prepare"].count("w["))
+    return ", ".join(map(str, (*own, *(read.get(block, 0) for block in BLOCKS))))
 
 
 def entry(name: str, recipe: dict[str, Any]) -> dict[str, Any]:
@@ -112,14 +125,13 @@ def entry(name: str, recipe: dict[str, Any]) -> dict[str, Any]:
         {"name": n, "shape": shape, "entries": entries, "units": [""] * len(entries)}
         for n, shape, entries in recipe["outputs"]
     ]
-    size = {"pose__bob": 16, "frame_jacobian__tip": 6, "rhs": 2, "energy": 3}.get(name, 1)
     return {
         "file": f"{name}.c",
         "symbol": name,
         "of": recipe.get("of"),
         "inputs": recipe["inputs"],
         "outputs": outputs,
-        "output_size": size,
+        "output_size": SIZES.get(name, 1),
         "work_size": recipe.get("work_size", 0),
         "prepared_size": recipe["prepare"].count("w["),
         "lanes": [1],

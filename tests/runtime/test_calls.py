@@ -179,16 +179,16 @@ def test_bad_input_is_named(model, call, error, message):
 
 
 def test_one_state_without_result_raises_a_batch_warns(model):
-    assert model.power([0.5], [0.0])[0] == 2.0
-    with pytest.raises(SolveError, match=r"power has no finite result for hinge"):
-        model.power([0.0], [0.0])
+    assert model.outputs([0.5], [0.0])[0] == 2.0
+    with pytest.raises(SolveError, match=r"outputs has no finite result for hinge"):
+        model.outputs([0.0], [0.0])
     with pytest.raises(SolveError, match=r"status 7"):
-        model.power(np.array([4.0]), np.array([0.0]))
+        model.outputs(np.array([4.0]), np.array([0.0]))
     with pytest.warns(SolveWarning, match=r"hinge.*at state 1; 2 of 4 states"):
-        found = model.power([[0.5], [0.0], [1.0], [0.0]], [0.0])
+        found = model.outputs([[0.5], [0.0], [1.0], [0.0]], [0.0])
     assert np.array_equal(found[:, 0], [2.0, np.inf, 1.0, np.inf])
     with pytest.warns(SolveWarning, match=r"status 7.*state 1; 2 of 3 states"):
-        found = model.power([[0.5], [4.0], [5.0]], [0.0])
+        found = model.outputs([[0.5], [4.0], [5.0]], [0.0])
     assert np.array_equal(found[:, 0], [2.0, np.nan, np.nan], equal_nan=True)
 
 
@@ -199,7 +199,7 @@ def test_long_batches_run_in_pieces(model, monkeypatch):
     monkeypatch.setattr(batch, "PIECE", 0.0)
     assert np.array_equal(model.forward_dynamics(q, [0.0], tau=q), expected)
     with pytest.warns(SolveWarning, match=r"status 7.*state 30; 1 of 40"):
-        model.power(np.where(np.arange(40) == 30, 4.0, 1.0)[:, None], [0.0])
+        model.outputs(np.where(np.arange(40) == 30, 4.0, 1.0)[:, None], [0.0])
 
 
 def test_threads_get_their_own_results(model):
@@ -267,9 +267,9 @@ MISTAKES = [
         lambda m: m.mass_matrix(np.broadcast_to(0.0, (2**59, 1))),
         r"mass_matrix: so many states do not fit into memory",
     ),
-    (lambda m: m.simulate("soon"), r"t is 'soon'"),
+    (lambda m: m.simulate("soon"), r"t='soon': give a number"),
     (lambda m: m.simulate(1.0, x0=[1.0]), r"x0 has shape \(1,\), expected \(2,\)"),
-    (lambda m: m.simulate(1.0, x0="rest"), r"x0 must be real numbers"),
+    (lambda m: m.simulate(1.0, x0="rest"), r"x0='rest': give .*real numbers"),
 ]
 
 

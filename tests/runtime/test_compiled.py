@@ -18,7 +18,7 @@ from runtime import pendulum
 
 
 def test_what_it_is(model):
-    assert repr(model).startswith("CompiledModel('pendulum', by hand: 1 bodies, 1 coordinates")
+    assert repr(model).startswith("CompiledModel('pendulum', by hand: 1 body, 1 coordinate")
     assert (model.nq, model.nu, model.nx, model.nr, model.nlam) == (1, 1, 2, 0, 0)
     assert model.coordinates == ("swing",)
     assert model.speeds == ("swing.u",)

@@ -11,13 +11,17 @@ import pytest
 
 from cardan.errors import BuildError
 from cardan.runtime import cache, toolchain
+from codegen.running import CONTRACT
 
 
 def test_contraction_is_always_given():
     gcc = toolchain.Compiler(("gcc",), Path("gcc"), "gcc (Debian) 12.2.0")
     clang = toolchain.Compiler(("clang",), Path("clang"), "Debian clang version 14.0.6")
-    assert "-ffp-contract=fast" in gcc.flags()
-    assert "-ffp-contract=on" in clang.flags()
+    old = toolchain.Compiler(("gcc",), Path("gcc"), "gcc (GCC) 7.5.0")
+    assert gcc.contraction() == CONTRACT["gcc"]
+    assert old.contraction() == ("-ffp-contract=fast",)
+    assert clang.contraction() == CONTRACT["clang"]
+    assert set(gcc.contraction()) < set(gcc.flags())
     assert "-ffp-contract=off" in gcc.flags(reproducible=True)
     assert not any("fast-math" in flag for flag in (*gcc.flags(), *clang.flags()))
 

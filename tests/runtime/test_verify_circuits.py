@@ -89,7 +89,7 @@ def test_joints_that_move_as_told_take_part():
 
 
 def test_every_kind_knows_its_number_of_speeds():
-    assert set(SPEEDS) == set(KINDS)
+    assert set(SPEEDS) == set(KINDS) - {"custom"}  # it closes circuits by its coordinates
 
 
 @pytest.mark.parametrize("treatment", [name for name, t in TREATMENTS.items() if t.exact])
@@ -110,7 +110,7 @@ def test_treatments_that_give_way_are_named():
     assert reasons["mass_matrix"] == ""
 
 
-def test_relations_of_the_user_are_named():
+def test_relations_of_the_user_are_judged():
     scene = cd.Model("linked")
     for name in ("one", "other"):
         body = scene.body(name, mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.1, 0.1))
@@ -118,9 +118,7 @@ def test_relations_of_the_user_are_named():
     scene.constraint("together", scene.q("hinge_one") - 2 * scene.q("hinge_other"))
     model = checked(scene, "forward_dynamics", "mass_matrix")
     reasons = {c.function: c.reason for c in model.verify().checks}
-    assert reasons["forward_dynamics"] == (
-        "not checked: constraint 'together' is written by the user"
-    )
+    assert reasons["forward_dynamics"] == ""
     assert reasons["mass_matrix"] == ""
 
 
@@ -177,7 +175,7 @@ def test_wrong_slip_is_found(monkeypatch):
     monkeypatch.setattr(Rolling, "sliding", wrong)
     with pytest.raises(BuildError, match="compiled forward_dynamics differs"):
         checked(ROLLING["coin"](), "forward_dynamics")
-    with pytest.raises(BuildError, match="compiled constraint_jacobian differs"):
+    with pytest.raises(BuildError, match=r"compiled constraint_(rates|jacobian) differs"):
         checked(ROLLING["coin"](), "constraint_jacobian")
 
 
@@ -209,6 +207,8 @@ def test_wrong_code_is_found(tmp_path):
     text = f"{before}{found}1.0001 * {after}"
     (harmed / "forward_dynamics.c").write_text(text)
     manifest = json.loads((harmed / "manifest.json").read_text())
+    # changed on purpose
+    del manifest["digest"]
     entry = manifest["functions"]["forward_dynamics"]
     entry["sha256"] = hashlib.sha256(text.encode()).hexdigest()
     (harmed / "manifest.json").write_text(json.dumps(manifest))

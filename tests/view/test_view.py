@@ -92,13 +92,13 @@ def test_what_cannot_be_plotted_says_why(motion: cd.Trajectory, tmp_path: Path) 
     pytest.importorskip("matplotlib")
     assert len(motion.plot(names="elbow").axes) == 1
     for given, said in (
-        ({"path": ["elbow"]}, "the first argument is the picture file; give names="),
+        ({"path": ["elbow"]}, "path=.*: give the path of a file"),
         ({"path": tmp_path / "run.pgn"}, "no ending of a picture.* Did you mean 'png'"),
         ({"names": ["elbo"]}, "no such history.* Did you mean 'elbow'"),
         ({"names": [3]}, "give a list of names"),
         ({"names": []}, "names is empty"),
     ):
-        with pytest.raises(cd.ModelError, match=said):
+        with pytest.raises(cd.CardanError, match=said):
             motion.plot(**given)
 
 

@@ -20,17 +20,19 @@ from ..runtime.absolute.frames import rotation
 from ..runtime.absolute.tables import Tables
 from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
+from ..runtime.initial import start_of
 from .blockwise import Blockwise
 from .carriage import Carriage
 from .consistent import read
 from .contract import Internal, Moment, Parameters, Rates, Seen, Tangents
-from .meshed_start import meshed_start
+from .meshed_start import meshed_start, start_of_search
 from .modeled import Modeled
 from .saddle import Dense, Saddle, Sparse
 from .settings import blocks, start
 
 Array = NDArray[np.float64]
 Longs = NDArray[np.intp]
+RELATIVE = "Use coordinates='relative'"
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
 OPEN = 1e-9  # of speeds: constraints of speeds that hold
 # steps of central differences and their shares: their error is 3e-14 of fifth derivatives
@@ -54,9 +56,11 @@ class Absolute(Modeled):
             ModelError: its elements have internal states.
         """
         if model.internals:
+            beams = model.manifest.get("beams")
+            cure = "Beams have no others: leave out what has them" if beams else RELATIVE
             raise ModelError(
                 f"model '{model.name}' has internal states ('{model.internals[0]}'): in absolute "
-                "coordinates equilibria and linear models take none. Use coordinates='relative'"
+                f"coordinates equilibria and linear models take none. {cure}"
             )
         self._meshes: dict[Any, Elements] = {}
         self.model = model
@@ -91,7 +95,7 @@ class Absolute(Modeled):
         model, x = self.started(q, hold, p)
         # where this way of closing fails Newton's method has forces to find one
         with suppress(ModelError):
-            x = meshed_start(model, x, hold, None, t, r)
+            x = start_of_search(model, x, q, hold, t, r)
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
 
@@ -196,6 +200,16 @@ class Absolute(Modeled):
         found = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
         return Tangents(*(csr_array(found[name]) for name in "KCMRG"))
 
+    def loads(self, at: Moment) -> Array:
+        """As :meth:`Contract.loads`: forces of all elements but joints, beams and springs."""
+        mesh, state = self._asked(at)
+        found: Array = mesh.loads(state) * self.columns
+        return found
+
+    def sizes(self, at: Moment) -> Array:
+        """As :meth:`Contract.sizes`: of nodes the distance from the origin."""
+        return self.tables.distances(at.q, self.columns)
+
     def internal_rates(self, at: Moment) -> Array:
         """As :meth:`Contract.internal_rates`: there are none."""
         return np.zeros(0)
@@ -241,7 +255,10 @@ class Absolute(Modeled):
     def _bent(self, at: Moment) -> Array:
         """G udot - gamma (m,)."""
         mesh, state = self._asked(at)
-        return np.asarray(self.tangents(at).G @ at.udot - mesh.gamma(state))
+        # G udot by the rates that constraints have with these speeds: nothing is assembled
+        moved, still = (replace(state, u=u) for u in (at.udot, 0 * at.udot))
+        rates = mesh.balance(moved)[2] - mesh.balance(still)[2]
+        return np.asarray(rates - mesh.gamma(state))
 
     def seen(self, at: Moment) -> Seen:
         """As :meth:`Contract.seen`, by central differences."""
@@ -369,7 +386,7 @@ def _vectors(turns: Array) -> Array:
 
 def _extent(model: CompiledModel, tables: Tables) -> float:
     """The largest distance of a node from their middle, at first [m]; 1 without any."""
-    q = model.split(model.initial())[0]
+    q = model.split(start_of(model, {}, {})[0])[0]
     nodes = [k for k, kind in enumerate(tables.kind) if tables.kinds[kind].node]
     spread = np.array([tables.pose(q, k)[4:] for k in nodes] or np.zeros((1, 3)))
     size = float(np.linalg.norm(spread - spread.mean(axis=0), axis=1).max())

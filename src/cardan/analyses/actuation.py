@@ -9,8 +9,13 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..errors import ArgumentError, SolveError, near
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State, Values
+from .balancing import elastic
+from .contract import Moment, contract_of
+from .static_problem import scaled
 
 Array = NDArray[np.float64]
 RANK = 1e-9  # singular values below this part of the largest count as zero
@@ -104,17 +109,18 @@ class _Place:
         return self.model.inverse_dynamics(self.q, self.u, udot, **self.rest)
 
 
+@checked
 def actuation(
     model: CompiledModel,
-    q: Any,
-    u: Any,
-    udot: Any,
+    q: State,
+    u: State,
+    udot: State,
     actuators: Sequence[str] | None = None,
     *,
     norm: str | ArrayLike = "minimum",
     t: ArrayLike = 0.0,
-    r: Any = None,
-    parameters: Any = None,
+    r: State | None = None,
+    parameters: Values | None = None,
 ) -> Actuation:
     """Forces of actuators that make a motion: inverse dynamics of closed systems.
 
@@ -133,24 +139,30 @@ def actuation(
 
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
     """
-    rest = {"t": t, "r": r, "parameters": parameters}
+    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
     place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
     motion = model._vector("udot", udot)
+    if motion.shape[-1:] != (model.nu,):
+        raise ArgumentError(
+            f"actuation: udot has the shape {motion.shape}, expected (..., {model.nu}): "
+            f"{', '.join(model.speeds[:6])}"
+        )
     _refuse_impossible(place, motion)
     chosen = named_speeds(model, actuators)
     return _shared(place, motion, np.zeros(model.nu), chosen, norm)
 
 
+@checked
 def hybrid_dynamics(
     model: CompiledModel,
-    q: Any,
-    u: Any,
+    q: State,
+    u: State,
     udot: Mapping[str, ArrayLike],
     *,
-    tau: Any = None,
+    tau: State | None = None,
     t: ArrayLike = 0.0,
-    r: Any = None,
-    parameters: Any = None,
+    r: State | None = None,
+    parameters: Values | None = None,
 ) -> Actuation:
     """Some accelerations are given, the others follow, and so do the forces that it takes.
 
@@ -167,7 +179,7 @@ def hybrid_dynamics(
 
     Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
     """
-    rest = {"t": t, "r": r, "parameters": parameters}
+    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
     place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
     chosen, wanted = _wanted(model, udot)
     given = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
@@ -217,7 +229,7 @@ def _shared(
     tau = np.zeros((*lead, nu))
     tau[..., chosen] = forces
     left = _times(free, load - tau)
-    if not _small(left, load, tau):
+    if not _small(left, load, tau) and not _rounded(place, udot, left):
         raise SolveError(_too_few(model, left, load, chosen))
     lam = _times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
     size = np.linalg.norm(along, ord=2, axis=(-2, -1)) if chosen else np.zeros(lead)
@@ -232,6 +244,25 @@ def _shared(
         np.linalg.matrix_rank(along, tol=RANK * size) if chosen else np.zeros(lead, int),
         word,
     )
+
+
+def _rounded(place: _Place, udot: Array, left: Array) -> bool:
+    """Whether what is left is rounding of elastic forces, which are large where they rest too."""
+    model, rest = place.model, place.rest
+    system = contract_of(model.with_parameters(rest["parameters"] or {}))
+    lead, nu = left.shape[:-1], model.nu
+    count = int(np.prod(lead))
+    r = system.given_inputs(None) if rest["r"] is None else model._vector("r", rest["r"])
+    wide = ((place.q, model.nq), (place.u, nu), (udot, nu), (r, model.nr))
+    blocks = [np.broadcast_to(x, (*lead, n)).reshape(count, n) for x, n in wide]
+    times = np.broadcast_to(np.asarray(rest["t"], dtype=float), lead).ravel()
+    most = []
+    for t, *(q, u, rate, inputs) in zip(times, *blocks, strict=True):
+        lam, z = np.zeros(len(system.multipliers)), np.zeros(len(system.internals))
+        at = Moment(float(t), q, u, rate, lam, inputs, z, system.modes)
+        K = scaled(system.tangents(at).K, system.columns, system.columns)
+        most.append(float((elastic(system, at, K) / system.columns).max(initial=0.0)))
+    return bool((np.abs(left).reshape(count, nu).max(axis=1) <= np.array(most)).all())
 
 
 def _softness(norm: str | ArrayLike, count: int) -> tuple[Array, str]:

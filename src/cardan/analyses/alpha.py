@@ -11,7 +11,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from ..errors import ModelError
+from ..arguments import check_fields
+from ..errors import ModelError, shown
 from ..ir.rows import column
 from .integrator import Integrator
 
@@ -46,6 +47,7 @@ class Alpha:
     gamma: float
 
     def __post_init__(self) -> None:
+        check_fields(self)
         numbers = (self.am, self.af, self.beta, self.gamma)
         if not all(map(math.isfinite, numbers)) or not (self.beta > 0 and self.gamma > 0):
             raise ModelError(f"{self}: numbers are wanted, beta and gamma positive")
@@ -143,15 +145,17 @@ class GeneralizedAlpha:
     newton: str = MODIFIED
 
     def __post_init__(self) -> None:
+        check_fields(self)
         Alpha.chung_hulbert(self.rho_inf)
         if self.index not in (2, 3):
             raise ModelError(
-                f"GeneralizedAlpha: index={self.index!r} is 2 (positions and velocities) or 3 "
+                f"GeneralizedAlpha: index={shown(self.index)} is 2 (positions and velocities) or 3 "
                 "(positions alone)"
             )
         if self.newton not in NEWTON:
             raise ModelError(
-                f"GeneralizedAlpha: newton={self.newton!r} is 'modified' (one tangent for as many "
+                f"GeneralizedAlpha: newton={shown(self.newton)} is 'modified' (one "
+                "tangent for as many "
                 "corrections and steps as it serves) or 'full' (a new one at every correction)"
             )
 

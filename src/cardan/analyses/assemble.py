@@ -8,13 +8,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError
+from ..arguments import Count, Seed, checked
+from ..errors import ArgumentError, ModelError
+from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State
 from ..runtime.initial import entries, start_of
 from .assembly import Assembly
 from .branches import Branch, branches, refuse
 from .consistent import accelerations, speeds
-from .mechanism import Mechanism
+from .mechanism import Mechanism, refuse_nodes
 from .meeting import Found
 from .rounded import rounded, slack
 from .searches import search
@@ -27,6 +30,7 @@ STARTS = 16
 REACHED = 1e-9
 
 
+@checked
 def assemble(
     model: CompiledModel,
     targets: Mapping[str, Any] | None = None,
@@ -37,10 +41,10 @@ def assemble(
     hold: Iterable[str] | None = None,
     branch: Mapping[str, Any] | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    starts: int = STARTS,
-    seed: int = 0,
+    starts: Count = STARTS,
+    seed: Seed = 0,
     t: float = 0.0,
-    r: Any = None,
+    r: State | None = None,
 ) -> Assembly:
     """A position at which all circuits close, next to a start, with some of it given.
 
@@ -64,6 +68,7 @@ def assemble(
             on the branch, unknown names.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
     """
+    refuse_nodes(model, "assemble")
     m = Mechanism(model, t, r)
     goals, wanted = read(m, targets or {}, weights, hold), branches(model, branch or {})
     if starts < 1:
@@ -87,7 +92,12 @@ def _begin(model: CompiledModel, start: Any) -> Array:
     """Coordinates to start from."""
     named = start if isinstance(start, Mapping) else {}
     if start is not None and not isinstance(start, Mapping):
-        named = dict(zip(model.coordinates, np.asarray(start, dtype=float).tolist(), strict=True))
+        q = numbers("start", start)
+        if q.shape != (model.nq,):
+            raise ArgumentError(
+                f"start has shape {q.shape}, expected ({model.nq},): {', '.join(model.coordinates)}"
+            )
+        named = dict(zip(model.coordinates, q.tolist(), strict=True))
     return start_of(model, named, {})[0][: model.nq]
 
 
@@ -105,7 +115,8 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
     """The position that runs and assemblies take: one rule, whatever rounding does.
 
     On a branch, inside limits if there is one: where the first search ended, which began at the
-    start; else the one next to the start, of equally near ones the one that was found first.
+    start; else the one next to the start, of equally near ones the one that was found first. Of
+    these runs take the first by its coordinates, and warn.
 
     Args:
         m: The mechanism.
@@ -127,6 +138,11 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
         return worse, outside(m, one.q), not one.first, round(away / SAME)
 
     return min(allowed, key=order)
+
+
+def places(m: Mechanism, q: Array) -> tuple[float, ...]:
+    """Coordinates of the joints that are moved, for an order that rounding cannot turn."""
+    return tuple(-np.round(q[m.led] / SAME))
 
 
 def outside(m: Mechanism, q: Array) -> int:

@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, near
+from ..errors import ArgumentError, ModelError, near, shown
 from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ def branches(model: CompiledModel, named: Mapping[str, Any]) -> list[Branch]:
         elif not isinstance(value, str) and np.shape(value) == (2,) and value[0] < value[1]:
             low, high = float(value[0]), float(value[1])
         else:
-            raise ArgumentError(f"branch: '{name}' is {value!r}; give '+', '-' or (low, high)")
+            raise ArgumentError(f"branch: '{name}' is {shown(value)}; give '+', '-' or (low, high)")
         found.append(Branch(name, k, low, high, model.manifest["coordinates"][k]["unit"] == "rad"))
     return found
 

@@ -12,17 +12,18 @@ Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from ..errors import ModelError, SolveWarning
+from ..arguments import Count, checked
+from ..errors import ModelError, SolveWarning, shown, warn
 from .family import Member, family
 from .locus import END, Locus, locus
 
@@ -66,6 +67,7 @@ class Campbell:
         """Whether no small motion grows exponentially (n,)."""
         return self.locus.stable
 
+    @checked
     def critical(self, order: int = 1) -> list[float]:
         """Speeds at which a frequency is a multiple of the speed, in their order.
 
@@ -76,7 +78,7 @@ class Campbell:
             ModelError: it is no whole number above 0.
         """
         if not isinstance(order, int | np.integer) or order < 1:
-            raise ModelError(f"critical({order!r}): a multiple of the speed, 1, 2, ...")
+            raise ModelError(f"critical({shown(order)}): a multiple of the speed, 1, 2, ...")
         found = list[float]()
         off = self.frequencies - order * np.abs(self.speed)[:, None]
         # a motion that keeps to the line, as turns of the whole do in axes at rest, is no crossing
@@ -131,7 +133,8 @@ class Campbell:
             lines.append(f"  {change.kind} {word} at {change.values[self.label]:.9g}")
         return "\n".join(lines)
 
-    def plot(self, path: Any = None, orders: Sequence[int] = (1,)) -> Any:
+    @checked
+    def plot(self, path: str | Path | None = None, orders: Sequence[int] = (1,)) -> Any:
         """The diagram as a Matplotlib figure, written to ``path`` if given.
 
         Args:
@@ -155,11 +158,12 @@ class Campbell:
         )  # fmt: skip
 
 
+@checked
 def campbell(
     model: Any,
     swept: Mapping[str, Any] | None = None,
     *,
-    count: int | None = None,
+    count: Count | None = None,
     turning: bool | None = None,
     check: bool = False,
     **options: Any,
@@ -185,7 +189,7 @@ def campbell(
     members = family(model, {**(swept or {}), **options}, given, count)
     found = locus(members, check)
     if found.message != END:
-        warnings.warn(found.message, SolveWarning, stacklevel=3)
+        warn(found.message, SolveWarning)
     label = next(iter(members.columns))
     along = "mesh" in model.manifest if turning is None else bool(turning)
     return _record(found, label, along)
@@ -245,7 +249,7 @@ def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...])
     first = np.linalg.svd(axis[None])[2][1]
     second = np.cross(axis, first)
     moved = member.linear.increments @ shape
-    forward, backward = 0.0, 0.0
+    forward, backward, along = 0.0, 0.0, 0.0
     model = member.state.model
     for body in bodies:
         twist = model.frame_jacobian(body, member.state.q, **_rest(member)) @ moved
@@ -253,7 +257,9 @@ def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...])
             x, y = first @ part, second @ part
             forward += abs(x + 1j * y) ** 2
             backward += abs(x - 1j * y) ** 2
-    total = forward + backward
+            along += 2 * abs(axis @ part) ** 2
+    # what turns about the axis, or moves along it, whirls only by rounding
+    total = forward + backward + along
     return float((forward - backward) / total) if total > 0 else 0.0
 
 

@@ -5,27 +5,31 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import zipfile
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from .. import __version__
+from .. import __version__, regular_file
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
-from ..runtime.storage import replaced
+from ..runtime.number_file import packed, plain, unpacked
+from ..whole_file import replaced
 from .happenings import happenings
 from .integrators import INTEGRATORS
 from .plain import PlainRunner
 from .run import Runner, Saved
-from .saved_record import record_of, saved_of
-from .settings import Settings
+from .saved_record import impossible, record_of, saved_of, sound, ticks_of
+from .settings import Settings, settings
 from .signals import signals
 from .simulate import runner_of
 
-FORMAT = 2
+FORMAT = 3
+TEXTS = ("key", "method", "model", "words", "over")
+NUMBERS = ("rtol", "atol", "step")
+NEEDED = {*TEXTS, *NUMBERS, "max_step", "kernels", "record", "ticks", "events"}
 NONE = "give a file that stepper.save(path) wrote"
 
 
@@ -48,6 +52,11 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         )
     if not path.parent.is_dir():
         raise ModelError(f"{path}: the directory {path.parent} does not exist")
+    if "mesh" in runner.model.manifest:
+        raise ModelError(
+            f"{path}: model '{runner.model.name}' is in absolute coordinates, whose steppers are "
+            "kept in no file; stepper.save() keeps a checkpoint in memory"
+        )
     numbers = {"rtol": how.rtol, "atol": how.atol, "step": how.step}
     head = {
         "cardan_checkpoint": FORMAT,
@@ -60,16 +69,23 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         "max_step": None if math.isinf(how.max_step) else how.max_step,
         "events": [dict(row) for row in runner.may.rows],
         "record": record_of(runner),
+        "ticks": ticks_of(runner),
         "over": saved.over,
         **numbers,
     }
-    parts: dict[str, Any] = {
-        "head": np.frombuffer(json.dumps(head).encode("ascii"), dtype=np.uint8),
+    text = json.dumps(head).encode("ascii")
+    parts = {
+        "head": np.frombuffer(text, dtype=np.uint8),
         "memory": np.frombuffer(saved.memory),
-        "ticks": np.frombuffer(saved.ticks, dtype=np.uint8),
+        "digest": np.frombuffer(digest(text, saved.memory), dtype=np.uint8),
     }
-    with replaced(path) as new, Path(new).open("wb") as file:
-        np.savez(file, **parts)
+    with replaced(path) as new:
+        Path(new).write_bytes(packed(parts))
+
+
+def digest(head: bytes, memory: bytes) -> bytes:
+    """Hash of everything in a checkpoint; it finds damage, not malice."""
+    return hashlib.sha256(hashlib.sha256(head).digest() + memory).digest()
 
 
 def read(
@@ -86,13 +102,8 @@ def read(
         ModelError: no checkpoint, or one of another model, other parameters, other events or
             another version; one of a machine with a compiler on a machine without.
     """
-    head, memory, ticks = _parts(path)
-    method = INTEGRATORS.get(str(head["method"]))
-    if method is None:
-        raise ModelError(f"{path}: this cardan has no method '{head['method']}'")
-    limit = math.inf if head["max_step"] is None else float(head["max_step"])
-    numbers = (float(head["rtol"]), float(head["atol"]), float(head["step"]), limit)
-    how = Settings(method, *numbers, str(head["words"]))
+    head, memory = _parts(path)
+    how = _settings(head, path)
     given = signals(model.manifest["inputs"], None, None, (0.0, 0.0))
     runner = runner_of(model, how, given, happenings(model, events))
     if head["key"] != _key(runner):
@@ -101,16 +112,40 @@ def read(
             f"'{model.name}' has: give the model it was made with, with_parameters(...) included"
         )
     if head["events"] != [dict(row) for row in runner.may.rows]:
-        names = ", ".join(dict.fromkeys(row["name"] for row in head["events"])) or "none"
-        raise ModelError(f"{path}: its run watches for {names}: give the same events=")
+        raise ModelError(f"{path}: its run watches for {_names(head)}: give the same events=")
     if bool(head["kernels"]) != isinstance(runner, Runner):
         raise ModelError(
             f"{path} was made {'with' if head['kernels'] else 'without'} a C compiler, this run "
             "would go on otherwise: bits differ"
         )
     runner.want(None, dense=False)
-    runner.restore(saved_of(runner, head["record"], memory, ticks, path))
+    runner.restore(saved_of(runner, head["record"], memory, head["ticks"], path))
+    sound(runner, path)
     return runner, how, str(head["over"])
+
+
+def _settings(head: dict[str, Any], path: Path) -> Settings:
+    """How a run is stepped, of which the same is asked as of callers."""
+    if head["method"] not in INTEGRATORS:
+        raise ModelError(f"{path}: this cardan has no method '{head['method']}'")
+    method = INTEGRATORS[head["method"]]
+    taken = {name: head[name] or None for name in ("step", "max_step")}
+    try:
+        if method.adaptive:
+            how = settings(method.name, head["rtol"], head["atol"], **taken, length=None)
+        else:
+            how = settings(method.name, 0.0, 1.0, **taken, length=None)
+    except ModelError as error:
+        raise impossible(path, str(error)) from error
+    # words tell what was asked for before it was bounded
+    return replace(how, method=method, words=head["words"])
+
+
+def _names(head: dict[str, Any]) -> str:
+    """What a run watches for, as far as a file says it."""
+    rows = head["events"] if isinstance(head["events"], list) else []
+    names = [str(row.get("name")) for row in rows if isinstance(row, dict)]
+    return ", ".join(dict.fromkeys(names)) or "none"
 
 
 def _key(runner: Runner | PlainRunner) -> str:
@@ -125,24 +160,37 @@ def _key(runner: Runner | PlainRunner) -> str:
     return found.hexdigest()
 
 
-def _parts(path: Path) -> tuple[dict[str, Any], Any, bytes]:
-    """Head, memory and ticks of a file."""
+def _parts(path: Path) -> tuple[dict[str, Any], Any]:
+    """Head and memory of a file."""
     try:
-        # other files than archives may hold objects, about which NumPy has advice
-        if path.exists() and not zipfile.is_zipfile(path):
-            raise zipfile.BadZipFile
-        with np.load(path, allow_pickle=False) as file:
-            head = json.loads(file["head"].tobytes())
-            memory, ticks = file["memory"], file["ticks"].tobytes()
+        content = regular_file.content(path)
     except FileNotFoundError:
         raise ModelError(f"{path}: there is no such file") from None
     except OSError as error:
         raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
-    except (ValueError, KeyError, AttributeError, EOFError, zipfile.BadZipFile) as error:
+    try:
+        parts = unpacked(content)
+        text, memory, stated = (parts[name] for name in ("head", "memory", "digest"))
+        head = plain(text.tobytes())
+    except (ValueError, KeyError) as error:
         raise ModelError(f"{path} is no checkpoint, or is damaged: {NONE}") from error
-    needed = {"cardan_checkpoint", "key", "method", "record", "events", "words", "max_step", "over"}
-    if not isinstance(head, dict) or not needed <= set(head) or memory.dtype != np.float64:
+    if not isinstance(head, dict) or "cardan_checkpoint" not in head:
         raise ModelError(f"{path} is no checkpoint: {NONE}")
     if head["cardan_checkpoint"] != FORMAT:
         raise ModelError(f"{path} was written by another version of cardan; start the run anew")
-    return head, memory, ticks
+    if stated.tobytes() != digest(text.tobytes(), memory.tobytes()):
+        raise impossible(path, "its hash is that of another content")
+    _check(head, path)
+    return head, memory
+
+
+def _check(head: dict[str, Any], path: Path) -> None:
+    """Whether a head has what it must have, of the right types."""
+    if not set(head) >= NEEDED:
+        raise impossible(path, f"'{min(NEEDED - set(head))}' is missing")
+    for name in TEXTS:
+        if not isinstance(head[name], str):
+            raise impossible(path, f"'{name}' is no text")
+    for name in (*NUMBERS, *(("max_step",) if head["max_step"] is not None else ())):
+        if type(head[name]) not in (int, float) or not abs(head[name]) < 1e308:
+            raise impossible(path, f"'{name}' is no number")

@@ -30,6 +30,7 @@ class Case:
         asked: Whether inputs are functions of the user, of which no derivative is known.
         stiff: Whether stability has limited the steps of an explicit method.
         elements: Whether the model is one of elements in absolute coordinates.
+        beams: Whether some of them are beams, whose vibrations stability has to resolve.
     """
 
     rtol: float
@@ -39,6 +40,7 @@ class Case:
     asked: bool = False
     stiff: bool = False
     elements: bool = False
+    beams: bool = False
 
     @property
     def hurried(self) -> bool:
@@ -69,12 +71,20 @@ class Rule:
     why: str
 
 
+# what masses that constraints hold, and constraints that explicit steps leave, may end in
+BROKEN = ("model_failed", "not_closed", "step_too_small", "not_finite")
 STIFF = "stability limited the steps of DOP853, not accuracy"
 RULES: tuple[Rule, ...] = (
     Rule(
         "GeneralizedAlpha",
-        lambda case: case.elements,
+        lambda case: case.elements and (case.stiff or case.beams or case.rtol >= FINE),
         "elements in absolute coordinates: stiff, with constraints, solved with sparse matrices",
+    ),
+    Rule(
+        "DOP853",
+        lambda case: case.elements,
+        "rigid bodies on nodes, not stiff as far as seen: such a tolerance takes GeneralizedAlpha, "
+        "of order 2, many times the steps",
     ),
     Rule(
         "DOP853",
@@ -110,6 +120,12 @@ def choose(case: Case) -> Rule:
     return next(rule for rule in RULES if rule.holds(case))
 
 
+def given_up(case: Case | None, method: str, status: str) -> bool:
+    """Whether a run of elements by an explicit method ended where an implicit one may go on."""
+    explicit = case is not None and case.elements and method == "DOP853"
+    return explicit and status in BROKEN
+
+
 def limited(run: Any) -> bool:
     """Whether stability limits the steps of a run.
 
@@ -130,8 +146,10 @@ def reconsider(case: Case, runner: Any, over: Span, begin: Any) -> None:
     Raises:
         Limited: it does, and there is a method that need not mind.
     """
-    undecided = case.derived and not case.stiff
-    if undecided and (limited(runner.record) or _outpaced(runner, over, begin)):
+    if case.stiff or not (case.derived or case.elements):
+        return
+    # nothing tells the rates of elements but the steps themselves
+    if limited(runner.record) or (case.derived and _outpaced(runner, over, begin)):
         raise Limited(case)
 
 

@@ -11,27 +11,29 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import entries
-from .assemble import STARTS, choose, outside
+from ..runtime.initial import entries, followers
 from .consistent import speeds
+from .crossing import refuse_singular
+from .followers import place
+from .followers import speed as followed
 from .mechanism import Mechanism
-from .meeting import Found
 from .meshed_start import meshed_start
-from .redundancy import rank_of
-from .rounded import rounded, slack
-from .searches import search, search_from
-from .settings import Start
-from .targets import Target, read
-from .unassembled import explain, turned_round
+from .nearest import NEARLY, assembled
+from .rounded import slack
+from .searches import search_from
+from .settings import Start, start
+from .targets import read
+from .unassembled import turned_round
 
 Array = NDArray[np.float64]
-BESIDE = 1e-3  # of the size, and radians
-NAMED = "Name fewer coordinates at the start: circuits determine the others"
-NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 
 
 def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
-    """A start at which circuits are closed.
+    """A start at which loops are closed: one rule in every kind of coordinates.
+
+    Coordinates and speeds that are named are held, or refused by name. The others are those next
+    to the start: of joints first, angles in radians and lengths in sizes of the scene; nodes and
+    beams go along with the joints.
 
     Args:
         model: The compiled model; trees start where they are told to.
@@ -40,24 +42,59 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
         t, r: Time and inputs.
 
     Raises:
-        ModelError: circuits that cannot be assembled with what is named.
+        ModelError: loops that cannot be assembled with what is named.
     """
     manifest = model.manifest
+    if "mesh" in manifest:
+        return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
+    if followers(manifest, "q"):
+        q, u = (_own(manifest, letter, block) for letter, block in (("q", q), ("u", u)))
+        begin = _followed(model, begin, q, u, t, r)
     always = [row for row in manifest.get("multipliers", ()) if not row.get("switched")]
     if not always or "constraints" not in manifest["available"]:
         # the run itself projects what it is given; what modes hold is not held before it begins
         return begin
-    if "mesh" in manifest:
-        return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
     m = Mechanism(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
-    place = _positions(m, place, _named("q", model, q))
+    place = positions(m, place, named_of("q", model, q))
     m.slack = m.slack or slack(m, place)
-    speed = _speeds(m, place, speed, _named("u", model, u))
+    speed = _speeds(m, place, speed, named_of("u", model, u))
     return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
 
 
-def _named(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:
+def _own(manifest: Mapping[str, Any], letter: str, given: Any) -> Any:
+    """What was given, less joints that follow from loops."""
+    if not isinstance(given, Mapping):
+        return given
+    places = followers(manifest, letter)
+    return {name: value for name, value in given.items() if name not in places}
+
+
+def _followed(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
+    """A start of loops in closed form, by what was named of all joints."""
+    m = Mechanism(model, t, r)
+    at, speed, internal = model.parts_of(begin.x)
+    if q is None or isinstance(q, Mapping):
+        at = place(m, at, q or {}, begin.followers.get("q", {}))
+    if begin.followers.get("u"):
+        places = entries(model.manifest, "u")
+        held = [k for name in u or {} for k in range(*places[name].indices(model.nu))]
+        speed = followed(m, at, speed, held, begin.followers["u"])
+    return replace(begin, x=np.concatenate([at, speed, internal]))
+
+
+def initial(
+    model: CompiledModel, q: Mapping[str, Any], u: Mapping[str, Any], z: Mapping[str, Any]
+) -> Array:
+    """The state (nx,) in which a run starts at t = 0 with the defaults of the inputs.
+
+    Args: as :meth:`CompiledModel.initial` takes them.
+    """
+    begin = start(model, None, q, u, z)
+    return closed_start(model, begin, q, u, 0.0, model._layout.start("r")).x
+
+
+def named_of(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:
     """What was named; None where every entry was given."""
     if given is not None and not isinstance(given, Mapping):
         return None
@@ -67,8 +104,8 @@ def _named(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] |
     return None if len(known) == len(rows) else given or {}
 
 
-def _positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
-    """Assembled coordinates."""
+def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
+    """Assembled coordinates next to a start (nq,), named ones held; None: all were given."""
     open_by = float(np.abs(m.residuals(q)).max(initial=0.0))
     if named is None and open_by <= NEARLY:
         end = search_from(m, [], q)
@@ -78,33 +115,13 @@ def _positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array
             return end.q
     every = dict(zip(m.model.coordinates, q.tolist(), strict=True))
     goals = read(m, every if named is None else named)
-    return _assembled(m, goals, q).q
-
-
-def _assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
-    """The position next to a start; other starts are tried where that does not close."""
-    first = search_from(m, goals, q)
-    if first.met and not outside(m, first.q):
-        return first
-    found = search(m, goals, q, STARTS, 0)
-    met = [one for one in found if one.met]
-    if not met:
-        # numbers that fit but for their last digits
-        wished = [replace(goal, weight=1.0) for goal in goals]
-        nearest = search_from(m, wished, q)
-        if nearest.met and nearest.cost <= NEARLY**2:
-            return nearest
-        found = rounded(m, goals, q, STARTS, 0)
-        met = [one for one in found if one.met]
-    if not met:
-        explain(m, goals, found, lambda n, some: search(n, some, q, 6, 0), NAMED)
-    return choose(m, met, [], q)
+    return assembled(m, goals, q).q
 
 
 def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -> Array:
     """Speeds that circuits allow."""
     if named is not None:
-        _refuse_singular(m, q)
+        refuse_singular(m, q)
         return speeds(m, q, named, u)
     rates = m.rates(q, u)
     worst = int(np.abs(rates).argmax())
@@ -115,29 +132,4 @@ def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -
         f"u: all speeds are given, and joint '{row['joint']}' would come apart at "
         f"{abs(rates[worst]) * m.rows[worst]:.3g} in '{row['name']}'. Name only those that are to "
         "be held: the others follow"
-    )
-
-
-def _refuse_singular(m: Mechanism, q: Array) -> None:
-    """Refuse a start at which branches meet, unless all speeds say which one is meant.
-
-    Raises:
-        ModelError: constraints are fewer here than at a position beside it.
-    """
-    G = m.jacobian(q)
-    U, s, _ = np.linalg.svd(G)
-    rank = rank_of(s)
-    if rank == len(G):
-        return
-    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.model.nu)
-    beside = search_from(m, [], m.advance(q, aside)).q
-    usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
-    if usual <= rank:
-        return
-    # what is lost here, and not what is redundant everywhere
-    weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
-    raise ModelError(
-        f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
-        f"branches of the motion meet at joint '{m.closing.rows[weakest]['joint']}'. Give all "
-        "speeds, u=: they say which branch is meant; or start beside it"
     )

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
@@ -32,8 +32,12 @@ def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Arr
     chosen, values = read("u", m.model, given)
     u = rest.copy()
     u[chosen] = values
-    start = m.rates(q, np.zeros_like(u))
-    return _meet(m, q, u, chosen, -start, list(given), "u")
+    start = m.rates(q, m.speeds_at(q, np.zeros(m.nu)))
+    held, more, right = m.held_speeds(q, chosen, values)
+    wanted = m.steps_of(u)
+    G = np.concatenate([m.jacobian(q), more])
+    found = _meet(m, q, G, wanted, held, np.concatenate([-start, right]), list(given), "u")
+    return m.speeds_at(q, found)
 
 
 def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) -> Array:
@@ -51,10 +55,11 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
     if not len(chosen):
         return free
     # accelerations under forces fulfill the constraints: they know gamma
-    gamma = m.jacobian(q) @ (free / m.columns)
+    G = m.jacobian(q)
+    gamma = G @ (free / m.columns)
     udot = free.copy()
     udot[chosen] = values
-    return _meet(m, q, udot, chosen, gamma, list(given), "udot")
+    return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(given), "udot")
 
 
 def read(
@@ -79,7 +84,7 @@ def read(
             names = ", ".join(model.speeds[place])
             raise ArgumentError(f"{where}: {array.size} values, expected {names}")
         if not np.isfinite(array).all():
-            raise SolveError(f"{where} is {value!r}; it must be finite")
+            raise SolveError(f"{where} is {shown(value)}; it must be finite")
         if set(chosen) & set(range(place.start, place.stop)):
             raise ModelError(f"{where}: given twice, once by joint, once by entry")
         chosen += range(place.start, place.stop)
@@ -90,39 +95,49 @@ def read(
 def _meet(
     m: Mechanism,
     q: Array,
+    G: Array,
     wanted: Array,
     held: NDArray[np.intp],
     right: Array,
     names: list[str],
     what: str,
 ) -> Array:
-    """The vector next to a wanted one with G v = right and the held entries kept."""
-    G, free = m.jacobian(q), np.setdiff1d(np.arange(len(wanted)), held)
-    missing_part = right - G @ (wanted / m.columns)
+    """The vector without units next to a wanted one with G v = right and the held entries kept."""
+    free = np.setdiff1d(np.arange(len(wanted)), held)
+    missing_part = right - G @ wanted
     L = _metric(m, q, free)
     # the least change of the free entries that closes the gap
     step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
     v = wanted.copy()
-    v[free] += m.columns[free] * (L @ step)
-    left = right - G @ (v / m.columns)
-    scale = max(1.0, float(np.abs(wanted / m.columns).max(initial=0.0)))
+    v[free] += L @ step
+    left = right - G @ v
+    scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
     worst = int(np.abs(left).argmax()) if len(left) else 0
     if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.slack) * scale:
-        row = m.closing.rows[worst]
         said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
         kind = "speeds" if what == "u" else "accelerations"
         raise ModelError(
-            f"{kind} of {said} cannot hold together: joint '{row['joint']}' would come apart at "
-            f"{abs(left[worst]) * m.rows[worst]:.3g} in '{row['name']}'. Leave one of them out"
+            f"{kind} of {said} cannot hold together{_apart(m, worst, abs(left[worst]))}. Leave one "
+            "of them out"
         )
     return v
 
 
+def _apart(m: Mechanism, row: int, residual: float) -> str:
+    """Which joint would come apart, in words; "" where a row is not one of constraints."""
+    if row >= len(m.closing.rows):
+        return ""
+    told = m.closing.rows[row]
+    return f": joint '{told['joint']}' would come apart at {residual * m.rows[row]:.3g} in " + (
+        f"'{told['name']}'"
+    )
+
+
 def _metric(m: Mechanism, q: Array, free: NDArray[np.intp]) -> Array:
     """L with L L^T the inverse mass matrix of the free speeds, without units; else the identity."""
-    if "mass_matrix" not in m.model.manifest["available"]:
+    M = m.mass(q)
+    if M is None:
         return np.eye(len(free))
-    M = m.model.mass_matrix(q, t=m.t, r=m.r) * np.outer(m.columns, m.columns)
     part = M[np.ix_(free, free)]
     values, vectors = np.linalg.eigh(part)
     least = 1e-9 * max(float(values.max(initial=0.0)), 1e-300)

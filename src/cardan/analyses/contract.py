@@ -155,6 +155,10 @@ class Contract(Protocol):
     saddle: Saddle
 
     @property
+    def modes(self) -> Array:
+        """Modes of elements as they start (ns,)."""
+
+    @property
     def leading(self) -> NDArray[np.bool_]:
         """Whether a speed is that of a joint (nu,), rather than one that follows."""
 
@@ -175,6 +179,19 @@ class Contract(Protocol):
             t, r, p: Time [s], inputs (nr,), parameters.
         """
 
+    @property
+    def events(self) -> tuple[tuple[str, str, str], ...]:
+        """Of every event its element, its kind, and what a start with a negative value means."""
+
+    def labels(self, s: Array) -> dict[str, str]:
+        """What modes (ns,) mean, by the name of the mode."""
+
+    def signs(self, at: Moment) -> Array:
+        """A number for every event (ne,): it happens where that falls through 0."""
+
+    def behind(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
+        """Modes (ns,) behind events (ne,) that happen."""
+
     def given_inputs(self, named: Any) -> Array:
         """Inputs (nr,) by name, the rest at their defaults; or (nr,) as they are."""
 
@@ -186,6 +203,15 @@ class Contract(Protocol):
 
     def tangents(self, at: Moment) -> Tangents:
         """K, C, M, R and G."""
+
+    def loads(self, at: Moment) -> Array:
+        """Sizes (nu,) of the loads that act, without units: weights, forces, not of springs."""
+
+    def sizes(self, at: Moment) -> Array:
+        """How large the coordinates are that increments change (nu,), without units.
+
+        Of positions the distance from the origin: what rounding of theirs counts against.
+        """
 
     def internal_rates(self, at: Moment) -> Array:
         """zdot (nz,)."""
@@ -233,8 +259,12 @@ class Contract(Protocol):
     def difference(self, q0: Array, q: Array) -> Array:
         """The increment (nu,) that leads from q0 to q."""
 
+    @property
+    def places(self) -> Mapping[str, tuple[int, int]]:
+        """Coordinates that can be held, as their speeds are their derivatives: entries in q, u."""
+
     def place(self, name: str) -> tuple[int, int]:
-        """Entries in q and u of a coordinate whose speed is its derivative.
+        """Entries in q and u of a coordinate that can be held.
 
         Raises:
             ModelError: there is none.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, final
@@ -10,10 +9,14 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, SolveWarning, near
+from ..arguments import Hold, checked
+from ..errors import ModelError, SolveError, SolveWarning, counted, near, shown, warn
+from ..runtime.calling import numbers
+from .balancing import TOLD, balance
 from .contract import Contract, contract_of
 from .newton import Search, rest
-from .standing import Standing, stand, words
+from .settling import settled
+from .standing import Standing, holdable, stand, words
 from .static_problem import Load, Point, Problem, scaled
 
 Array = NDArray[np.float64]
@@ -22,6 +25,7 @@ DIRECT = WAYS[:1]
 TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
 SHOWN = 24
+STICKING, SLIDING = "sticking", "sliding"  # labels of modes
 STEADY = 1e-8  # accelerations below this are none
 CLOSED = 1e-9  # gaps of circuits that stay closed as parts run on
 # forces that are left in a steady motion: of momenta times speeds, of stiffnesses
@@ -43,10 +47,17 @@ class Equilibrium:
         holding: Force of everything that is held, by coordinate [N, N m].
         inputs: By name.
         t: Time [s].
-        stable: Whether small disturbances stay small; None where that could not be told.
-        negative: Independent directions in which the position is unstable.
+        stable: Whether small disturbances stay small; None where that could not be told. Of a path
+            with prescribed displacements: under the forces that this takes, as dead loads.
+        stable_held: The same with the displacements prescribed.
+        n_negative: Negative eigenvalues of the stiffness on what constraints allow, under dead
+            loads: independent directions in which the position is unstable.
+        n_negative_held: The same with the displacements prescribed.
         loose: What moves freely there, in words.
+        modes: What stops, latches and dry friction do there, by name, in words.
         least: Lowest eigenvalue of the stiffness on what constraints allow [J].
+        rounding: What rounding may leave of the forces that meet in a row, 50 units of it, over the
+            largest load that acts; above 1e-4 the message tells it.
         iterations: Linear systems solved.
         converged: Whether it rests there.
         message: The same as a sentence.
@@ -60,9 +71,13 @@ class Equilibrium:
     inputs: Mapping[str, float]
     t: float
     stable: bool | None
-    negative: int
+    stable_held: bool | None
+    n_negative: int
+    n_negative_held: int
     loose: tuple[str, ...]
+    modes: Mapping[str, str]
     least: float
+    rounding: float
     iterations: int
     converged: bool
     message: str
@@ -95,6 +110,7 @@ class Equilibrium:
             raise ModelError(f"equilibrium['{name}']: no such entry.{near(name, self.named)}")
         return self.named[name]
 
+    @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (6,) of parent on child at the child joint frame, in its axes."""
         held, tau = Problem(contract_of(self.model)).held(self.point, self.load)
@@ -103,6 +119,7 @@ class Equilibrium:
         found: Array = self.model.reaction(joint, self.q, self.u, t=self.t, **some)
         return found
 
+    @checked
     def pose(self, frame: str) -> Array:
         """Transform (4, 4) from frame axes to ground axes."""
         found: Array = self.model.pose(frame, self.q, r=self.load.r, t=self.t)
@@ -118,12 +135,13 @@ class Equilibrium:
         return "\n".join(lines)
 
 
+@checked
 def equilibrium(
     model: Any,
     *,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, ArrayLike] | None = None,
-    hold: Mapping[str, float] | None = None,
+    hold: Hold | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
@@ -156,14 +174,14 @@ def equilibrium(
     load = read(system, hold, inputs, parameters, t, u)
     problem = Problem(system)
     point = problem.begin(load, q)
-    found = rest(problem, point, load, ("creep",) if stable else WAYS)
+    found = settled(problem, point, load, ("creep",) if stable else WAYS)
     if stable and found.converged:
         found = _downhill(problem, found, load)
     result = record(model, problem, found, load)
     if not result.converged:
         if check:
             raise SolveError(result.message)
-        warnings.warn(result.message, SolveWarning, stacklevel=3)
+        warn(result.message, SolveWarning)
     return result
 
 
@@ -177,13 +195,14 @@ def read(
 ) -> Load:
     """The load that a user described, checked."""
     if not isinstance(hold, Mapping | None):
-        raise ModelError(f"hold={hold!r}: give coordinates with the values they keep")
+        raise ModelError(f"hold={shown(hold)}: give coordinates with the values they keep")
     for name, value in (hold or {}).items():
         system.place(name)
-        if not np.isfinite(value):
-            raise SolveError(f"hold: '{name}' is {value!r}; it must be finite")
+        number = numbers(f"hold: '{name}'", value)
+        if number.ndim or not np.isfinite(number):
+            raise SolveError(f"hold: '{name}' is {shown(value)}; it must be one finite number")
     if not np.isfinite(t):
-        raise SolveError(f"t={t!r}: it must be finite")
+        raise SolveError(f"t={shown(t)}: it must be finite")
     p = system.changed(dict(parameters or {}))
     held = {name: float(value) for name, value in (hold or {}).items()}
     speeds = None if u is None else dict(u)
@@ -215,11 +234,12 @@ def record(
     """What was found, as users see it; ``known``: how it stands, if that was looked at."""
     point, system = found.point, problem.system
     nothing = Standing(None, 0, np.nan, np.zeros(0), ())
-    message = unsteady(problem, point, load) if found.converged else missed(system, found)
+    message = unsteady(problem, point, load) if found.converged else missed(system, found, load)
     found = replace(found, converged=not message)
     standing = (known or stand(problem, point, load)) if found.converged else nothing
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
     tau = problem.held(point, load)[1]
+    rounding = balance(problem, point, load).share if found.converged else np.nan
     return Equilibrium(
         model=changed,
         x=np.concatenate([point.at.q, point.at.u, point.at.z]),
@@ -227,15 +247,43 @@ def record(
         holding={name: float(tau[system.place(name)[1]]) for name in load.hold},
         inputs=dict(zip(system.inputs, load.r.tolist(), strict=True)),
         t=load.t,
-        stable=standing.stable,
-        negative=standing.negative,
+        stable=standing.under_dead_load.stable,
+        stable_held=standing.stable,
+        n_negative=standing.under_dead_load.negative,
+        n_negative_held=standing.negative,
         loose=standing.loose,
+        modes=system.labels(point.at.s),
         least=standing.least,
+        rounding=rounding,
         iterations=found.iterations,
         converged=found.converged,
-        message=message or told(standing, found, load.u is not None),
+        message=message
+        or told(standing, found, load.u is not None)
+        + one_of_many(system.labels(point.at.s))
+        + rounded(rounding),
         point=point,
         load=load,
+    )
+
+
+def one_of_many(modes: Mapping[str, str]) -> str:
+    """What to say of a position that dry friction holds; "" of others."""
+    sticking = [f"'{name}'" for name, label in modes.items() if label == STICKING]
+    sliding = [f"'{name}'" for name, label in modes.items() if label.startswith(SLIDING)]
+    if sticking:
+        return f"; one of a set: {' and '.join(sticking)} would stick at positions next to it too"
+    if sliding:
+        return f"; one of a set: {' and '.join(sliding)} would stick at positions on one side too"
+    return ""
+
+
+def rounded(share: float) -> str:
+    """What to say of the rounding of forces, over the loads; "" where it does not matter."""
+    if share <= TOLD:
+        return ""
+    return (
+        f"; rounding of stiff parts may leave up to {share:.1g} of the loads unbalanced (distances "
+        "from the origin times stiffnesses over lengths of elements)"
     )
 
 
@@ -249,7 +297,7 @@ def told(standing: Standing, found: Search, moving: bool) -> str:
     elif standing.negative:
         kind += f", pushed away {many}"
     loose = "; nothing holds " + " and ".join(standing.loose) if standing.loose else ""
-    return f"{kind}, after {found.iterations} iterations{loose}"
+    return f"{kind}, after {counted(found.iterations, 'iteration')}{loose}"
 
 
 def unsteady(problem: Problem, point: Point, load: Load) -> str:
@@ -295,16 +343,19 @@ def unsteady(problem: Problem, point: Point, load: Load) -> str:
     return ""
 
 
-def missed(system: Contract, found: Search) -> str:
+def missed(system: Contract, found: Search, load: Load) -> str:
     """Why there is none, and what to do."""
     moving = words(system, found.motion)
     if found.pushed and moving:
+        name = holdable(system, found.motion, load.hold)
+        cure = f", or hold it: hold={{'{name}': 0}}" if name else ""
         return (
             f"no equilibrium: nothing holds {moving} against the load (a rigid-body mode). Add a "
-            f"spring or a support, or hold it: hold={{{moving.split(',')[0]}: 0}}"
+            f"spring or a support{cure}"
         )
     where = f", moving {moving} most," if moving else ""
     return (
-        f"no equilibrium: the search left{where} after {found.iterations} iterations. Start nearer "
-        "(q=), apply the load in steps (model.statics), or check signs and sizes of the forces"
+        f"no equilibrium: the search left{where} after {counted(found.iterations, 'iteration')}. "
+        "Start nearer (q=), apply the load in steps (model.statics), or check signs and sizes of "
+        "the forces"
     )

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, listed, near
+from ..errors import ArgumentError, ModelError, SolveError, listed, near, shown
 from .contract import Contract, contract_of
 from .equilibrium import equilibrium
 from .first_order import Choice
@@ -203,11 +203,11 @@ def family(
         stays["u"] = by_entry(model, stays.get("u", {}))
     if not columns:
         raise ModelError(
-            "say what changes, from where to where, such as root_locus(P=(0, 10)) or "
+            "swept: say what changes, from where to where, such as root_locus(P=(0, 10)) or "
             "campbell(spin=(0, 300))"
         )
     if not (count is None or (isinstance(count, int) and count > 1)):
-        raise ModelError(f"count={count!r}: a number of members, at least 2")
+        raise ModelError(f"count={shown(count)}: a number of members, at least 2")
     found = {name: _column(name, values, count) for name, values in columns.items()}
     if len({len(column) for column in found.values()}) > 1:
         said = ", ".join(f"'{name}' has {len(column)}" for name, column in found.items())
@@ -248,9 +248,9 @@ def _column(name: str, values: Any, count: int | None) -> Array:
     except (TypeError, ValueError):
         column = np.zeros(())
     if column.ndim != 1 or len(column) < 2:
-        raise ArgumentError(f"{name}={values!r}: give (start, end), or values (n,)")
+        raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
     if not np.isfinite(column).all():
-        raise SolveError(f"{name}={values!r}: they must be finite")
+        raise SolveError(f"{name}={shown(values)}: they must be finite")
     if len(column) > 2:
         return column
     return np.linspace(float(column[0]), float(column[1]), count or COUNT)

@@ -37,14 +37,18 @@ class Place:
         s: Part of the path that leads there.
         point: Where it rests.
         standing: How.
-        side: Its number that is another one beyond a critical load; that of the place before
-            where something is loose.
+        side: Its number that is another one beyond a critical load; the last one that was known.
+        dead: The same of the system under dead loads in place of what is prescribed.
+        free: Whether something was loose where the path began, in either system: then rounding
+            counts on neither side; elsewhere an eigenvalue that small passes 0.
     """
 
     s: float
     point: Point
     standing: Standing
     side: int | None
+    dead: int | None
+    free: tuple[bool, bool]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,21 +56,41 @@ class Crossing:
     """Where a path passed a critical load.
 
     Attributes:
-        before, after: Places next to it on both sides.
+        before, after: Places next to it on both sides; of a limit load ``after`` lies on it.
+        of: ``"held"``: the system as it is followed; ``"dead load"``: as it stands under dead
+            loads in place of displacements that are prescribed, and is not followed; ``"limit"``:
+            the load beyond which there is no equilibrium.
     """
 
     before: Place
     after: Place
+    of: str = "held"
 
     @property
     def lost(self) -> bool:
         """Whether it stands less stably behind it."""
-        return (self.after.side or 0) > (self.before.side or 0)
+        sides = (self.side(self.after) or 0, self.side(self.before) or 0)
+        return self.of == "limit" or sides[0] > sides[1]
+
+    @property
+    def kind(self) -> str:
+        """``"flutter"`` where an oscillation begins or ceases to grow, else ``"divergence"``."""
+        both = (self.standing(place) for place in (self.before, self.after))
+        return "flutter" if any(standing.frequency for standing in both) else "divergence"
 
     @property
     def direction(self) -> Array:
         """The direction (nu,), without units, in which the stiffness gives way."""
-        return self.after.standing.direction
+        return self.standing(self.after).direction
+
+    def standing(self, place: Place) -> Standing:
+        """How the system that it is about stands at a place."""
+        own = self.of == "held"
+        return place.standing if own else place.standing.under_dead_load
+
+    def side(self, place: Place) -> int | None:
+        """The number of that system which changes here."""
+        return place.side if self.of == "held" else place.dead
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,18 +128,18 @@ class Step:
         return ahead(self.problem, there, load).follows(self.start.point)
 
     def reached(self, s: float, found: Search, standing: Standing) -> Place:
-        """The place where a search ended."""
-        side = self.start.side if standing.loose else standing.side
-        if self.crosses(standing):
-            side = standing.side
-        return Place(s, found.point, standing, side)
+        """The place where a search ended; numbers that are not known there are the last known."""
+        return placed(s, found.point, standing, self.start)
 
-    def crosses(self, standing: Standing) -> bool:
-        """Whether a critical load lies on the way to where it stands like that."""
-        before = self.start.standing
-        if None in (self.start.side, standing.side) or (before.loose and standing.loose):
-            return False
-        return self.start.side != standing.side
+    def crosses(self, there: Place) -> bool:
+        """Whether a critical load lies on the way to a place."""
+        return _differ(self.start.side, there.side)
+
+    def crossings(self, there: Place) -> list[Crossing]:
+        """Critical loads that lie on the way to a place."""
+        pairs = (("held", self.start.side, there.side), ("dead load", self.start.dead, there.dead))
+        wanted = pairs if there.standing.dead is not None else pairs[:1]
+        return [Crossing(self.start, there, of) for of, *sides in wanted if _differ(*sides)]
 
     def surely(self, point: Point) -> bool:
         """Whether a position belongs to the branch though a critical load lies on the way."""
@@ -125,8 +149,24 @@ class Step:
 
 def first(problem: Problem, found: Search, load: Load) -> Place:
     """Where a path begins."""
-    standing = stand(problem, found.point, load)
-    return Place(0.0, found.point, standing, None if standing.loose else standing.side)
+    return placed(0.0, found.point, stand(problem, found.point, load), None)
+
+
+def placed(s: float, point: Point, standing: Standing, last: Place | None) -> Place:
+    """The place where a system stands like that; ``last``: the one before, None of the first."""
+    both = (standing, standing.under_dead_load)
+    if last is None:
+        # what is loose at first, such as an upright column without load, stands on neither side
+        side, dead = (None if one.loose else one.side for one in both)
+        return Place(s, point, standing, side, dead, (bool(both[0].loose), bool(both[1].loose)))
+    pairs = zip(both, last.free, (last.side, last.dead), strict=True)
+    known = [(one.side if free else one.signed, before) for one, free, before in pairs]
+    side, dead = (before if now is None else now for now, before in known)
+    return Place(s, point, standing, side, dead, last.free)
+
+
+def _differ(before: int | None, after: int | None) -> bool:
+    return before is not None and after is not None and before != after
 
 
 def ahead(problem: Problem, start: Place, load: Load) -> Step:

@@ -10,22 +10,25 @@ from __future__ import annotations
 
 import fcntl
 import hashlib
-import io
 import json
 import os
 import struct
-import zipfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from .. import regular_file
 from ..errors import ModelError, SolveError
+from ..runtime import number_file
 from ..runtime.compiled import CompiledModel
+
+packed = number_file.packed
 
 LENGTH = struct.Struct("<Q")
 DIGEST = 32
+LONGEST = 1 << 31  # bytes of a record
 
 
 class Growing:
@@ -47,7 +50,7 @@ class Growing:
         """
         self.path, self._magic, self._whose, self._cures = path, magic, dict(whose), cures
         try:
-            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+            self._file = regular_file.grown(path)
         except OSError as error:
             raise ModelError(f"checkpoint {path} cannot be opened: {error.strerror}") from error
         try:
@@ -71,7 +74,7 @@ class Growing:
         return self._magic.split()[1].decode()
 
     def _open(self) -> None:
-        head = os.pread(self._file, len(self._magic), 0)
+        head = self._read(len(self._magic), 0)
         if head != self._magic[: len(head)]:
             raise ModelError(f"checkpoint {self.path} is no file of an {self._kind}: name another")
         self._end = len(self._magic)
@@ -80,13 +83,31 @@ class Growing:
             # new, or cut off before anything was computed
             self.begin()
             return
-        stated = json.loads(first)
+        try:
+            stated = number_file.plain(first)
+        except ValueError:
+            stated = None
+        if not isinstance(stated, dict):
+            raise ModelError(f"checkpoint {self.path} is damaged: name another file, or remove it")
         wrong = [self._cures[k] for k, value in self._whose.items() if stated.get(k) != value]
         if wrong:
             raise ModelError(
                 f"checkpoint {self.path} belongs to another {self._kind}: {'; '.join(wrong)}. Name "
                 "another file, or remove it to begin anew"
             )
+
+    def _read(self, length: int, start: int) -> bytes:
+        """As many bytes as there are; one call gives 2 GiB at most, less the last page."""
+        parts, done = list[bytes](), 0
+        try:
+            while done < length:
+                part = os.pread(self._file, length - done, start + done)
+                if not part:
+                    break
+                parts, done = [*parts, part], done + len(part)
+        except OSError as error:
+            raise ModelError(f"checkpoint {self.path} cannot be read: {error.strerror}") from error
+        return b"".join(parts)
 
     def begin(self) -> None:
         """Throw away all records."""
@@ -104,13 +125,13 @@ class Growing:
         """Contents from ``_end`` on, which moves along; the first broken one ends them."""
         while True:
             start = self._end + LENGTH.size + DIGEST
-            head = os.pread(self._file, LENGTH.size + DIGEST, self._end)
+            head = self._read(LENGTH.size + DIGEST, self._end)
             if len(head) < LENGTH.size + DIGEST:
                 return
             (length,) = LENGTH.unpack(head[: LENGTH.size])
-            if start + length > os.fstat(self._file).st_size:
+            if length > LONGEST or start + length > os.fstat(self._file).st_size:
                 return
-            content = os.pread(self._file, length, start)
+            content = self._read(length, start)
             if hashlib.sha256(content).digest() != head[LENGTH.size :]:
                 return
             self._end = start + length
@@ -139,13 +160,6 @@ class Growing:
         self._end += len(content)
 
 
-def packed(arrays: Mapping[str, Any]) -> bytes:
-    """Arrays as bytes: an npz file without objects."""
-    stream = io.BytesIO()
-    np.savez(stream, **dict(arrays))
-    return stream.getvalue()
-
-
 def unpacked(content: bytes) -> dict[str, Any]:
     """The arrays that :func:`packed` made bytes of.
 
@@ -153,9 +167,8 @@ def unpacked(content: bytes) -> dict[str, Any]:
         ModelError: others made them.
     """
     try:
-        with np.load(io.BytesIO(content), allow_pickle=False) as found:
-            return dict(found)
-    except (ValueError, OSError, zipfile.BadZipFile) as error:
+        return number_file.unpacked(content)
+    except ValueError as error:
         raise ModelError(f"a block of the checkpoint cannot be read: {error}") from error
 
 

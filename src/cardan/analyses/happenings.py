@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, named, near
+from ..errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ..runtime.compiled import CompiledModel
 from . import record as abi
 from .signals import checked
@@ -192,8 +192,10 @@ def _watch(model: CompiledModel, name: str, given: Any) -> Watch:
             direction = word
         else:
             known = [*OWN, *DIRECTIONS]
-            hint = near(str(word), known)
-            raise ModelError(f"events: '{name}': {word!r} is none of {', '.join(known)}.{hint}")
+            hint = near(word, known)
+            raise ModelError(
+                f"events: '{name}': {shown(word)} is none of {', '.join(known)}.{hint}"
+            )
     return Watch(name, _value(model, name, what), kind, direction)
 
 
@@ -222,6 +224,7 @@ def _value(model: CompiledModel, name: str, what: Any) -> Value:
         k = names.index(entry)
         return Crossing(k, value)
     raise ArgumentError(
-        f"events: '{name}' is {what!r}; give f(t, x), or a name and the value it passes such as "
+        f"events: '{name}' is {shown(what)}; give f(t, x), or a name and the value it "
+        "passes such as "
         "('elbow', 0.5)"
     )

@@ -11,26 +11,30 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError
+from ..arguments import checked
+from ..errors import ArgumentError, shown
+from ..runtime.calling import numbers
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State, Values
 
 Array = NDArray[np.float64]
 
 
+@checked
 def residual(
     model: CompiledModel,
     t: ArrayLike,
-    q: Any,
-    u: Any,
-    udot: Any,
+    q: State,
+    u: State,
+    udot: State,
     lam: ArrayLike = (),
     *,
-    qdot: Any = None,
+    qdot: State | None = None,
     index: int = 3,
-    tau: Any = None,
-    r: Any = None,
-    parameters: Any = None,
+    tau: State | None = None,
+    r: State | None = None,
+    parameters: Values | None = None,
 ) -> Array:
     """[qdot - N u - n, M udot + h - f - tau - Gᵀ lam, constraints] (..., nq + nu + m).
 
@@ -47,20 +51,37 @@ def residual(
         ArgumentError: another index.
     """
     if index not in (1, 2, 3):
-        raise ArgumentError(f"index={index!r}: 3 (positions), 2 (velocities) or 1 (accelerations)")
+        raise ArgumentError(
+            f"index={shown(index)}: 3 (positions), 2 (velocities) or 1 (accelerations)"
+        )
     rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
     rates = model.qdot(q, u, **rest)
-    kinematic = np.zeros_like(rates) if qdot is None else np.asarray(qdot) - rates
+    kinematic = np.zeros_like(rates) if qdot is None else _row(model, "qdot", qdot) - rates
     dynamic = model.inverse_dynamics(q, u, udot, **rest)
     if tau is not None:
-        dynamic = dynamic - model._vector("tau", tau)
+        dynamic = dynamic - _row(model, "tau", tau)
     parts = [kinematic, dynamic]
     if model.nlam:
         G = model.constraint_jacobian(q, **rest)
-        parts[1] = dynamic - np.einsum("...mu,...m->...u", G, np.asarray(lam, dtype=np.float64))
+        forces = np.asarray(lam, dtype=np.float64)
+        if forces.shape[-1:] != (model.nlam,):
+            raise ArgumentError(
+                f"residual: lam has the shape {forces.shape}, expected (..., {model.nlam}): "
+                f"{', '.join(model.multipliers_of[:6])}"
+            )
+        parts[1] = dynamic - np.einsum("...mu,...m->...u", G, forces)
         parts.append(_constraints(model, index, q, u, udot, rest))
     lead = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
     return np.concatenate([np.broadcast_to(p, (*lead, p.shape[-1])) for p in parts], axis=-1)
+
+
+def _row(model: CompiledModel, name: str, given: Any) -> Array:
+    """A vector (..., nq) or (..., nu), by names too where it is tau."""
+    count = model.nq if name == "qdot" else model.nu
+    array = numbers(name, given) if name == "qdot" else model._vector(name, given)
+    if array.shape[-1:] != (count,):
+        raise ArgumentError(f"residual: {name} has shape {array.shape}, expected (..., {count})")
+    return np.asarray(array)
 
 
 def _constraints(

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import SolveError
 from ..runtime.conduct import Conduct
 from ..runtime.dense import Dense
 from ..runtime.events import Happened
@@ -50,6 +51,30 @@ class Kept:
         rows, spreads, logs = (np.concatenate(parts) for parts in new)
         return rows, spreads, logs
 
+    def halt(self, over: Span) -> tuple[str, str]:
+        """Give back most of the memory that rows have taken, which is full.
+
+        Arrays are put together beside the rows they are made of: the first third of them may fit.
+
+        Returns:
+            Status and message.
+
+        Raises:
+            SolveError: there is no room for any of it.
+        """
+        third = len(self.rows) // 3
+        for parts in (self.rows, self.spreads, self.logs):
+            del parts[third:]
+        self.runner.record.count = 0
+        self.runner.drained()
+        cure = "Ask for output times, such as simulate(np.linspace(0, 10, 1001)), to keep fewer"
+        cure = cure if over.times is None else "Ask for fewer output times"
+        if not any(map(len, self.rows)):
+            raise SolveError(f"there is no memory for the rows of this run. {cure}")
+        last = next(rows for rows in reversed(self.rows) if len(rows))
+        at = f"at t = {last[-1, 0]:.6g} s of {over.end:g} s"
+        return "too_large", f"stopped {at}: memory is full of what lies behind that. {cure}"
+
     def motion(
         self, over: Span, begin: Start, told: tuple[str, str], milliseconds: float
     ) -> Trajectory:
@@ -86,6 +111,8 @@ class Kept:
         modes = 1 + self.runner.n + self.runner.model.nr
         same = (table[1:, :modes] == table[:-1, :modes]).all(axis=1) & np.isin(table[1:, 0], quiet)
         behind = 1 + np.flatnonzero(same & (self.runner.record.nlam == 0))
+        if not len(behind):
+            return table, spreads
         table[behind - 1, modes:] = table[behind, modes:]
         return np.delete(table, behind, axis=0), np.delete(spreads, behind, axis=0)
 
@@ -137,7 +164,7 @@ class Kept:
             conduct=conduct,
             model=model,
             dense=dense,
-            inputs_at=runner.signals.recorded(t, r).at,
+            inputs_at=runner.signals.recorded(t, r),
             ledger=runner.ledger,
             stored={"multipliers": lam.copy()} if runner.record.nlam else {},
             happened=replace(happened, s=s.copy()),

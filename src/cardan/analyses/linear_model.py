@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, final
+from pathlib import Path
+from typing import Any, NamedTuple, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, listed, near
+from ..arguments import checked
+from ..errors import ArgumentError, ModelError, counted, listed, near
 from .first_order import Choice
 from .second_order import SecondOrder, reduced
 from .spectrum import Spectrum, spectrum
@@ -88,10 +91,12 @@ class LinearModel:
         """
         return self.spectrum.right * self.spectrum.left.conj()
 
+    @checked
     def shape(self, k: int) -> dict[str, complex]:
         """Right eigenvector of eigenvalue k by name, its largest entry 1."""
         return dict(zip(self.states, self.spectrum.right[:, self._number(k)].tolist(), strict=True))
 
+    @checked
     def adjoint(self, k: int) -> dict[str, complex]:
         """Left eigenvector of eigenvalue k by name: how much a start there excites it.
 
@@ -102,7 +107,9 @@ class LinearModel:
     def _number(self, k: int) -> int:
         count = len(self.states)
         if not isinstance(k, int | np.integer) or not -count <= k < count:
-            raise ModelError(f"'{self.name}' has {count} eigenvalues: there is no number {k!r}")
+            raise ModelError(
+                f"'{self.name}' has {counted(count, 'eigenvalue')}: there is no number {k!r}"
+            )
         return int(k)
 
     @property
@@ -165,6 +172,7 @@ class LinearModel:
     def _second(self) -> SecondOrder:
         return self.second_order()
 
+    @checked
     def second_order(self, coordinates: Iterable[str] | None = None) -> SecondOrder:
         """Equations of second order of some coordinates, if theirs are closed.
 
@@ -182,7 +190,7 @@ class LinearModel:
         nv = len(self.states) - self.n - self.z
         if coordinates is None and list(self.choice[0]) != list(self.choice[1]):
             raise ModelError(
-                f"'{self.name}' has {self.n} positions for {nv} speeds: rolling has no "
+                f"'{self.name}' has {counted(self.n, 'position')} for {nv} speeds: rolling has no "
                 "equations of second order of all. Name those that others do not change: "
                 "second_order(['...']); or take A and B"
             )
@@ -190,7 +198,7 @@ class LinearModel:
         if coordinates is not None:
             names = tuple(dict.fromkeys(listed("coordinates", coordinates, "steer")))
         if not names:
-            raise ModelError("second_order: name at least one coordinate")
+            raise ModelError("second_order: coordinates=: name at least one")
         places = self._along(names)
         rows = self.increments[places]
         by_y, by_rate, left = reduced(rows, self.A, self.z)
@@ -227,15 +235,17 @@ class LinearModel:
                 "equations are not closed. Name more coordinates, or take A and B"
             )
 
+    @checked
     def frequency_response(self, omega: ArrayLike) -> NDArray[np.complex128]:
         """y by r at angular frequencies (...) [rad/s]: (..., ny, nr)."""
         s = 1j * np.asarray(omega, dtype=np.float64)[..., None, None]
         inner = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(np.complex128))
         return np.asarray(self.C @ inner + self.D)
 
+    @checked
     def plot(
         self,
-        path: Any = None,
+        path: str | Path | None = None,
         omega: ArrayLike | None = None,
         inputs: Iterable[str] | None = None,
         outputs: Iterable[str] | None = None,
@@ -260,13 +270,19 @@ class LinearModel:
                 ("outputs", outputs, self.outputs),
             )
         ]
-        for names, known in zip(chosen, (self.inputs, self.outputs), strict=True):
+        both = (("inputs", self.inputs), ("outputs", self.outputs))
+        for names, (word, known) in zip(chosen, both, strict=True):
             missing = next((name for name in names if name not in known), None)
             if missing is not None or not names:
+                name = missing or ""
                 raise ModelError(
-                    f"plot: no such input or output: '{missing or ''}'.{near(missing or '', known)}"
+                    f"plot: {word}: no such {word.removesuffix('s')}: '{name}'.{near(name, known)}"
                 )
         over = self._around() if omega is None else np.asarray(omega, dtype=np.float64)
+        if over.ndim != 1 or not len(over):
+            raise ArgumentError(
+                f"plot: omega has the shape {over.shape}; give a row of angular frequencies [rad/s]"
+            )
         response = self.frequency_response(over)
         curves = {
             f"{y} by {r}": response[:, self.outputs.index(y), self.inputs.index(r)]
@@ -282,24 +298,31 @@ class LinearModel:
         low, high = (float(moving.min()), float(moving.max())) if len(moving) else (1.0, 1.0)
         return np.geomspace(low / 10, high * 10, POINTS)
 
-    def to_control(self) -> Any:
-        """The same as ``control.StateSpace`` with names.
+    def to_control(self) -> ForControl:
+        """The same as ``control.StateSpace`` of python-control, with its names.
+
+        python-control takes no dots in names: ``base.px`` becomes ``base_px``, blanks become
+        underscores too, and names that would be equal then get a number behind.
+
+        Returns:
+            ``system, names = linear.to_control()``: the system, and its names by those of cardan.
 
         Raises:
-            ModuleNotFoundError: python-control is not installed.
+            ModuleNotFoundError: python-control is not installed (extra ``control``).
         """
         try:
             from control import StateSpace
         except ModuleNotFoundError as missing:
             raise ModuleNotFoundError(
-                "to_control needs python-control: pip install control"
+                "to_control needs python-control: pip install 'cardan[control]'"
             ) from missing
-        names = {
-            "states": list(self.states),
-            "inputs": list(self.inputs),
-            "outputs": list(self.outputs),
-        }
-        return StateSpace(self.A, self.B, self.C, self.D, name=self.name, **names)
+        rows = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        # what is a state and an output has one name in both
+        told = _plain(tuple(dict.fromkeys(name for names in rows.values() for name in names)))
+        title = _plain((self.name,))[self.name]
+        signals = {sort: [told[name] for name in names] for sort, names in rows.items()}
+        system = StateSpace(self.A, self.B, self.C, self.D, name=title, **signals)
+        return ForControl(system, told)
 
     def __repr__(self) -> str:
         about = "an equilibrium or steady motion"
@@ -325,6 +348,26 @@ class LinearModel:
         rest = sum(v.imag >= 0 for v in self.eigenvalues) - len(shown)
         lines += [f"  ... {rest} more"] if rest else []
         return "\n".join(lines)
+
+
+class ForControl(NamedTuple):
+    """A system of python-control, and its names by those of cardan."""
+
+    system: Any
+    names: dict[str, str]
+
+
+def _plain(names: tuple[str, ...]) -> dict[str, str]:
+    """Names without dots and blanks, each another one."""
+    found: dict[str, str] = {}
+    for name in names:
+        bare = plain = re.sub(r"[.\s]", "_", name)
+        count = 1
+        while plain in found.values():
+            count += 1
+            plain = f"{bare}_{count}"
+        found[name] = plain
+    return found
 
 
 def _listed(names: tuple[str, ...]) -> str:

@@ -14,7 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..errors import ModelError, listed, near
+from ..runtime.evaluation import State
 from .contract import Contract, Moment, contract_of, dense
 from .equilibrium import Equilibrium, equilibrium
 from .first_order import Choice, FirstOrder, first_order, pushed
@@ -25,16 +27,17 @@ from .steady_motion import SteadyMotion
 Array = NDArray[np.float64]
 
 
+@checked
 def linearize(
     model: Any,
     x: ArrayLike | Equilibrium | None = None,
     *,
-    q: Any = None,
-    u: Any = None,
-    z: Any = None,
+    q: State | None = None,
+    u: State | None = None,
+    z: State | None = None,
     inputs: Iterable[str] | None = None,
     outputs: Iterable[str] | None = None,
-    r: Any = None,
+    r: State | None = None,
     t: float = 0.0,
     parameters: Mapping[str, float] | None = None,
     choice: Choice | None = None,

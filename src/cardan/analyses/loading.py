@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near, shown
 from .contract import Contract
 from .static_problem import Load
 
@@ -101,6 +101,7 @@ def loading(
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
         raise ArgumentError(f"statics: all that is swept goes together: {said} values")
     n = next(iter(counts.values()))
+    base = replace(base, prescribed=tuple(hold))
     return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))
 
 
@@ -111,7 +112,7 @@ def _column(name: str, values: Any) -> Array:
     except (TypeError, ValueError):
         column = np.zeros(())
     if column.ndim != 1 or len(column) < 2:
-        raise ArgumentError(f"statics: {name}={values!r}: give (start, end), or values (n,)")
+        raise ArgumentError(f"statics: {name}={shown(values)}: give (start, end), or values (n,)")
     if not np.isfinite(column).all():
-        raise SolveError(f"statics: {name}={values!r}: they must be finite")
+        raise SolveError(f"statics: {name}={shown(values)}: they must be finite")
     return column

@@ -11,16 +11,17 @@ Mailybaev, Multiparameter Stability Theory with Mechanical Applications (2003), 
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import SolveError, SolveWarning
+from ..arguments import Count, Hold, checked
+from ..errors import SolveError, SolveWarning, warn
 from .family import Family, Member, family
 from .stability_change import Between, StabilityChange, follow
 
@@ -91,7 +92,8 @@ class Locus:
             lines.append(f"  {change.kind} {word} at {said}{tail}")
         return "\n".join(lines)
 
-    def plot(self, path: Any = None) -> Any:
+    @checked
+    def plot(self, path: str | Path | None = None) -> Any:
         """Loci in the complex plane, and real and imaginary parts over the first that changes.
 
         Args:
@@ -113,15 +115,16 @@ class Locus:
         )
 
 
+@checked
 def root_locus(
     model: Any,
     swept: Mapping[str, Any] | None = None,
     *,
-    count: int | None = None,
+    count: Count | None = None,
     coordinates: Iterable[str] | None = None,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, Any] | None = None,
-    hold: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
     wanted: Mapping[str, Any] | None = None,
     free: Iterable[str] | None = None,
     inputs: Mapping[str, float] | None = None,
@@ -156,7 +159,7 @@ def root_locus(
              "parameters": parameters, "t": t}  # fmt: skip
     found = locus(family(model, {**(swept or {}), **named}, given, count, coordinates), check)
     if found.message != END:
-        warnings.warn(found.message, SolveWarning, stacklevel=3)
+        warn(found.message, SolveWarning)
     return found
 
 

@@ -14,8 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..errors import ModelError
 from ..runtime.closing import Closing, columns_of, size_of, unit
 from ..runtime.compiled import CompiledModel
+from ..runtime.states import random_state
 
 Array = NDArray[np.float64]
 TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
@@ -32,10 +34,13 @@ class Mechanism:
         released: Relations of the user that are not asked to hold.
         slack: Residual without units up to which conditions that say the same twice may disagree,
             as rounded lengths make them; 0 where they agree.
+        searches: How many searches are begun before a start is refused.
     """
 
     released: frozenset[str] = frozenset()
     slack: float = 0.0
+    searches: int = 16
+    _known: tuple[bytes, Array] | None = None
 
     def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
         """Args:
@@ -91,10 +96,15 @@ class Mechanism:
         entries = self.model.manifest["functions"]["facing"]["outputs"][0]["entries"]
         return str(entries[wrong[0]]).rpartition(".")[0]
 
+    @property
+    def nu(self) -> int:
+        """Number of steps."""
+        return self.model.nu
+
     def jacobian(self, q: Array) -> Array:
         """G (m, nu), without units."""
         if not self.closing.rows:
-            return np.zeros((0, self.model.nu))
+            return np.zeros((0, self.nu))
         found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
         return found[self._kept]
 
@@ -161,10 +171,56 @@ class Mechanism:
 
     def kinematics(self, q: Array) -> Array:
         """N (nq, nu): coordinates per step without units."""
+        key = q.tobytes()
+        if self._known is None or self._known[0] != key:
+            self._known = key, self._kinematics(q)
+        return self._known[1]
+
+    def _kinematics(self, q: Array) -> Array:
         model = self.model
         basis = np.concatenate([np.zeros((1, model.nu)), np.diag(self.columns)])
         rates = model.qdot(q, basis, t=self.t, r=self.r)
         return np.asarray(rates[1:] - rates[0]).T
+
+    @cached_property
+    def led(self) -> NDArray[np.intp]:
+        """Entries of q that are coordinates of joints (n,)."""
+        return np.arange(self.model.nq)
+
+    def drawn(self, rng: np.random.Generator) -> Array:
+        """Random coordinates (nq,)."""
+        return random_state(self.model.manifest, rng)[: self.model.nq]
+
+    def frame_jacobian(self, frame: str, q: Array) -> Array:
+        """Angular velocity and velocity of a frame per step (6, nu)."""
+        found: Array = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
+        return found * self.columns
+
+    def steps_of(self, u: Array) -> Array:
+        """Steps per second (nu,) of speeds of the model."""
+        return np.asarray(u / self.columns)
+
+    def speeds_at(self, q: Array, steps: Array) -> Array:
+        """Speeds of the model at a position, by steps per second (nu,)."""
+        return np.asarray(steps * self.columns)
+
+    def held_speeds(
+        self, q: Array, chosen: NDArray[np.intp], values: Array
+    ) -> tuple[NDArray[np.intp], Array, Array]:
+        """What given speeds say about steps: those held, and rows R with R steps = right.
+
+        Args:
+            q: Position (nq,).
+            chosen, values: Entries of u that are given.
+        """
+        return chosen, np.zeros((0, self.nu)), np.zeros(0)
+
+    def mass(self, q: Array) -> Array | None:
+        """Mass matrix per step (nu, nu), None where the model has none."""
+        if "mass_matrix" not in self.model.manifest["available"]:
+            return None
+        found: Array = self.model.mass_matrix(q, t=self.t, r=self.r)
+        return found * np.outer(self.columns, self.columns)
 
     @cached_property
     def turning(self) -> Array:
@@ -179,8 +235,23 @@ class Mechanism:
     def nearest(self, q: Array, to: Array) -> Array:
         """The same position with every angle within half a turn of that of another one."""
         turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
+        if not turns.any():
+            return q
         found: Array = q - 2 * np.pi * turns
+        if self._open(found) <= self._open(q) + TIGHT:
+            return found
+        # relations of the user may hold for one of equal angles only
+        found = q
+        for k in np.flatnonzero(turns):
+            other = found.copy()
+            other[k] -= 2 * np.pi * turns[k]
+            if self._open(other) <= self._open(found) + TIGHT:
+                found = other
         return found
+
+    def _open(self, q: Array) -> float:
+        """The largest residual of the constraints of positions."""
+        return float(np.abs(self.residuals(q)).max(initial=0.0))
 
     def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
@@ -195,3 +266,27 @@ class Mechanism:
                 other = float(np.hypot(other, value))
             found[row["joint"]] = length, other
         return found
+
+
+def refuse_nodes(model: CompiledModel, what: str) -> None:
+    """Kinematics alone moves joints; where nodes stand they do not tell everything.
+
+    Args:
+        model: The model.
+        what: The analysis that was asked for.
+
+    Raises:
+        ModelError: the model is in absolute coordinates.
+    """
+    if "mesh" not in model.manifest:
+        return
+    cure = "its bodies are nodes. Compile it with coordinates='relative', which has joints for it"
+    if model.manifest.get("beams"):
+        cure = (
+            "it has beams, whose shape follows from forces. model.equilibrium(hold={'...': value}) "
+            "gives a position with a joint held, model.statics(hold={'...': (start, end)}) many"
+        )
+    raise ModelError(
+        f"{what}: model '{model.name}' is in absolute coordinates, where kinematics alone does not "
+        f"tell a position: {cure}"
+    )

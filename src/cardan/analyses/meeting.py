@@ -82,7 +82,7 @@ class Conditions:
     def soft_jacobian(self, q: Array) -> Array:
         """Their derivatives along steps (n, nu)."""
         parts = [np.sqrt(t.weight or 0.0) * t.jacobian(self.m, q) for t in self.wished]
-        return np.concatenate([np.zeros((0, self.m.model.nu)), *parts])
+        return np.concatenate([np.zeros((0, self.m.nu)), *parts])
 
 
 def meet(conditions: Conditions, q: Array) -> Found:
@@ -115,7 +115,7 @@ def meet(conditions: Conditions, q: Array) -> Found:
             break
         damping = max(1e-12, 0.2 * damping) if np.allclose(step, across + along) else damping * 2
         q, hard, soft = trial, new_hard, new_soft
-    return Found(q, _size(hard), float(soft @ soft), m.model.nu - rank, slack=m.slack)
+    return Found(q, _size(hard), float(soft @ soft), m.nu - rank, slack=m.slack)
 
 
 def _step(

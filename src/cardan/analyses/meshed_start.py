@@ -1,18 +1,30 @@
-"""Where a run of elements in tables starts: circuits are closed next to what was named."""
+"""Where a run of elements in tables starts: the joints are assembled, nodes and beams go along.
+
+Loops that joints alone do not close are closed by all nodes: beams bend then, and what is named is
+held all the same.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime.absolute import loading
 from ..runtime.absolute.assembled import Assembled
 from ..runtime.closing import size_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
+from .consistent import speeds
+from .crossing import refuse_singular
+from .nearest import NEARLY, assembled
+from .nodal_mechanism import NodalMechanism
+from .strained import warn_of_strain
+from .targets import read
 
 Array = NDArray[np.float64]
 MOST = 60
@@ -30,26 +42,253 @@ def meshed_start(model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Ar
 
     Raises:
         ModelError: no state near it fulfills the constraints.
+
+    Warns:
+        SolveWarning: beams are strained beyond what materials bear.
     """
-    place, speed, internal = model.parts_of(x)
-    given = {"t": t, "r": r, "z": internal}
-    held = _held(model, q, "q")
-    scale = max(size_of(model), float(np.abs(place).max(initial=0.0)), 1e-9)
-    positions = sum(row["level"] == "position" for row in model.manifest["multipliers"])
-    place = place.copy()
-    gap = np.inf
-    for _ in range(MOST if positions else 0):
-        found = _closed(model, "close_position", place, speed, held, given)
-        last, gap = gap, float(np.abs(found[model.nq :]).max(initial=0.0))
-        if gap <= CLOSED * scale or (gap <= GOOD * scale and gap >= 0.5 * last):
-            break
-        place = found[: model.nq]
-        _normalize(model, place)
-    else:
-        if positions:
-            raise ModelError(_open(model, found[model.nq :], place))
-    found = _closed(model, "close_velocity", place, speed, _held(model, u, "u"), given)
-    return np.concatenate([place, found[: model.nu], internal])
+    start = _Start(model, x, q, u, t, r)
+    place, carried = start.place()
+    speed = start.speed(place, carried)
+    found = np.concatenate([place, speed, start.internal])
+    warn_of_strain(model, found)
+    return found
+
+
+def start_of_search(
+    model: CompiledModel, x: Array, q: Any, hold: Mapping[str, Any], t: float, r: Array
+) -> Array:
+    """A state (nx,) at which a search for rest begins.
+
+    Args:
+        model, x, t, r: As :func:`meshed_start` takes them.
+        q: Where the search is to begin, as the user gave it; a whole block stays what it is but
+            for what constraints change.
+        hold: Coordinates that are held.
+
+    Raises:
+        ModelError: no state near it fulfills the constraints.
+    """
+    names = {**q, **hold} if isinstance(q, Mapping) else hold
+    start = _Start(model, x, names, None, t, r)
+    place = None
+    if q is None or isinstance(q, Mapping):
+        with suppress(ModelError):
+            place = start.place()[0]
+    if place is None:
+        place = start.by_nodes(start.q0, _held(model, hold, "q"))
+    return np.concatenate([place, start.u0, start.internal])
+
+
+class _Start:
+    """What is named of a start, and where it leads.
+
+    Args: as :func:`meshed_start` takes them.
+    """
+
+    def __init__(self, model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
+        self.model = model
+        self.q0, self.u0, self.internal = (part.copy() for part in model.parts_of(x))
+        self.given = {"t": t, "r": r, "z": self.internal}
+        self.q, self.u = _named(model, q, "q"), _named(model, u, "u")
+        kept = [*_own_nodes(model, self.q, "q"), *_own_nodes(model, self.u, "u")]
+        self.m = NodalMechanism(model, t, r, kept, self.q0)
+        self.scale = max(size_of(model), float(np.abs(self.q0).max(initial=0.0)), 1e-9)
+
+    # positions
+
+    def place(self) -> tuple[Array, bool]:
+        """Coordinates, and whether nodes are where the joints carry them."""
+        if self.q is None:
+            return self._near(self.q0), False
+        begin = self.m.carry(self.q0)
+        names = {k: v for k, v in self.q.items() if not self._kept(k, "q")}
+        self.m.nodes_named = any(self._nodal(name, "q") for name in names)
+        if self._gap(begin) <= CLOSED * self.scale and not self._missed(names, begin):
+            return begin, True
+        goals = read(self.m, names)
+        try:
+            return self.m.carry(assembled(self.m, goals, begin).q), True
+        except ModelError as problem:
+            if not loading.tables_of(self.model).beams:
+                raise
+            return self._bent(names, begin, problem)
+
+    def _bent(
+        self, names: Mapping[str, Any], begin: Array, problem: ModelError
+    ) -> tuple[Array, bool]:
+        """As :meth:`place` where beams cannot stay as they are."""
+        if self.m.linked and self.m.links:
+            loose = self.m.unlinked()
+            try:
+                return loose.carry(assembled(loose, read(loose, names), begin).q), True
+            except ModelError:
+                pass
+        held = _held(self.model, self.q, "q")
+        try:
+            found = self.by_nodes(begin, held)
+        except ModelError:
+            raise problem from None
+        if any(np.abs(goal.residual(self.m, found)).max() > GOOD for goal in read(self.m, names)):
+            # what is named cannot be held, and is not replaced
+            raise problem
+        return self.m.nearest(found, begin), False
+
+    def _missed(self, names: Mapping[str, Any], q: Array) -> bool:
+        """Whether something named or a beam is missed, or an axis is turned round."""
+        m = self.m
+        open_by = np.abs(m.residuals(q)).max(initial=0.0)
+        off = [np.abs(goal.residual(m, q)).max() for goal in read(m, names)]
+        return bool(max([open_by, *off]) > GOOD) or bool(m.turned(q))
+
+    def _near(self, q: Array) -> Array:
+        """Coordinates that were all given, closed to the last digits."""
+        gaps = self._gaps(q)
+        worst = int(np.abs(gaps).argmax()) if len(gaps) else 0
+        if len(gaps) and abs(gaps[worst]) > NEARLY * self.scale:
+            row = self.model.manifest["multipliers"][worst]
+            raise ModelError(
+                f"q: all coordinates are given, and '{row['name']}' stays open by "
+                f"{abs(gaps[worst]):.3g}. Name only those that are to be held: the others follow"
+            )
+        return self.by_nodes(q, np.zeros(self.model.nu))
+
+    def _gaps(self, q: Array) -> Array:
+        found: Array = self.model._evaluate(
+            ("constraints", None), (self.given["t"], q, self.given["r"]), None, None
+        )
+        return found
+
+    def _gap(self, q: Array) -> float:
+        return float(np.abs(self._gaps(q)).max(initial=0.0))
+
+    def by_nodes(self, q: Array, held: Array) -> Array:
+        """Newton's steps of all coordinates but those held along a speed.
+
+        Raises:
+            ModelError: some constraint stays open.
+        """
+        place, speed, gap = q.copy(), np.zeros(self.model.nu), np.inf
+        positions = sum(row["level"] == "position" for row in self.model.manifest["multipliers"])
+        if not positions:
+            return place
+        for _ in range(MOST):
+            found = self._closed("close_position", place, speed, held)
+            last, gap = gap, float(np.abs(found[len(q) :]).max(initial=0.0))
+            good = gap <= GOOD * self.scale and gap >= 0.5 * last
+            if gap <= CLOSED * self.scale or good:
+                return place
+            place = found[: len(q)]
+            _normalize(self.model, place)
+        raise ModelError(_open(self.model, found[len(q) :]))
+
+    # speeds
+
+    def speed(self, q: Array, carried: bool) -> Array:
+        """Speeds of everything at a position.
+
+        Raises:
+            ModelError: speeds that cannot hold together.
+        """
+        if self.u is None:
+            return self._near_speeds(q)
+        names = {k: v for k, v in self.u.items() if not self._kept(k, "u")}
+        if carried:
+            # beams take up what the speeds of their ends differ by
+            m = self.m.unlinked()
+            if m.closing.rows:
+                refuse_singular(m, q)
+            try:
+                found = m.state(q, speeds(m, q, names, self.u0))[1]
+                # nodes that beams alone hold have the speeds that were named
+                own = [self.model.speeds.index(n) for n in _own_nodes(self.model, self.u, "u")]
+                found[own] = self.u0[own]
+                return found
+            except ModelError:
+                if not loading.tables_of(self.model).beams:
+                    raise
+        u = self.m.state(q, self.u0)[1] if carried else self.u0
+        held = _held(self.model, self.u, "u")
+        found = self._closed("close_velocity", q, u, held)[: self.model.nu]
+        off = np.abs(found - u)[held != 0].max(initial=0.0)
+        if off > GOOD * max(1.0, float(np.abs(u).max(initial=0.0))):
+            raise ModelError(
+                f"speeds of {', '.join(f'{name!r}' for name in self.u)} cannot hold together. "
+                "Leave one of them out"
+            )
+        self._check_rates(q, found, ", ".join(f"'{name}'" for name in self.u) or "all joints")
+        return found
+
+    def _near_speeds(self, q: Array) -> Array:
+        """Speeds that were all given, made consistent to the last digits."""
+        u = self.u0
+        rates, size = self._rates(q, u), max(1.0, float(np.abs(u).max(initial=0.0)))
+        worst = int(np.abs(rates).argmax()) if len(rates) else 0
+        if len(rates) and abs(rates[worst]) > NEARLY * self.scale * size:
+            row = self.model.manifest["multipliers"][worst]
+            raise ModelError(
+                f"u: all speeds are given, and joint '{row['joint']}' would come apart at "
+                f"{abs(rates[worst]):.3g} in '{row['name']}'. Name only those that are to be held: "
+                "the others follow"
+            )
+        return self._closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
+
+    def _rates(self, q: Array, u: Array) -> Array:
+        found: Array = self.model._evaluate(
+            ("constraint_rates", None), (self.given["t"], q, u, self.given["r"]), None, None
+        )
+        return found
+
+    def _check_rates(self, q: Array, u: Array, said: str) -> None:
+        """Refuse speeds that constraints do not allow."""
+        rates = self._rates(q, u)
+        worst = int(np.abs(rates).argmax()) if len(rates) else 0
+        size = self.scale * max(1.0, float(np.abs(u).max(initial=0.0)))
+        if len(rates) and abs(rates[worst]) > GOOD * size:
+            row = self.model.manifest["multipliers"][worst]
+            raise ModelError(
+                f"speeds of {said} cannot hold together: joint '{row['joint']}' would come apart "
+                f"at {abs(rates[worst]):.3g} in '{row['name']}'. Leave one of them out"
+            )
+
+    # names
+
+    def _kept(self, name: str, letter: str) -> bool:
+        return bool(_own_nodes(self.model, {name: 0.0}, letter))
+
+    def _nodal(self, name: str, letter: str) -> bool:
+        """Whether a name belongs to a node that joints carry."""
+        place = entries(self.model.manifest, letter)[name]
+        return place.start not in set(self.m.led.tolist())
+
+    def _closed(self, name: str, q: Array, u: Array, held: Array) -> Array:
+        source = self.model._source
+        assert isinstance(source, Assembled)
+        return source.results(self.model).closed(name, q, u, held, self.given)
+
+
+def _named(model: CompiledModel, given: Any, letter: str) -> Mapping[str, Any] | None:
+    """What was named; None where every entry was given."""
+    if given is not None and not isinstance(given, Mapping):
+        return None
+    places = entries(model.manifest, letter)
+    size = {"q": model.nq, "u": model.nu}[letter]
+    known = {k for name in given or {} for k in range(*places[name].indices(size))}
+    return None if len(known) == size else given or {}
+
+
+def _own_nodes(model: CompiledModel, named: Mapping[str, Any] | None, letter: str) -> list[str]:
+    """Entries of names that belong to nodes which beams alone hold: they stay where they are."""
+    if not named:
+        return []
+    tables, manifest = loading.tables_of(model), model.manifest
+    inside = sum(len(line) - 2 for line in tables.beams)
+    free = {*manifest["mesh"]["loose"], *range(len(tables.kind) - inside, len(tables.kind))}
+    starts = tables.q if letter == "q" else tables.u
+    own = {k for place in free for k in range(starts[place], starts[place + 1])}
+    places = entries(manifest, letter)
+    names = model.coordinates if letter == "q" else model.speeds
+    given = {k for name in named for k in range(places[name].start, places[name].stop)}
+    return [names[k] for k in sorted(own & given)]
 
 
 def _held(model: CompiledModel, named: Any, letter: str) -> Array:
@@ -70,24 +309,16 @@ def _held(model: CompiledModel, named: Any, letter: str) -> Array:
     return held
 
 
-def _closed(
-    model: CompiledModel, name: str, q: Array, u: Array, held: Array, given: dict[str, Any]
-) -> Array:
-    source = model._source
-    assert isinstance(source, Assembled)
-    return source.results(model).closed(name, q, u, held, given)
-
-
 def _normalize(model: CompiledModel, q: Array) -> None:
     entries = np.array(model.manifest["quaternions"], dtype=np.intp)[:, None] + np.arange(4)
     q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]
 
 
-def _open(model: CompiledModel, gaps: Array, q: Array) -> str:
+def _open(model: CompiledModel, gaps: Array) -> str:
     """What cannot be closed."""
     k = int(np.argmax(np.abs(gaps)))
     row = model.manifest["multipliers"][k]
     return (
         f"the start cannot be assembled: '{row['name']}' stays open by {abs(gaps[k]):.3g}. "
-        f"Name other coordinates of the circuit of joint '{row['joint']}', or fewer"
+        f"Name other coordinates of the loop of joint '{row['joint']}', or fewer"
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, final
@@ -9,7 +10,8 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, near
+from ..arguments import Count, checked
+from ..errors import ArgumentError, ModelError, near
 from ..runtime.conduct import FINISHED, Conduct
 from ..runtime.trajectory import Trajectory
 from .contract import Moment, contract_of
@@ -20,6 +22,7 @@ Complex = NDArray[np.complex128]
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
 ROUNDED = 1e-13  # damping ratios below this are none
 PICTURES = 120  # per play
+MOST_PERIODS = 1000  # of a play
 AXES = ("about x", "about y", "about z", "x", "y", "z")
 TOLD = 0.15  # entries below this part of the largest are not printed
 
@@ -89,16 +92,19 @@ class Modes:
         along what its joints allow."""
         return np.asarray(np.abs(self.participation) ** 2)
 
+    @checked
     def shape(self, k: int) -> dict[str, complex]:
         """Shape of a mode by name: coordinates, or increments ``along`` speeds."""
         values = self.shapes[:, self._number(k)]
         return dict(zip(self.increments, values.tolist(), strict=True))
 
+    @checked
     def twist(self, k: int, frame: str) -> Any:
         """How a frame moves in a mode (6,): rotation, then displacement, in ground axes."""
         J = self.model.frame_jacobian(frame, self.at.q, t=self.at.t, r=self.at.r)
         return J @ self.shapes[:, self._number(k)]
 
+    @checked
     def motion(self, k: int, amplitude: float | None = None, periods: float = 2.0) -> Trajectory:
         """A mode as a motion, as large as is good to see, or by an amplitude.
 
@@ -107,6 +113,12 @@ class Modes:
             amplitude: Factor of the shape.
             periods: How often it is played; what does not oscillate takes a second.
         """
+        if not 0 < periods <= MOST_PERIODS:
+            raise ArgumentError(
+                f"motion: periods={periods:g}: give a number above 0 and up to {MOST_PERIODS}"
+            )
+        if amplitude is not None and not math.isfinite(amplitude):
+            raise ArgumentError(f"motion: amplitude={amplitude:g}: give a finite number")
         shape, system = self.shapes[:, self._number(k)], contract_of(self.model)
         largest = float(np.abs(shape / system.columns).max(initial=0.0))
         factor = FULL / max(largest, 1e-300) if amplitude is None else float(amplitude)
@@ -123,12 +135,14 @@ class Modes:
         manifest = self.model.manifest
         return Trajectory(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, self.model)
 
+    @checked
     def animate(self, k: int, path: str | Path, **options: Any) -> Path:
         """A page that plays a mode in any browser; see :meth:`motion` for the options."""
         title = f"{self.model.name}, mode {k}: {self.frequencies[self._number(k)]:.6g} Hz"
         return self.motion(k, **options).animate(path, title=title)
 
-    def plot(self, path: Any = None, count: int = 6) -> Any:
+    @checked
+    def plot(self, path: str | Path | None = None, count: Count = 6) -> Any:
         """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
 
         Raises:
@@ -147,12 +161,12 @@ class Modes:
     def _number(self, k: int) -> int:
         if not isinstance(k, int | np.integer) or not -len(self) <= k < len(self):
             known = [str(n) for n in range(len(self))]
-            raise ModelError(f"there is no mode {k!r}.{near(str(k), known)}")
+            raise ModelError(f"there is no mode {k!r}.{near(k, known)}")
         return int(k)
 
     def __repr__(self) -> str:
         lines = [
-            f"'{self.model.name}': {len(self)} modes",
+            f"'{self.model.name}': {len(self)} mode{'s' if len(self) != 1 else ''}",
             "        frequency [Hz]  damping ratio  shape",
         ]
         for k in range(min(len(self), SHOWN)):

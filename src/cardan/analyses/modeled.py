@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
@@ -12,12 +13,13 @@ from numpy.typing import NDArray
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing, start_of
-from .contract import Parameters
+from ..runtime.named_rotations import component
+from .contract import Moment, Parameters
 
 Array = NDArray[np.float64]
 
 
-class Modeled:
+class Modeled(ABC):
     """A compiled model with the names that analyses ask for.
 
     Attributes:
@@ -46,6 +48,11 @@ class Modeled:
         self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
         self.rows = np.array([size if row["unit"] == "N" else 1.0 for row in rows])
 
+    @property
+    @abstractmethod
+    def increments(self) -> tuple[str, ...]:
+        """As :meth:`Contract.increments`."""
+
     def started(
         self, q: Any, hold: Mapping[str, Any], p: Parameters
     ) -> tuple[CompiledModel, Array]:
@@ -72,6 +79,32 @@ class Modeled:
         rows = self.model.manifest["s"]
         return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
 
+    @cached_property
+    def events(self) -> tuple[tuple[str, str, str], ...]:
+        """As :meth:`Contract.events`."""
+        rows = self.model.manifest.get("events", ())
+        return tuple((row["element"], row["kind"], row.get("beyond", "")) for row in rows)
+
+    def labels(self, s: Array) -> dict[str, str]:
+        """As :meth:`Contract.labels`."""
+        rows = zip(self.model.manifest["s"], s, strict=True)
+        return {row["name"]: row.get("labels", {}).get(str(int(x)), f"{x:g}") for row, x in rows}
+
+    def signs(self, at: Moment) -> Array:
+        """As :meth:`Contract.signs`."""
+        found: Array = self.model.events(at.q, at.u, **self._given(at))
+        return found
+
+    def behind(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
+        """As :meth:`Contract.behind`."""
+        model = self.model
+        found = model.transition(at.q, at.u, fired.astype(float), **self._given(at))
+        return np.asarray(found[len(found) - model.ns :])
+
+    @staticmethod
+    def _given(at: Moment) -> dict[str, Any]:
+        return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
+
     def given_inputs(self, named: Any) -> Array:
         """As :meth:`Contract.given_inputs`."""
         found: Array = self.model._vector("r", {} if named is None else named)
@@ -91,20 +124,26 @@ class Modeled:
         return dict(values) or None
 
     @cached_property
-    def _places(self) -> dict[str, tuple[int, int]]:
-        """Entries in q and u of every coordinate whose speed is its derivative."""
+    def places(self) -> dict[str, tuple[int, int]]:
+        """As :meth:`Contract.places`."""
         speeds = {name: k for k, name in enumerate(self.speeds)}
         told = enumerate(self.model.manifest["speeds"])
         speeds |= {f"{row['of']}.u": k for k, row in told if row.get("of")}
+        known = set(self.coordinates)
         pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
-        return {name: (k, speed) for name, k, speed in pairs if speed is not None}
+        found = {name: (k, speed) for name, k, speed in pairs if speed is not None}
+        # parts of joints with several speeds, and positions of nodes
+        own = enumerate(self.increments)
+        parts = {name: (self.coordinates.index(name), k) for k, name in own if name in known}
+        return {**parts, **found}
 
     def place(self, name: str) -> tuple[int, int]:
         """As :meth:`Contract.place`."""
-        known = self._places
+        known = self.places
         if name not in known:
-            words = ""
-            if name not in entries(self.model.manifest, "q"):
+            part = component(self.model.manifest, name)
+            words = f": {part}" if part else ""
+            if not part and name not in entries(self.model.manifest, "q"):
                 words = ": " + missing(self.model.manifest, "q", name).removesuffix(".")
             raise ModelError(
                 f"hold: '{name}' is no coordinate that can be held{words}.{near(name, known)}"

@@ -10,7 +10,6 @@ K. Meerbergen, SIAM Review 43 (2001), 235-286 (quadratic eigenproblem).
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -20,10 +19,12 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array, issparse, vstack
 from scipy.sparse.linalg import ArpackError
 
-from ..errors import ModelError, SolveError, SolveWarning
+from ..arguments import Count, checked
+from ..errors import ModelError, SolveError, SolveWarning, warn
+from ..runtime.evaluation import State
 from .contract import Contract, Moment, contract_of
 from .equilibrium import Equilibrium
-from .first_order import Choice, first_order
+from .first_order import FULL, Choice, first_order
 from .linearize import stance
 from .mode_shapes import Modes
 from .saddle import (
@@ -48,14 +49,15 @@ FEW = 12  # modes of a sparse system if no number is given
 SHIFT = 1e-3  # rad/s next to 0
 
 
+@checked
 def modes(
     model: Any,
-    count: int | None = None,
+    count: Count | None = None,
     x: ArrayLike | Equilibrium | None = None,
     *,
-    q: Any = None,
-    u: Any = None,
-    r: Any = None,
+    q: State | None = None,
+    u: State | None = None,
+    r: State | None = None,
     t: float = 0.0,
     parameters: Mapping[str, float] | None = None,
     damped: bool = True,
@@ -101,11 +103,10 @@ def _steady(system: Contract, at: Moment, held: list[int]) -> None:
     worst = float(np.abs(left).max(initial=0.0))
     if worst > RESTS * max(1.0, float(np.abs(at.u / system.columns).max(initial=0.0)) ** 2):
         name = np.delete(np.array(system.speeds), held)[int(np.abs(left).argmax())]
-        warnings.warn(
+        warn(
             f"modes of '{system.name}' about a state that accelerates ('{name}' by {worst:.3g}): "
             "they hold for an instant only. Take model.equilibrium(...), or hold what is held",
             SolveWarning,
-            stacklevel=4,
         )
 
 
@@ -127,9 +128,10 @@ def _found(
     values: Complex
     shapes: Any
     quiet = still and (not damped or not _size(C)) and not system.internals
+    small = len(system.columns) <= FULL
     try:
         if quiet and _size(K - K.T) <= ALIKE * _size(K):
-            values, shapes = _real(K, M, G, count, by)
+            values, shapes = _undamped(K, M, G, count, by)
         elif issparse(K) and (still or system.uniform(at)):
             E, W = (
                 csr_array(scaled(csr_array(x), 1 / system.columns, system.columns))
@@ -140,10 +142,21 @@ def _found(
             turned = (K - damping @ E, damping - M @ E)
             # a part of the speeds: nearer to rotations that nothing holds others would be lost
             shift = SHIFT * max(1.0, 100 * float(np.abs(at.u / system.columns).max(initial=0.0)))
-            values, shapes = near_quadratic(*turned, M, G, shift, 2 * (count or FEW), by)
+            try:
+                values, shapes = near_quadratic(*turned, M, G, shift, 2 * (count or FEW), by)
+            except ArpackError:
+                if not small:
+                    raise
+                values, shapes = _first(system, at, held, tau, choice)
         else:
             values, shapes = _first(system, at, held, tau, choice)
-    except (np.linalg.LinAlgError, Singular, ArpackError) as problem:
+    except ArpackError:
+        raise SolveError(
+            f"modes of '{system.name}': the search for {count or FEW} modes next to 0 did not end, "
+            f"and {len(system.columns)} speeds are too many for full matrices. Ask for fewer "
+            "(count=), or let beams have fewer elements"
+        ) from None
+    except (np.linalg.LinAlgError, Singular) as problem:
         raise SolveError(
             f"modes of '{system.name}': the mass matrix is singular on what constraints allow (a "
             f"part without mass?), or stiffness and mass have no modes: {problem}"
@@ -153,6 +166,17 @@ def _found(
     weight = np.sqrt(np.abs(np.einsum("ik,ik->k", shapes.conj(), M @ shapes)))
     shapes = shapes / np.where(weight > 0, weight, 1.0)
     return values[chosen], _phased(shapes) * system.columns[:, None]
+
+
+def _undamped(K: Any, M: Any, G: Any, count: int | None, by: Factor) -> tuple[Complex, Array]:
+    """Undamped modes; of sparse matrices by full ones where the search for few does not end."""
+    try:
+        return _real(K, M, G, count, by)
+    except ArpackError:
+        if not issparse(K) or K.shape[0] > FULL:
+            raise
+        values, shapes = _real(K.toarray(), M.toarray(), G.toarray(), count, by)
+        return values[: count or FEW], shapes[:, : count or FEW]
 
 
 def _real(

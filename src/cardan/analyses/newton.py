@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array, issparse
 
 from ..errors import SolveError
+from .balancing import balances
 from .saddle import Dense, Singular
 from .static_problem import Load, Matrix, Point, Problem
 
@@ -88,7 +89,8 @@ def _steps(problem: Problem, point: Point, load: Load, damped: bool) -> Search:
         point, share = _moved(problem, point, load, step, y, share, K if damped else None)
         # rounding is all that is left where neither steps nor forces fall any more
         rounded = size <= NOISE or np.abs(force).max() <= ROUNDED * float(abs(K).max())
-        if share == 1.0 and (size <= TIGHT or (rounded and ROUGH >= size >= 0.5 * last)):
+        ended = size <= TIGHT or (rounded and ROUGH >= size >= 0.5 * last)
+        if share == 1.0 and ended and balances(problem, problem.closed(point), load, (K, G)):
             return Search(point, k, True, step)
         last, least = size, min(least, size)
     return Search(point, k, False, step)
@@ -153,13 +155,7 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
     system, resistance, last, step, total = problem.system, 1.0, np.inf, np.zeros(0), 0
     for total in range(1, (CREEPING if isinstance(system.saddle, Dense) else FEW) + 1):
         try:
-            K, G = problem.tangent(point, load)
-            force, gap = problem.residual(point, load)
-            unit = max(float(abs(K).max()), float(np.abs(force).max(initial=0.0)), 1e-300)
-            below = system.saddle.lowest(K, G).values[:1].min(initial=0.0)
-            # where the stiffness pushes away, enough of it to lead down
-            thick = _added(K, max(resistance * unit, -2 * below))
-            step, y = system.saddle.solve(thick, G, -force, -gap)
+            step, y, below, unit = crept(problem, point, load, resistance)
         except SolveError:
             return Search(point, total, False, step)
         size = _size(step)
@@ -186,6 +182,33 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
     return Search(point, total, False, step)
 
 
+def crept(
+    problem: Problem, point: Point, load: Load, resistance: float
+) -> tuple[Array, Array, float, float]:
+    """A step of a system that creeps.
+
+    Args:
+        problem, point, load: Of what, from where, under what.
+        resistance: Over the largest stiffness or force.
+
+    Returns:
+        The step of the unknowns, and of multipliers; the lowest eigenvalue of the stiffness, at
+        most 0; the largest stiffness or force.
+
+    Raises:
+        SolveError: there is none.
+    """
+    saddle = problem.system.saddle
+    K, G = problem.tangent(point, load)
+    force, gap = problem.residual(point, load)
+    unit = max(float(abs(K).max()), float(np.abs(force).max(initial=0.0)), 1e-300)
+    below = float(saddle.lowest(K, G).values[:1].min(initial=0.0))
+    # where the stiffness pushes away, enough of it to lead down
+    thick = _added(K, max(resistance * unit, -2 * below))
+    step, y = saddle.solve(thick, G, -force, -gap)
+    return step, y, below, unit
+
+
 def _added(K: Matrix, amount: float) -> Matrix:
     n = K.shape[0]
     if issparse(K):
@@ -209,10 +232,12 @@ def rest(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> S
     """
     spent, pushed = 0, None
     for way in ways:
-        if way in OTHERS:
-            found = OTHERS[way](problem, point, load)
-        else:
-            found = newton(problem, point, load, way == "damped")
+        # steps that lead too far end a search: what overflows there is no news
+        with np.errstate(over="ignore", invalid="ignore"):
+            if way in OTHERS:
+                found = OTHERS[way](problem, point, load)
+            else:
+                found = newton(problem, point, load, way == "damped")
         spent += found.iterations
         if found.converged:
             break

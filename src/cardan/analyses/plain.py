@@ -21,6 +21,7 @@ from ..runtime.slots import ORDER, SLOT
 from . import record as abi
 from .bounded import bounded
 from .happenings import NOTHING, Happenings
+from .jumps import FEW, FUNCTION, Segment, stops_of
 from .plain_closing import PlainCloser
 from .plain_events import PlainEvents
 from .plain_methods import METHODS, Broken, Step
@@ -83,6 +84,7 @@ class PlainRunner:
         self._kept: list[tuple[Array, Array]] = []
         self._times: Array | None = None
         self._where: dict[int, int] = {}
+        self._span = Segment(FUNCTION in model.saved)
 
     # the derivative
 
@@ -110,7 +112,12 @@ class PlainRunner:
         """
         nq, caller = self.model.nq, function.caller
         speeds = nq + self.model.nu
-        given = {"t": np.array([t]), "q": y[:nq], "u": y[nq:speeds], "z": y[speeds : self.nx]}
+        given = {
+            "t": np.array([self._span.inside(t)]),
+            "q": y[:nq],
+            "u": y[nq:speeds],
+            "z": y[speeds : self.nx],
+        }
         given |= {"r": self.views["r"], "s": self.views["s"]}
         given |= {"tau": self._rest, "wrench": self._rest}
         if e is not None:
@@ -122,13 +129,9 @@ class PlainRunner:
             self.record.model_status = status
             raise Broken(abi.MODEL)
 
-    @property
-    def _sampled(self) -> bool:
-        return self.signals.sample is not None
-
     def at(self, t: float, y: Array) -> None:
         """Fill the inputs at t, y."""
-        self._inputs(t, y, not self._sampled)
+        self._inputs(t, y, self.signals.sample is None)
 
     def _inputs(self, t: float, y: Array, asked: bool) -> None:
         """Fill r at t: values at times, then functions of the user; constants stay."""
@@ -189,7 +192,7 @@ class PlainRunner:
 
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
-        self._stops, self._next = list(stops), 0
+        self._stops, self._next, self.end = list(stops), 0, stops[-1]
         self._method: Iterator[Step] | None = None
 
     def want(self, times: Array | None, dense: bool) -> None:
@@ -234,7 +237,7 @@ class PlainRunner:
 
     def advance(self, end: float) -> int:
         """Go on to a time, as :meth:`.run.Runner.advance`."""
-        self.aim([end])
+        self.aim(stops_of(self.model, self.signals, self.record.t, end, FEW))
         self.record.t_start = self.record.t
         try:
             self._segment()
@@ -284,6 +287,7 @@ class PlainRunner:
         self._method = None
         self.passer.cancel()
         self._until = self.events.until(self._stops[self._next])
+        self._span = replace(self._span, start=self.record.t, end=self._until)
 
     def _happen(self) -> None:
         """What happens at t: transitions until nothing happens any more."""
@@ -300,11 +304,6 @@ class PlainRunner:
         """What has happened since the last call, as ``Happened.log``."""
         log, self.events.log = self.events.log, []
         return np.stack(log) if log else self.happened[:0]
-
-    @property
-    def end(self) -> float:
-        """Where the run ends [s]."""
-        return self._stops[-1]
 
     def _step(self) -> None:
         run, y = self.record, self.views["y"]

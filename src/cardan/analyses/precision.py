@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .integrators import INTEGRATORS
@@ -59,6 +60,7 @@ class Precision:
         doubt: By how much two references differ: smaller errors mean nothing.
         left_out: Method -> why it was not measured, or not to the end.
         interrupted: Whether somebody stopped the measuring.
+        undetermined: Reactions that the constraints do not determine where the motion begins.
     """
 
     model: str
@@ -68,6 +70,7 @@ class Precision:
     doubt: float
     left_out: dict[str, str] = field(default_factory=dict)
     interrupted: bool = False
+    undetermined: tuple[str, ...] = ()
 
     def best(self, error: float) -> tuple[Point, ...]:
         """The quickest setting of each method that keeps an error, the quickest method first."""
@@ -80,12 +83,17 @@ class Precision:
         return tuple(sorted(quickest.values(), key=lambda point: point.milliseconds))
 
     @property
+    def still(self) -> bool:
+        """Whether nothing moves from the start: no run has an error."""
+        return bool(self.points) and not any(point.error for point in self.points)
+
+    @property
     def recommendation(self) -> str:
         """Which method to take for which error, and why."""
         return "\n".join(self._sentences())
 
     def _sentences(self) -> Iterator[str]:
-        if self.points and not any(point.error for point in self.points):
+        if self.still:
             yield "nothing moves from this start, so that there is no error: give another q or u"
             return
         for goal in GOALS:
@@ -142,7 +150,7 @@ class Precision:
             before = point.method
         return table
 
-    def plot(self, path: Any = None) -> Any:
+    def plot(self, path: str | Path | None = None) -> Any:
         """Draw time over error, a line per method.
 
         Args:
@@ -161,4 +169,6 @@ class Precision:
             own = [p for p in self.points if p.method == method and 0 < p.error < float("inf")]
             lines[method] = ([p.error for p in own], [p.milliseconds for p in own])
         title = f"{self.model}: {self.span[0]:g} s to {self.span[1]:g} s"
+        if self.still:
+            title += "\nnothing moves from this start: there is no error to draw"
         return plot_lines(title, "largest error of a coordinate", "time [ms]", lines, path)

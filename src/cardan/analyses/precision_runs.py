@@ -12,12 +12,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CodegenError, DerivationError, ModelError, SolveError, SolveWarning, near
+from ..arguments import checked
+from ..errors import CodegenError, DerivationError, ModelError, SolveWarning, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.trajectory import Trajectory
 from .choice import JACOBIAN
 from .integrators import INTEGRATORS, Integrator
 from .precision import Point, Precision
+from .precision_reference import OutOfTime, reference
+from .redundancy import undetermined
 from .times import span
 
 if TYPE_CHECKING:
@@ -30,16 +33,13 @@ TOLERANCES = tuple(10.0**-k for k in range(2, 13))
 ROUGH = TOLERANCES[:7]  # of methods of order 2: more would take for ever
 STEPS = tuple(100 * 4**k for k in range(7))  # of a fixed step
 RATIO = 1e-3  # atol over rtol
-FIRST, SECOND = 1e-13, 1e-12  # tolerances of the two references
+LONGER, SOON = 10, 0.1  # times its patience that a reference takes; share of it to judge by
 OUTPUTS = 41  # times at which errors are looked at
 REPEATS, WORTH = 5, 50.0  # runs of which the least time counts; up to so many ms of them
 BEYOND = 3.0  # times the doubt of the reference: smaller errors tell nothing more
 
 
-class OutOfTime(Exception):
-    """A run takes longer than somebody wants to wait."""
-
-
+@checked
 def precision(
     model: CompiledModel,
     t: float | ArrayLike,
@@ -94,9 +94,11 @@ def precision(
     except KeyboardInterrupt:
         stopped = True
     ends = (over.start, over.end)
-    return Precision(model.name, ends, tuple(points), words, bench.doubt, left_out, stopped)
+    loose = undetermined(model, bench.start, over.start)
+    return Precision(model.name, ends, tuple(points), words, bench.doubt, left_out, stopped, loose)
 
 
+@checked
 def compare(
     model: CompiledModel, functions: Report, t: float | ArrayLike, **options: Any
 ) -> Report:
@@ -133,39 +135,33 @@ class Bench:
         self._known: Array = np.empty(0)
         self.doubt = 0.0
 
+    @property
+    def start(self) -> Array:
+        """Coordinates (nq,) where the reference begins."""
+        found: Array = self._known[0]
+        return found
+
     def refer(self) -> str:
         """Compute the reference by two methods; says what it is.
 
         Raises:
             SolveError: no method reaches the end.
         """
-        stiff = ["Radau"] if JACOBIAN in self._model.manifest["available"] else []
-        runs: dict[str, Trajectory] = {}
-        trouble = ""
-        for name, rtol in ((n, r) for n in ("DOP853", *stiff, "RK45") for r in (FIRST, SECOND)):
-            if len(runs) == 2 or name in runs:
-                continue
-            try:
-                # the reference may take longer than what it judges
-                motion = self._run(10, method=name, rtol=rtol, atol=RATIO * rtol)
-            except OutOfTime:
-                trouble = f"{name} at rtol {rtol:.0e} takes more than {10 * self._patience:g} s"
-                continue
+        derived = JACOBIAN in self._model.manifest["available"]
+        # the reference may take longer than what it judges
+        allowed = LONGER * self._patience
+
+        def run(spent: float = 0.0, rtol: float = 0.0, **how: Any) -> Trajectory:
+            if rtol:
+                how |= {"rtol": rtol, "atol": RATIO * rtol}
+            motion = self._run(allowed - spent, SOON, **how)
             if motion.status == "interrupted":
                 raise KeyboardInterrupt
-            if motion.success:
-                runs[name] = motion
-            else:
-                trouble = motion.message
-        if not runs:
-            raise SolveError(f"no reference: {trouble}. Take a shorter time, or more patience")
-        first, *others = runs.items()
-        self._known = first[1].q
-        if not others:
-            return f"{first[0]}, which no second method confirms: {trouble}"
-        self.doubt = self._error(others[0][1])
-        both = f"{first[0]} and {others[0][0]}"
-        return f"{both} at rtol 1e-12 and less, which differ by {self.doubt:.0e}"
+            return motion
+
+        found = reference(run, self._times, self._distance, derived, allowed)
+        self._known, self.doubt = found.q, found.doubt
+        return found.words
 
     def sweep(self, method: Integrator) -> Iterator[tuple[Point | None, str]]:
         """Points of a method from rough to fine, and why it goes no further."""
@@ -196,7 +192,7 @@ class Bench:
         """
         least, spent = math.inf, 0.0
         for _ in range(REPEATS):
-            motion = self._run(1, method=name, **how)
+            motion = self._run(self._patience, method=name, **how)
             if motion.status == "interrupted":
                 raise KeyboardInterrupt
             milliseconds = motion.statistics["milliseconds"]
@@ -217,19 +213,25 @@ class Bench:
             found.get("limited", 0) / looked if looked else 0.0,
         )
 
-    def _run(self, patient: float, **how: Any) -> Trajectory:
+    def _run(self, allowed: float, soon: float = 1.0, **how: Any) -> Trajectory:
         """One run.
 
+        Args:
+            allowed: Time [s].
+            soon: Share of it after which what is done tells whether it is enough.
+            how: As ``simulate`` takes it.
+
         Raises:
-            OutOfTime: it takes more than so many times the patience.
+            OutOfTime: it takes more than is allowed.
         """
         begun: list[float] = []
 
-        def watch(_: float) -> None:
+        def watch(done: float) -> None:
             now = time.perf_counter()
             # what is derived and compiled before the first steps does not count
             begun[:] = begun or [now]
-            if now - begun[0] > patient * self._patience:
+            spent = now - begun[0]
+            if spent > allowed or (spent > soon * allowed and spent > allowed * done):
                 raise OutOfTime
 
         with warnings.catch_warnings():
@@ -238,12 +240,16 @@ class Bench:
             return self._model.simulate(self._times, progress=watch, **how, **self._start)
 
     def _error(self, motion: Trajectory) -> float:
-        """Largest error of a coordinate; quaternions of either sign are one."""
-        if len(motion) != len(self._known):
+        """Largest error of a coordinate."""
+        return self._distance(motion.q, self._known)
+
+    def _distance(self, q: Array, other: Array) -> float:
+        """Largest difference of a coordinate; quaternions of either sign are one."""
+        if len(q) != len(other):
             return math.inf
-        found = motion.q.copy()
+        found = q.copy()
         for first in self._model.manifest["quaternions"]:
             four = slice(first, first + 4)
-            along = (found[:, four] * self._known[:, four]).sum(axis=1)
+            along = (found[:, four] * other[:, four]).sum(axis=1)
             found[:, four] *= np.where(along < 0, -1.0, 1.0)[:, None]
-        return float(np.abs(found - self._known).max(initial=0.0))
+        return float(np.abs(found - other).max(initial=0.0))

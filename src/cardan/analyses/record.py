@@ -41,8 +41,8 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "stages dense_rows"),
     (POINTER, "stops"),
     (COUNT, "stop_count next_stop"),
-    (REAL, "t t_old t_start segment until"),
-    (COUNT, "in_segment"),
+    (REAL, "t t_old t_start segment until early late"),
+    (COUNT, "jumps in_segment"),
     (REAL, "rtol atol max_step h moment correction"),
     (COUNT, "fresh is_dense rejected on_grid"),
     (REAL, "hold best_hold pass_start pass_length"),
@@ -118,6 +118,15 @@ def length(library: ctypes.CDLL, kernel: str, run: Run) -> int:
     function = getattr(library, f"cardan_{kernel}_length")
     function.restype, function.argtypes = COUNT, [ctypes.POINTER(Run)]
     return int(function(run))
+
+
+def sound(library: ctypes.CDLL, kernel: str, run: Run) -> bool:
+    """Whether the places that the memory of a run holds exist, where a method keeps any."""
+    kept = ["cardan_hold_sound", f"cardan_{kernel}_sound"]
+    known = [getattr(library, name) for name in kept if hasattr(library, name)]
+    for function in known:
+        function.restype, function.argtypes = ctypes.c_int, [ctypes.POINTER(Run)]
+    return all(function(run) for function in known)
 
 
 def address(library: ctypes.CDLL, name: str) -> int:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import qr
 
+from ..arguments import checked
 from ..errors import ArgumentError, SolveError
 from ..runtime.compiled import CompiledModel
 from .mechanism import Mechanism
@@ -93,11 +94,13 @@ class Partition:
             f"{', '.join(self.speeds)} (condition {self.condition:.3g})"
         )
 
+    @checked
     def reduce(self, x: ArrayLike) -> Array:
         """y = [independent coordinates, independent speeds] (..., n) of states x (..., nx)."""
         q, u = self.model.split(x)
         return np.concatenate([q[..., self._q], u[..., self._u]], axis=-1)
 
+    @checked
     def full(self, t: float, y: ArrayLike) -> Array:
         """The state x (nx,) with independent parts y (n,): all circuits closed.
 
@@ -107,6 +110,7 @@ class Partition:
         """
         return self._state(t, y)[0]
 
+    @checked
     def rhs(self, t: float, y: ArrayLike) -> Array:
         """Derivative (n,) of y (n,).
 

@@ -129,6 +129,31 @@ class Relative(Modeled):
         K, C, M, R, G = (part.reshape(-1, nu) for part in np.split(flat, ends[:4]))
         return Tangents(K, C, M, R, G)
 
+    def loads(self, at: Moment) -> Array:
+        """As :meth:`Contract.loads`: weights, and what inputs exert.
+
+        A weight is bounded, |sum of m g v| <= g (sum of m * sum of m v^2)^(1/2): parts that
+        balance each other count too.
+        """
+        model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
+        known = {**model.manifest["structural"], **model.parameters}
+        gravity = np.array([known.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
+        mass = sum(abs(known.get(f"{body['name']}.mass", 0.0)) for body in model.manifest["bodies"])
+        moving = np.abs(np.diag(self.tangents(at).M)) * self.columns**2
+        found: Array = float(np.linalg.norm(gravity)) * np.sqrt(mass * moving)
+        if np.any(at.r):
+            nu, without = self.model.nu, replace(at, r=0 * at.r)
+            exerted = self.balance(at)[:nu] - self.balance(without)[:nu]
+            found = found + np.abs(exerted) * self.columns
+        return found
+
+    def sizes(self, at: Moment) -> Array:
+        """As :meth:`Contract.sizes`: at least that of the mechanism, or a radian."""
+        found = np.ones(self.model.nu)
+        for place, speed in self.places.values():
+            found[speed] = max(1.0, abs(float(at.q[place])) / self.columns[speed])
+        return found
+
     def internal_rates(self, at: Moment) -> Array:
         """As :meth:`Contract.internal_rates`."""
         if not self.model.nz:

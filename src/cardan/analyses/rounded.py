@@ -7,13 +7,12 @@ are ignored, in assembly and in runs alike, and the user is told.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import SolveWarning
+from ..errors import SolveWarning, warn
 from .mechanism import LOOSE, Mechanism
 from .meeting import Conditions, Found, meet
 from .searches import search
@@ -59,7 +58,7 @@ def slack(m: Mechanism, q: Array) -> float:
         return 0.0
     loose = m.without(m.released)
     loose.slack = ROUNDED
-    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.model.nu)
+    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
     found = meet(Conditions(loose, ()), m.advance(q, aside))
     if not AGREED < found.open <= ROUNDED:
         return 0.0
@@ -72,12 +71,11 @@ def tell(m: Mechanism, residual: float) -> None:
     if residual < TOLD:
         return
     joints = ", ".join(f"'{cut['name']}'" for cut in m.cuts)
-    warnings.warn(
+    warn(
         f"model '{m.model.name}': circuits (of {joints}) close to {residual * m.size:.1g} m only. "
         "Conditions that say the same twice disagree by that much, as rounded lengths or axes "
         "make them: give the numbers more digits. Until then the residual is ignored (it may be "
         f"{ROUNDED:g} of the size of the mechanism), and rtol below {MARGIN * residual:.0e} is in "
         "vain",
         SolveWarning,
-        stacklevel=5,
     )

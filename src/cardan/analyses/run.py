@@ -22,6 +22,7 @@ from ..runtime.ledger import Ledger
 from . import record as abi
 from .bounded import bounded
 from .happenings import NOTHING, Happenings
+from .jumps import FEW, FUNCTION, stops_of
 from .record import INPUTS, Run, Signal, Tick
 from .settings import Settings
 from .signals import Signals
@@ -104,6 +105,7 @@ class Runner:
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+        run.jumps = FUNCTION in model.saved
         run.on_grid = not self.settings.method.adaptive
         names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
@@ -258,6 +260,11 @@ class Runner:
         self.record.stops = self._stops.ctypes.data
         self.record.stop_count, self.record.next_stop = len(self._stops), 0
 
+    @property
+    def stops(self) -> Array:
+        """The times at which steps must end."""
+        return self._stops
+
     def want(self, times: Array | None, dense: bool) -> None:
         """Say which rows to write: at ``times``, or at every step.
 
@@ -288,7 +295,7 @@ class Runner:
         """Go on to a time, in any direction. Returns the answer of the kernels."""
         run = self.record
         run.h = math.copysign(run.h, end - run.t)
-        self.aim([end])
+        self.aim(stops_of(self.model, self.signals, run.t, end, FEW))
         run.t_start = run.t
         # inputs may have jumped: the derivative at the start is new
         answer = int(self.library.cardan_segment(run)) or abi.MORE

@@ -5,7 +5,6 @@ Every record holds the rows since the last one, and the record and memory of the
 
 from __future__ import annotations
 
-import json
 import math
 import time
 from collections.abc import Iterator
@@ -15,28 +14,32 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ModelError
+from ..errors import ModelError, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
+from ..runtime.number_file import packed, plain, unpacked
 from . import record as abi
-from .growing import Growing, build_key, digest, model_key, packed, text, unpacked
+from .growing import Growing, build_key, digest, model_key, text
 from .happenings import Happenings
+from .integrators import INTEGRATORS
 from .kept import Kept
 from .run import Runner
-from .saved_record import record_of, saved_of
+from .saved_record import checked, impossible, record_of, saved_of, sound, ticks_of
 from .settings import Settings, Start
 from .signals import Signals
 from .times import Span
 
-MAGIC = b"cardan run 1\n"
+# of the record, beside what steppers keep: where it is among its stops and output times
+PLACES = ("next_stop", "next_time")
+MAGIC = b"cardan run 2\n"
+PARTS = ("head", "memory", "rows", "spreads", "log")
+HEAD = {"record", "ticks", "where", "answer", "method", "reason", *PLACES}
 CURES = {
     "model": "it was computed with another model",
     "build": "it was computed with another compiler, processor or version of the integrators",
     "start": "it starts elsewhere or has other inputs",
     "settings": "it has another time, method, tolerance or other events",
 }
-# of the record, beside what steppers keep: where it is among its stops and output times
-PLACES = ("next_stop", "next_time")
 OVER = (abi.DONE, abi.EVENT)
 
 
@@ -61,21 +64,20 @@ class RunFile:
         """
         self.path, self.every = path, every
         self._file = Growing(path, MAGIC, whose, CURES)
-        self._records = [unpacked(content) for content in self._file.contents()]
+        try:
+            self._records = [_parts(content, path) for content in self._file.contents()]
+        except BaseException:
+            self.close()
+            raise
         self._clock = time.monotonic()
         self.method = self.reason = ""
         if self._records:
-            head = self._head
-            self.method, self.reason = str(head["method"]), str(head["reason"])
+            head = self._records[-1]["head"]
+            self.method, self.reason = head["method"], head["reason"]
 
     def close(self) -> None:
         """Let others have the file."""
         self._file.close()
-
-    @property
-    def _head(self) -> dict[str, Any]:
-        found: dict[str, Any] = json.loads(self._records[-1]["head"].tobytes())
-        return found
 
     def begin(self) -> None:
         """Throw away what is there: the run begins anew by another method."""
@@ -87,18 +89,25 @@ class RunFile:
         if not self._records:
             return None
         for one in self._records:
-            kept.rows.append(one["rows"])
-            kept.spreads.append(one["spreads"])
-            kept.logs.append(one["log"])
+            kept.rows.append(self._like(one["rows"], runner.rows))
+            kept.spreads.append(self._like(one["spreads"], runner.spreads))
+            kept.logs.append(self._like(one["log"], runner.log))
+            if not all(np.isfinite(one[part]).all() for part in ("rows", "log")):
+                raise impossible(self.path, "its rows or events are not finite")
+            if not len(one["rows"]) >= len(one["spreads"]):
+                raise impossible(self.path, "it has more dense output than rows")
         kept.fresh()
-        head, last, run = self._head, self._records[-1], runner.record
-        places = [head["record"].pop(name) for name in PLACES]
-        saved = saved_of(runner, head["record"], last["memory"], last["ticks"].tobytes(), self.path)
+        last, run = self._records[-1], runner.record
+        head = last["head"]
+        saved = saved_of(runner, head["record"], last["memory"], head["ticks"], self.path)
+        self._check(head, runner)
         # the stops are those of this run again, of which some lie behind it
         stops = run.stops, run.stop_count
         runner.restore(saved)
+        sound(runner, self.path)
         run.stops, run.stop_count = stops
-        run.next_stop, run.next_time = places
+        run.next_stop, run.next_time = (head[name] for name in PLACES)
+        self._ahead(runner)
         # what the start has written is in the file
         run.count = 0
         runner.drained()
@@ -106,6 +115,37 @@ class RunFile:
             row.where = where
         self._records = []
         return int(head["answer"])
+
+    def _like(self, array: Any, room: Any) -> Any:
+        """Rows of the length that the rows of the run have."""
+        if array.dtype != room.dtype or array.shape[1:] != room.shape[1:] or not array.ndim:
+            raise impossible(self.path, "its rows are not those of this run")
+        return array
+
+    def _check(self, head: dict[str, Any], runner: Runner) -> None:
+        """Places among stops, output times and pieces of inputs, which the kernels go on from."""
+        run, where = runner.record, head["where"]
+        if not isinstance(where, list) or len(where) != len(runner.pieces):
+            raise impossible(self.path, "its inputs are not those of this run")
+        numbers = {name: head[name] for name in (*PLACES, "answer")}
+        last = {"next_stop": run.stop_count - 1, "next_time": run.time_count, "answer": abi.EVENT}
+        checked(numbers, {name: (0, most) for name, most in last.items()}, self.path)
+        if head["answer"] not in (abi.MORE, *OVER):
+            raise impossible(self.path, f"its answer is {head['answer']}")
+        for k, (piece, row) in enumerate(zip(where, runner.pieces, strict=True)):
+            checked({f"where {k}": piece}, {f"where {k}": (0, row.pieces - 1)}, self.path)
+
+    def _ahead(self, runner: Runner) -> None:
+        """The next stop and where steps must end lie where the run has not been yet."""
+        run, stops = runner.record, runner.stops
+        way = 1.0 if stops[-1] >= run.t_start else -1.0
+        if way * run.t > way * stops[run.next_stop]:
+            raise impossible(self.path, "its next stop lies behind it")
+        due = [row.next for row in list(runner.ticks)[: run.tick_count]]
+        if run.until != min([stops[run.next_stop], *due]) and run.until != stops[run.next_stop]:
+            raise impossible(self.path, f"its steps end at {run.until:g} s")
+        if way * run.segment > way * run.t or run.h * way < 0:
+            raise impossible(self.path, "its steps lead back")
 
     def note(self, runner: Runner, kept: Kept, answer: int) -> None:
         """Write what is new, if it is time to or the run is over.
@@ -119,7 +159,9 @@ class RunFile:
         kept.take()
         run, whole = runner.record, runner.save()
         head = {
-            "record": {**record_of(runner), **{name: getattr(run, name) for name in PLACES}},
+            "record": record_of(runner),
+            "ticks": ticks_of(runner),
+            **{name: getattr(run, name) for name in PLACES},
             "where": [row.where for row in runner.pieces],
             "answer": answer if answer in OVER else abi.MORE,
             "method": runner.settings.method.name,
@@ -131,7 +173,6 @@ class RunFile:
                 {
                     "head": text(head),
                     "memory": np.frombuffer(whole.memory),
-                    "ticks": np.frombuffer(whole.ticks, dtype=np.uint8),
                     "rows": rows,
                     "spreads": spreads,
                     "log": log,
@@ -139,6 +180,24 @@ class RunFile:
             )
         )
         self._clock = time.monotonic()
+
+
+def _parts(content: bytes, path: Path) -> dict[str, Any]:
+    """The parts of a record, each of its type.
+
+    Raises:
+        ModelError: they are not those of a record.
+    """
+    try:
+        parts = {name: array for name, array in unpacked(content).items() if name in PARTS}
+        head = plain(parts["head"].tobytes())
+    except (ValueError, KeyError) as error:
+        raise impossible(path, f"a record cannot be read: {error}") from error
+    if len(parts) < len(PARTS) or not isinstance(head, dict) or not set(head) >= HEAD:
+        raise impossible(path, "a record is not whole")
+    if head["method"] not in [*INTEGRATORS] or not isinstance(head["reason"], str):
+        raise impossible(path, "a record has no method")
+    return {**parts, "head": head}
 
 
 @contextmanager
@@ -162,9 +221,9 @@ def run_file(
         yield None
         return
     if not isinstance(path, str | Path):
-        raise ModelError(f"checkpoint={path!r}: name a file, such as 'run.part'")
+        raise ModelError(f"checkpoint={shown(path)}: name a file, such as 'run.part'")
     if not (isinstance(every, int | float) and math.isfinite(every) and every >= 0):
-        raise ModelError(f"every={every!r}: the time between two checkpoints [s], 0 or more")
+        raise ModelError(f"every={shown(every)}: the time between two checkpoints [s], 0 or more")
     if "mesh" in model.manifest:
         raise ModelError(
             f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "

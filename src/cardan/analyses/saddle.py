@@ -31,8 +31,11 @@ WEAK, REFINED = 1e-9, 2  # what redundant multipliers give way; corrections
 SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 REGULAR = 1e-10  # reciprocal condition numbers above which nothing is loose
-SKEW = 1e-8  # above this forces have no potential
+SKEW = 1e-11  # above this forces have no potential: 1e5 times the rounding of a projection
 LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
+# stiffnesses and forces along them, of the largest stiffness, that may be rounding alone
+ROUNDED, PUSHED = 5e-16, 4e-15
+PROBES = 3  # products that tell how large a projected matrix is
 
 
 class Singular(SolveError):
@@ -59,8 +62,9 @@ class Lowest:
         values: Eigenvalues of its symmetric part, from the lowest (k,).
         vectors: Their directions (n, k).
         largest: Against which they are small or not.
-        skew: Largest entry of its skew part, over ``largest``.
+        skew: Size of its skew part on what constraints allow, over ``largest``.
         below: Eigenvalues below 0, counted by signs of pivots; None where they were not.
+        firmly: Eigenvalues below all rounding, counted likewise where some are not.
         sign: Of the determinant of the stiffness on what constraints allow, skew part included;
             0 where that is not known.
     """
@@ -71,12 +75,19 @@ class Lowest:
     skew: float = 0.0
     below: int | None = None
     sign: float = 0.0
+    firmly: int | None = None
+
+    @property
+    def signed(self) -> int:
+        """Eigenvalues below 0, rounding or not."""
+        return int(np.sum(self.values < 0)) if self.below is None else self.below
 
     @property
     def negative(self) -> int:
-        """Directions in which it pushes away."""
-        if self.below is not None and not self.loose.size:
-            return self.below
+        """Directions in which it pushes away: beyond rounding."""
+        counted = self.firmly if self.loose.size else self.below
+        if counted is not None:
+            return counted
         return int(np.sum(self.values < -LOOSE * self.largest))
 
     @property
@@ -157,9 +168,12 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     if (found := _quick(inner, right)) is not None:
         return found
     U, s, Vt = np.linalg.svd(inner)
-    firm = s > LOOSE * max(float(s[0]), 1e-300)
-    found = Vt[firm].T @ ((U[:, firm].T @ right) / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
-    left = U[:, ~firm].T @ right
+    along, largest = U.T @ right, max(float(s[0]), 1e-300)
+    # a soft direction is followed where more than rounding pushes along it: next to a limit load
+    pushed = np.abs(along).reshape(len(s), -1).max(axis=1) > PUSHED * largest
+    firm = (s > LOOSE * largest) | (pushed & (s > ROUNDED * largest))
+    found = Vt[firm].T @ (along[firm] / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
+    left = along[~firm]
     if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
         # along what nothing holds something pushes
         push = Vt[~firm].T @ (Vt[~firm] @ right.reshape(len(right), -1)[:, 0])
@@ -253,10 +267,40 @@ class Sparse:
             # eigenvalues that do not converge say nothing
             raise Singular from None
         order = np.argsort(values)
-        skew = float(abs(K - K.T).max()) / max(largest, 1e-300)
+        skew = skewness(K, G, self.factored) / max(largest, 1e-300)
         symmetric = skew <= SKEW
         below, sign = self.counted(half if symmetric else K, G, symmetric)
-        return Lowest(values[order], vectors[:, order], largest, skew, below, sign)
+        firmly, rounding = below, LOOSE * largest
+        if symmetric and (np.abs(values) <= rounding).any():
+            firmly = self.counted(csr_array(half + rounding * unit), G, True)[0]
+        return Lowest(values[order], vectors[:, order], largest, skew, below, sign, firmly)
+
+
+def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:
+    """Size of the skew part of K on what G allows: entries elsewhere do no work.
+
+    Moments about axes that a joint holds have entries that no motion meets. The size is the norm,
+    by a few products with the projected matrix; 0 where no entry is above rounding.
+
+    Args:
+        K, G: Sparse (n, n), (m, n).
+        by: How matrices are factored.
+    """
+    n, m, apart = K.shape[0], G.shape[0], csr_array(K - K.T)
+    if float(abs(apart).max()) <= SKEW * float(abs(K).max()) or not m:
+        return float(abs(apart).max())
+    onto = by(csr_array(diags_array(np.ones(n))), G)
+
+    def projected(x: Array) -> Array:
+        found: Array = onto(np.concatenate([x, np.zeros(m)]))[:n]
+        return found
+
+    x, size = projected(np.random.default_rng(0).normal(size=n)), 0.0
+    for _ in range(PROBES):
+        x = x / max(float(np.linalg.norm(x)), 1e-300)
+        x = projected(apart @ x)
+        size = max(size, float(np.linalg.norm(x)))
+    return size
 
 
 def is_small(G: Any) -> bool:

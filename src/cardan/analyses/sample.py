@@ -20,7 +20,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError
+from ..arguments import Count, Seed, checked
+from ..errors import ArgumentError, ModelError, SolveError, counted, shown
 from ..runtime.calling import numbers
 
 Array = NDArray[np.float64]
@@ -73,6 +74,7 @@ class LogUniform:
         return np.exp(Uniform(math.log(self.low), math.log(self.high)).ppf(q))
 
 
+@checked
 def uniform(low: float, high: float) -> Uniform:
     """Values between two, all as likely.
 
@@ -85,6 +87,7 @@ def uniform(low: float, high: float) -> Uniform:
     return Uniform(float(low), float(high))
 
 
+@checked
 def normal(mean: float, deviation: float) -> Normal:
     """Values around a mean, with a standard deviation.
 
@@ -93,10 +96,14 @@ def normal(mean: float, deviation: float) -> Normal:
     """
     mean, deviation = _reals("normal", mean, deviation)
     if not (math.isfinite(mean) and math.isfinite(deviation) and deviation > 0):
-        raise ModelError(f"normal({mean:g}, {deviation:g}): the deviation must be positive")
+        raise ModelError(
+            f"normal(mean={mean:g}, deviation={deviation:g}): mean must be finite and the "
+            "deviation must be positive"
+        )
     return Normal(float(mean), float(deviation))
 
 
+@checked
 def log_uniform(low: float, high: float) -> LogUniform:
     """Positive values whose logarithm is uniform.
 
@@ -134,9 +141,10 @@ class Plan:
             f"  {name}: {column.min():g} ... {column.max():g}"
             for name, column in self.values.items()
         ]
-        return "\n".join([f"{self.kind} plan of {len(self)} runs", *rows])
+        return "\n".join([f"{self.kind} plan of {counted(len(self), 'run')}", *rows])
 
 
+@checked
 def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
     """Every combination of values; the last name varies fastest.
 
@@ -155,7 +163,8 @@ def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
     return Plan("grid", {n: m.reshape(-1) for n, m in zip(axes, meshes, strict=True)})
 
 
-def random(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
+@checked
+def random(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
     """Independent values.
 
     Args:
@@ -172,7 +181,8 @@ def random(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
     return _filled("random", kinds, cube)
 
 
-def latin_hypercube(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
+@checked
+def latin_hypercube(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
     """Values that cover each range evenly: one in each of ``runs`` slices as likely as the others.
 
     Args and Raises: as of :func:`random`.
@@ -186,7 +196,8 @@ def latin_hypercube(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> P
     return _filled("latin hypercube", kinds, cube)
 
 
-def sobol(runs: int, values: Mapping[str, Any], *, seed: int = 0) -> Plan:
+@checked
+def sobol(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
     """A scrambled Sobol sequence: means over it converge faster than over random values.
 
     Args and Raises: as of :func:`random`; ``runs`` must be a power of 2, which keeps the balance
@@ -217,7 +228,7 @@ def distribution(name: str, value: Any) -> Distribution:
     if isinstance(value, Distribution):
         return value
     raise ArgumentError(
-        f"'{name}' is {value!r}; give (low, high), sample.normal(mean, deviation), "
+        f"'{name}' is {shown(value)}; give (low, high), sample.normal(mean, deviation), "
         "sample.uniform(low, high) or a distribution of scipy.stats with its numbers"
     )
 
@@ -229,25 +240,27 @@ def checked_seed(seed: Any) -> int:
         ModelError: it is no whole number from 0 on.
     """
     if not isinstance(seed, int | np.integer) or seed < 0:
-        raise ModelError(f"seed={seed!r}: a whole number from 0 on is wanted")
+        raise ModelError(f"seed={shown(seed)}: a whole number from 0 on is wanted")
     return int(seed)
 
 
 def _reals(where: str, first: Any, second: Any) -> tuple[float, float]:
     """The two numbers of a distribution."""
-    array = numbers(f"{where}({first!r}, {second!r})", [first, second])
+    array = numbers(f"{where}({shown(first)}, {shown(second)})", [first, second])
     return float(array[0]), float(array[1])
 
 
 def _given(where: str, values: Mapping[str, Any] | None, named: Mapping[str, Any]) -> Any:
     if values is not None and not isinstance(values, Mapping):
         raise ModelError(
-            f"{where}: {values!r} does not say what is varied: give names with values, "
+            f"{where}: {shown(values)} does not say what is varied: give names with values, "
             f"{where}({{'m': ...}})"
         )
     given = {**(values or {}), **named}
     if not given:
-        raise ModelError(f"{where}: name what is varied, such as {where}(m=(1, 2, 100))")
+        raise ModelError(
+            f"{where}: name what is varied and its values, such as {where}(m=(1, 2, 100))"
+        )
     return given
 
 
@@ -261,7 +274,7 @@ def _axis(name: str, value: Any) -> Array:
         return np.linspace(low, high, int(count))
     if array.ndim != 1 or not array.size:
         raise ArgumentError(
-            f"grid: '{name}' is {value!r}; give (low, high, count) or an array of values"
+            f"grid: '{name}' is {shown(value)}; give (low, high, count) or an array of values"
         )
     return array
 
@@ -275,7 +288,7 @@ def _finite(name: str, array: Array) -> Array:
 
 def _distributions(where: str, runs: int, values: Mapping[str, Any]) -> dict[str, Distribution]:
     if not isinstance(runs, int | np.integer) or not 1 <= runs <= MOST:
-        raise ModelError(f"{where}: {runs!r} is no number of runs: 1, 2, ...")
+        raise ModelError(f"{where}: {shown(runs)} is no number of runs: 1, 2, ...")
     return {n: distribution(n, v) for n, v in _given(where, values, {}).items()}
 
 

@@ -1,11 +1,19 @@
-"""The numbers of the record of a run that a file holds, and the record that is made of them."""
+"""The numbers of the record of a run that a file holds, and the record that is made of them.
+
+Sizes, and everything else that follows from the model and the settings, are in no file: they come
+from the run that goes on. What is in the file is what a run changes; numbers that the kernels use
+as places or counts are refused outside of their range.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from ..errors import ModelError
 from . import record as abi
@@ -13,53 +21,182 @@ from .plain import PlainRunner
 from .plain_record import Progress
 from .run import Runner, Saved
 
-# of the record: what belongs to a process, or to the room that rows have there
-PASSING = {
+MOST = 1 << 53  # of what is counted
+TRUTH = ("fresh", "is_dense", "happened")
+COUNTS = (
+    *("in_segment", "rejected", "ranks", "at_once", "occurred", "pass_part", "pass_parts"),
+    *("steps", "rejections", "evaluations", "projections", "passed"),
+    *("looked", "limited", "jacobians", "factorizations"),
+)
+TIMES = ("t", "t_old", "t_start", "segment", "h")
+REALS = (
+    *("until", "early", "late", "moment", "correction", "size"),
+    *("hold", "best_hold", "pass_start", "pass_length"),
+)
+# from the model, its method and settings
+GIVEN = (
+    *("nq", "nu", "nz", "nx", "n", "nr", "ns", "nlam", "signal_count", "quaternion_count"),
+    *("bounded_count", "sampled", "charted", "positions", "rates", "ne", "watched", "tick_count"),
+    *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid"),
+)
+# what belongs to a process, or to the room that rows have there
+PASSING = (
     *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
     *("time_count", "next_time", "budget", "stop"),
-}
+)
+POINTS = 10  # MOST_POINTS of kernels/gauss.h
+STATUS = 1 << 31
+# the same for a run without a compiler, as far as it has them
+PLAIN = (
+    *("t", "t_start", "h", "correction"),
+    *("steps", "rejections", "evaluations", "culprit", "model_status", "open_row"),
+    *("projections", "passed", "looked", "limited", "jacobians", "factorizations", "occurred"),
+)
+
+
+def limits(runner: Runner | PlainRunner) -> dict[str, tuple[int, int]]:
+    """Least and largest value of every whole number of the record that belongs to a run."""
+    run = runner.record
+    if isinstance(run, Progress):
+        rows, n = runner.closing.positions + runner.closing.rates, runner.n
+        counts = [name for name in COUNTS if name in PLAIN]
+    else:
+        rows, n = run.positions + run.rates, run.n
+        counts = [*COUNTS]
+    found = dict.fromkeys(counts, (0, MOST))
+    found |= {
+        "culprit": (-1, n + len(runner.may.rows) - 1),
+        "open_row": (-1, rows - 1),
+        "model_status": (-STATUS, STATUS),
+    }
+    if not isinstance(run, Progress):
+        found |= dict.fromkeys(TRUTH, (0, 1))
+        found |= {"row_open": (0, 2), "held": (0, run.rates), "pass_points": (0, POINTS)}
+    return found
 
 
 def record_of(runner: Runner | PlainRunner) -> dict[str, float]:
     """The numbers of the record that a run goes on from."""
     run = runner.record
     if isinstance(run, Progress):
-        return asdict(run)
-    return {name: getattr(run, name) for name in fields_of_runs()}
-
-
-def fields_of_runs() -> list[str]:
-    """Fields of the record that are numbers, and belong to the run."""
-    numbers = [name for kind, names in abi.FIELDS if kind != abi.POINTER for name in names.split()]
-    return [name for name in numbers if name not in PASSING]
+        return {name: value for name, value in asdict(run).items() if name in PLAIN}
+    return {name: getattr(run, name) for name in (*limits(runner), *TIMES, *REALS)}
 
 
 def saved_of(
-    runner: Runner | PlainRunner, numbers: Mapping[str, Any], memory: Any, ticks: bytes, path: Path
+    runner: Runner | PlainRunner,
+    numbers: Mapping[str, Any],
+    memory: Any,
+    ticks: Any,
+    path: Path,
 ) -> Saved:
     """The checkpoint as the run takes it.
 
     Args:
         runner: Of the same model and method.
-        numbers, memory, ticks: As :func:`record_of` and ``runner.save()`` gave them.
+        numbers: As :func:`record_of` gave them.
+        memory: Of the run.
+        ticks: As :func:`ticks_of` gave them.
         path: The file they come from, for messages.
 
     Raises:
-        ModelError: another version of cardan wrote them.
+        ModelError: another version of cardan wrote them, or they are of no run of this model.
     """
-    run = runner.record
-    known = [f.name for f in fields(run)] if isinstance(run, Progress) else fields_of_runs()
-    whole = runner.save()
-    if set(numbers) != set(known) or len(whole.memory) != memory.nbytes:
+    run, whole = runner.record, runner.save()
+    if not isinstance(numbers, Mapping) or set(numbers) != set(record_of(runner)):
         raise ModelError(f"{path} was written by another version of cardan; start the run anew")
-    record: Any
+    if getattr(memory, "dtype", None) != np.float64 or memory.nbytes != len(whole.memory):
+        raise impossible(path, "its memory has not the size of this run's")
+    checked(numbers, limits(runner), path)
     if isinstance(run, Progress):
-        record = replace(run, **numbers)
+        record: Any = replace(run, **numbers)
     else:
         other = abi.Run.from_buffer_copy(whole.record)
         for name, value in numbers.items():
             setattr(other, name, value)
+        _fits_itself(other, path)
+        if other.on_grid and abs(other.h) != runner.settings.step:
+            raise impossible(path, f"its step is {other.h:g} s")
         record = bytes(other)
-    if len(ticks) != len(whole.ticks):
-        raise ModelError(f"{path}: its samples are not those of the model")
-    return Saved(record, memory.tobytes(), whole.owner, ticks)
+    due = _ticks(runner, ticks, float(numbers["t"]), path)
+    return Saved(record, memory.tobytes(), whole.owner, due)
+
+
+def checked(numbers: Mapping[str, Any], whole: Mapping[str, tuple[int, int]], path: Path) -> None:
+    """Look at the types and ranges of numbers.
+
+    Args:
+        numbers: From a file.
+        whole: Least and largest value of those that are whole; the others are real.
+        path: The file.
+
+    Raises:
+        ModelError: a number is none, or lies outside.
+    """
+    for name, value in numbers.items():
+        least, most = whole.get(name, (0, 0))
+        if name in whole:
+            right = type(value) is int and least <= value <= most
+        else:
+            right = (type(value) in (int, float) and abs(value) < 1e308) or value == math.inf
+        if name in TIMES:
+            right = right and math.isfinite(value)
+        if not right:
+            raise impossible(path, f"'{name}' is {value!r:.40}")
+
+
+def impossible(path: Path, what: str) -> ModelError:
+    """What to raise where a file holds what no run writes."""
+    return ModelError(f"{path} is damaged or was changed: {what}. Start the run anew")
+
+
+def _fits_itself(run: abi.Run, path: Path) -> None:
+    """Whether numbers of a record that belong together do."""
+    if run.happened and not run.ne + run.watched:
+        raise impossible(path, "an event happens that the model does not have")
+    if not run.constraint_jacobian and (run.pass_length != 0 or run.pass_parts != 0):
+        raise impossible(path, "it passes a singular position without constraints")
+    if run.pass_part > run.pass_parts or (run.pass_parts > 0 and not run.pass_points >= 1):
+        raise impossible(path, "it is in no part of a step over a singular position")
+    forth = run.t - run.t_old
+    if forth != 0 and run.h != 0 and (forth > 0) != (run.h > 0):
+        raise impossible(path, "its next step leads back")
+
+
+def ticks_of(runner: Runner | PlainRunner) -> list[list[float]]:
+    """Number and time of the next sample of every tick."""
+    if isinstance(runner, PlainRunner):
+        return []
+    count = runner.record.tick_count
+    return [[row.count, row.next] for row in list(runner.ticks)[:count]]
+
+
+def _ticks(runner: Runner | PlainRunner, given: Any, t: float, path: Path) -> bytes:
+    """The ticks of a run with what a file says about the next ones."""
+    if isinstance(runner, PlainRunner):
+        return b""
+    rows = type(runner.ticks).from_buffer_copy(bytes(runner.ticks))
+    count = runner.record.tick_count
+    right = isinstance(given, list) and len(given) == count
+    if not right or not all(isinstance(pair, list) and len(pair) == 2 for pair in given):
+        raise impossible(path, "its samples are not those of the model")
+    for row, (number, due) in zip(rows, given, strict=False):
+        checked({"count": number, "next": due}, {"count": (-MOST, MOST)}, path)
+        slack = 1e-8 * row.period
+        regular = abs(row.phase + number * row.period - due) <= slack
+        if not (regular and t <= due <= t + row.period + slack):
+            raise impossible(path, f"its next sample is due at {due:g} s")
+        row.count, row.next = number, due
+    return bytes(rows)
+
+
+def sound(runner: Runner | PlainRunner, path: Path) -> None:
+    """Look at the places that restored memory holds, such as rows in a factored matrix.
+
+    Raises:
+        ModelError: some of them are outside.
+    """
+    if isinstance(runner, Runner) and not abi.sound(
+        runner.library, runner.settings.method.kernel, runner.record
+    ):
+        raise impossible(path, "its memory is not that of a run")

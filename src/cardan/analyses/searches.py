@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runtime.initial import start_of
-from ..runtime.states import random_state
 from .mechanism import Mechanism
 from .meeting import Conditions, Found, meet
 from .targets import Target
@@ -36,7 +35,7 @@ def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
     for target in targets:
         if target.kind == "coordinate" and target.weight is None:
             q[target.place] = target.value
-    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.model.nu)))
+    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.nu)))
     q = end.q.copy()
     end = replace(end, turned=m.turned(q) if end.closed else "")
     for target in targets if end.met else ():
@@ -48,7 +47,7 @@ def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
 def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
     """Random coordinates; lengths without limits as far from their start as the mechanism is."""
     manifest = m.model.manifest
-    q = random_state(manifest, rng)[: m.model.nq]
+    q = m.drawn(rng)
     bound = {joint["name"] for joint in manifest["joints"] if joint["limits"]}
     for k, row in enumerate(manifest["coordinates"]):
         if row["unit"] == "m" and row.get("joint") not in bound:

@@ -20,6 +20,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arguments import checked
 from ..errors import ModelError, listed, near
 from .equilibrium import Equilibrium, equilibrium
 from .family import Family, Member
@@ -73,6 +74,7 @@ class Sensitivity:
         return "\n".join(lines)
 
 
+@checked
 def sensitivity(
     model: Any,
     parameters: Iterable[str] | str,

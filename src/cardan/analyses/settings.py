@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, ModelWarning, SolveError, near, outside, shown, warn
+from ..ir.rows import having
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
-from ..runtime.initial import start_of
+from ..runtime.initial import followers, start_of
 from .alpha import Alpha, GeneralizedAlpha, method_of
 from .integrators import INTEGRATORS, Integrator
+from .signals import Signals
 
 Array = NDArray[np.float64]
 Values = Mapping[str, ArrayLike]
 DEFAULT = "DOP853"
 MOST_STEPS = 1e12
 STEPS = 10_000  # of a fixed step without step=
+LARGEST_ATOL, RATIO = 1e-9, 1e-3  # atol where none is given: at most, and of rtol
+PARTS = 1000  # of the span: longest step past functions of the caller, which tell nothing ahead
+VOID = 10  # times rtol: an atol above that decides about all entries up to such a size
 SMALLEST = 1e-100  # squares of errors over an atol below this overflow
 TIGHTEST = 2.5e-14  # below this rtol the error of a step drowns in rounding
 
@@ -49,9 +54,9 @@ class Settings:
 
 
 def settings(
-    method: str | GeneralizedAlpha,
+    method: str | GeneralizedAlpha | Alpha,
     rtol: float,
-    atol: float,
+    atol: float | None,
     step: float | None,
     max_step: float | None,
     length: float | None,
@@ -60,7 +65,7 @@ def settings(
 
     Args:
         method: Name of an integrator, or ``"auto"``; or one with choices of its own.
-        rtol, atol, step, max_step: As ``simulate`` takes them.
+        rtol, atol, step, max_step: As ``simulate`` takes them; atol None: as rtol has it.
         length: Duration of the run, None if it has no end yet [s].
 
     Raises:
@@ -70,10 +75,11 @@ def settings(
     chosen = integrator(method)
     if chosen.given_step and step is not None:
         chosen = replace(chosen, adaptive=False)
+    atol = following(rtol) if atol is None else atol
     for name, value in (("rtol", rtol), ("atol", atol)):
         if not isinstance(value, int | float | np.number):
             raise ModelError(
-                f"{name}={value!r}: one number is wanted, for all entries of the state"
+                f"{name}={shown(value)}: one number is wanted, for all entries of the state"
             )
         if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
             raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
@@ -90,9 +96,34 @@ def settings(
     if 0 < rtol < TIGHTEST:
         words += f" (as {TIGHTEST:g}: double precision ends there)"
         rtol = TIGHTEST
+    if rtol * VOID < atol and rtol > 0:
+        words += f" (atol decides: rtol counts for entries above {atol / rtol:.2g} alone)"
     words += f", first step {step:g} s" if step is not None else ""
     words += f", steps up to {max_step:g} s" if max_step is not None else ""
     return Settings(chosen, rtol, atol, step or 0.0, max_step or math.inf, words)
+
+
+def watched(how: Settings, given: Signals, length: float, max_step: float | None) -> Settings:
+    """Settings whose steps are short enough to notice what input functions do.
+
+    Args:
+        how: The settings.
+        given: The inputs.
+        length: Duration of the run [s].
+        max_step: What the caller said about it; None: nothing.
+    """
+    asked = given.functions and given.sample is None
+    if not asked or max_step is not None or not how.method.adaptive:
+        return how
+    words = f"{how.words}, steps up to 1/{PARTS} of the span as inputs are functions"
+    return replace(how, max_step=length / PARTS, words=words)
+
+
+def following(rtol: Any) -> float:
+    """The absolute tolerance that goes with a relative one where none is given."""
+    if not isinstance(rtol, int | float | np.number) or not rtol > 0:
+        return LARGEST_ATOL
+    return min(LARGEST_ATOL, RATIO * float(rtol))
 
 
 def _fixed(
@@ -111,7 +142,7 @@ def _fixed(
     return Settings(chosen, 0.0, 1.0, taken, math.inf, f"step {taken:g} s{origin}")
 
 
-def integrator(name: str | GeneralizedAlpha) -> Integrator:
+def integrator(name: str | GeneralizedAlpha | Alpha) -> Integrator:
     """An integrator by its name, or with choices of its own.
 
     Raises:
@@ -127,7 +158,7 @@ def integrator(name: str | GeneralizedAlpha) -> Integrator:
         return INTEGRATORS[DEFAULT]
     if name not in INTEGRATORS:
         same = next((n for n in INTEGRATORS if n.lower() == str(name).lower()), None)
-        hint = f" Did you mean '{same}'?" if same else near(str(name), [*INTEGRATORS, "auto"])
+        hint = f" Did you mean '{same}'?" if same else near(name, [*INTEGRATORS, "auto"])
         raise ModelError(f"method '{name}' does not exist.{hint}")
     return INTEGRATORS[name]
 
@@ -141,11 +172,14 @@ class Start:
         defaulted: Those of its entries that nobody named.
         slack: Residual, in sizes of the mechanism, up to which circuits count as closed because
             conditions that say the same twice disagree; 0 where they agree.
+        followers: ``"q"`` and ``"u"`` -> joints that follow from loops in closed form, and the
+            values that were named for them.
     """
 
     x: Array
     defaulted: tuple[str, ...]
     slack: float = 0.0
+    followers: Mapping[str, Values] = field(default_factory=dict)
 
     def named(self, model: CompiledModel) -> dict[str, float]:
         """Every entry by its name."""
@@ -171,7 +205,27 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start
         letter: _by_entry(letter, value, entries)
         for letter, value, entries in (("q", q, coordinates), ("u", u, speeds), ("z", z, internals))
     }
-    return Start(*start_of(model, names["q"], names["u"], names["z"]))
+    given: dict[str, Values] = {}
+    for letter in "qu":
+        places = followers(model.manifest, letter)
+        if places:
+            given[letter] = {k: v for k, v in names[letter].items() if k in places}
+            names[letter] = {k: v for k, v in names[letter].items() if k not in places}
+    begin = Start(*start_of(model, names["q"], names["u"], names["z"]), followers=given)
+    if isinstance(q, Mapping):
+        _within_limits(model, begin.x, q)
+    return begin
+
+
+def _within_limits(model: CompiledModel, x: Array, named: Values) -> None:
+    """Warn of coordinates that were named outside the limits of their joints."""
+    for joint in having(model.manifest["joints"], "limits"):
+        first, size = joint.get("q") or (0, 0)
+        if size == 1 and (joint["name"] in named or model.coordinates[first] in named):
+            limits, unit = joint["limits"], model.manifest["coordinates"][first]["unit"]
+            problem = outside(float(x[first]), limits.get("lower"), limits.get("upper"), unit)
+            if problem:
+                warn(f"joint '{joint['name']}': q: {problem}", ModelWarning)
 
 
 def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:

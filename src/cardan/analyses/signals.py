@@ -11,26 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, FunctionError, ModelError, SolveError, named, near
+from ..errors import ArgumentError, FunctionError, ModelError, SolveError, named, near, shown
 from ..runtime.calling import numbers
+from ..runtime.recorded import Pieces, Recorded
 
 Array = NDArray[np.float64]
 InputFunction = Callable[[float, Array], float]
-
-
-@dataclass(frozen=True)
-class Pieces:
-    """An input by polynomials: c0 + c1 d + c2 d^2 + c3 d^3 with d = t - breaks[k].
-
-    Attributes:
-        input: Index in r.
-        breaks: (n + 1), ascending [s]; two equal ones are a jump.
-        coefficients: (n, 4).
-    """
-
-    input: int
-    breaks: Array
-    coefficients: Array
 
 
 @dataclass(frozen=True)
@@ -60,7 +46,9 @@ class Checked:
             return float(found)
         except (TypeError, ValueError):
             at = f"at t = {t:.9g} s"
-            raise FunctionError(f"{self.who} gave {found!r}, which is no number, {at}") from None
+            raise FunctionError(
+                f"{self.who} gave {shown(found)}, which is no number, {at}"
+            ) from None
 
 
 @dataclass(frozen=True)
@@ -94,55 +82,13 @@ class Signals:
 
     def first(self, t: float) -> Array:
         """r (nr,) at the start; functions, which prescribe no motion, are not asked."""
-        found: Array = self.recorded(np.array([t]), self.constants[None]).at(np.array([t]))[0]
+        found: Array = self.recorded(np.array([t]), self.constants[None])(np.array([t]))[0]
         return found
 
     def recorded(self, t: Array, r: Array) -> Recorded:
         """The inputs of a run with values r (nt, nr) at its times t (nt,)."""
         asked = tuple(self.functions)
         return Recorded(self.constants, self.pieces, asked, self.sample is not None, t, r)
-
-
-@dataclass(frozen=True)
-class Recorded:
-    """The inputs of a run that is over.
-
-    Attributes:
-        constants, pieces: As in :class:`Signals`.
-        asked: Indices in r of the functions.
-        held: Whether those kept their values between samples.
-        t, r: Times (nt,) and values there (nt, nr).
-    """
-
-    constants: Array
-    pieces: tuple[Pieces, ...]
-    asked: tuple[int, ...]
-    held: bool
-    t: Array
-    r: Array
-
-    def at(self, times: Array) -> Array:
-        """r (m, nr) at times (m,).
-
-        Exact for constants and values at times; functions are held where they are sampled, and
-        joined by straight lines otherwise.
-        """
-        result = np.tile(self.constants, (len(times), 1))
-        order = np.argsort(self.t, kind="stable")
-        known, r = self.t[order], self.r[order]
-        for k in self.asked:
-            if self.held:
-                # a row at the end of a step holds the value that led there
-                next_row = np.clip(np.searchsorted(known, times), 0, len(known) - 1)
-                result[:, k] = r[next_row, k]
-            else:
-                result[:, k] = np.interp(times, known, r[:, k])
-        for piece in self.pieces:
-            where = np.searchsorted(piece.breaks, times, side="right") - 1
-            where = np.clip(where, 0, len(piece.coefficients) - 1)
-            d, c = times - piece.breaks[where], piece.coefficients[where].T
-            result[:, piece.input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0]
-        return result
 
 
 def signals(
@@ -229,7 +175,8 @@ def _number(name: str, value: Any) -> float:
         number = float(value)
     except (TypeError, ValueError):
         raise ArgumentError(
-            f"inputs: '{name}' is {value!r}; give a number, (times, values) or a function f(t, x)"
+            f"inputs: '{name}' is {shown(value)}; give a number, (times, values) or a "
+            "function f(t, x)"
         ) from None
     if not math.isfinite(number):
         raise SolveError(f"inputs: '{name}' is {number}. Every input must be finite")

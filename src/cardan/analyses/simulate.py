@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -12,25 +11,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning
+from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning, warn
 from ..runtime.absolute.evaluated import FUNCTIONS
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from . import record as abi
-from .alpha import GeneralizedAlpha
-from .choice import JACOBIAN, Case, Limited, choose, reconsider
+from .accounting import excess
+from .alpha import Alpha, GeneralizedAlpha
+from .choice import JACOBIAN, Case, Limited, choose, given_up, reconsider
 from .closed_start import closed_start
 from .happenings import NOTHING, Happenings, check_start, happenings
 from .integrators import INTEGRATORS
+from .jumps import stops_of
 from .kept import Kept
 from .outcome import explain
 from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
 from .run_file import RunFile, run_file
-from .settings import Settings, Start, Values, blocks, settings, start
+from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spared import spared
 from .times import Span, span
@@ -40,16 +41,17 @@ Array = NDArray[np.float64]
 
 def simulate(
     model: CompiledModel,
-    t: float | ArrayLike,
+    t: float | ArrayLike | None = None,
     *,
+    t_eval: ArrayLike | None = None,
     x0: ArrayLike | None = None,
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
     events: Mapping[str, Any] | None = None,
-    method: str | GeneralizedAlpha = "auto",
+    method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-6,
-    atol: float = 1e-9,
+    atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
     inputs: Mapping[str, Any] | None = None,
@@ -64,7 +66,8 @@ def simulate(
     Args:
         model: The compiled model.
         t: End time (from 0), ``(start, end)`` (backward too), or an array of output times [s].
-            With an end or a pair the result is dense: every step is kept, with what is between.
+            With an end or a pair the result is dense. A tuple or list of two is a pair; an array
+            of two is refused: ``t_eval`` takes it.
         x0: Initial state (nx,); or by names:
         q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
             or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
@@ -80,43 +83,52 @@ def simulate(
             takes what the scene and the first steps ask for, and says why.
         rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
             generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
+            atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
         step: Step of a fixed method, first step of an adaptive one [s].
-        max_step: Largest step of an adaptive method [s].
+        max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
-        sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between, as
-            a digital controller does. Without it they are called at every stage of every step.
+        sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between.
+            Without it they are called at every stage of every step.
         checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
             same call goes on from there, to the bit.
-        check: Raise instead of warn when the run does not reach its end.
-        progress: True, False or a function of the fraction done; None: a bar on a terminal once
-            the run takes longer than a second.
+        check: Raise instead of warn when the run does not reach its end, or misses more than its
+            tolerance is worth (``docs/integrators.md``, "What a run accounts for").
+        progress: True, False or a function of the fraction done; None: a bar in long runs.
 
     Returns:
         The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
-        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`.
+        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`, as
+        where energy, momentum or closure miss a hundred times what the tolerance is worth.
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
-        ArgumentError: wrong shapes. FunctionError: a function of yours raised, or gave no number;
-            ``motion`` of the error is what was computed until then.
+        ArgumentError: wrong shapes. FunctionError: yours failed; ``motion`` is what was computed.
         SolveError: a number that is not finite; with ``check``, an early end.
     """
-    over = span(t)
+    over = span(t, t_eval)
     begin = start(model, x0, q, u, z)
     may = happenings(model, events)
     may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
+    how = watched(how, given, over.length, max_step)
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
     check_start(model, begin.x, over.start, given.first(over.start))
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
     with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
         motion = _settled(model, how, given, may, over, begin, case, progress, file)
-    if not motion.success:
-        if check:
-            raise SolveError(motion.message)
-        warnings.warn(motion.message, SolveWarning, stacklevel=4)
+    return _told(motion, check)
+
+
+def _told(motion: Trajectory, check: bool) -> Trajectory:
+    """The motion, with warnings of an early end and of what it cannot account for."""
+    said = [] if motion.success else [motion.message]
+    said += [motion.conduct.warning] if motion.conduct.warning else []
+    if said and check:
+        raise SolveError("; ".join(said))
+    for text in said:
+        warn(text, SolveWarning)
     return motion
 
 
@@ -139,7 +151,10 @@ def _settled(
         case = None
     try:
         runner = runner_of(model, first, given, may)
-        return driven(runner, over, begin, progress, case, file)
+        motion = driven(runner, over, begin, progress, case, file)
+        if case is None or not given_up(case, first.method.name, motion.status):
+            return motion
+        raise Limited(case)
     except Limited as found:
         if file is not None:
             file.begin()
@@ -159,6 +174,7 @@ def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: 
         derived=JACOBIAN in model.manifest["available"],
         asked=bool(given.functions),
         elements="mesh" in model.manifest,
+        beams=bool(model.manifest.get("beams")),
     )
 
 
@@ -196,8 +212,8 @@ def runner_of(
     compiled = _integrators(model)
     if not compiled:
         check_plain(how)
-    # side by side, as both must be compiled
-    model.prepare(*called)
+    # side by side, as all must be compiled; by energy is told what the run cannot account for
+    model.prepare(*called, *(["energy"] if power and "energy" in available else []))
     if all(model._function(name).address for name in called) and compiled:
         return Runner(model, how, given, power, may)
     words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
@@ -226,8 +242,9 @@ def driven(
     Raises:
         Limited: another method would be chosen, and less than half of the run is done.
         FunctionError: a function of the caller raised; it has the motion until then.
+        SolveError: there is no memory for its rows.
     """
-    kept, problem = Kept(runner), None
+    kept, problem, full = Kept(runner), None, False
     runner.loosen(begin.slack)
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
@@ -237,11 +254,22 @@ def driven(
         except FunctionError as raised:
             answer, problem = abi.INPUT, raised
             kept.take()
+        except MemoryError:
+            # told below, where what was half done has gone
+            answer, full = abi.SIZE, True
     milliseconds = 1e3 * (time.perf_counter() - clock)
     told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
     if file is not None and answer == abi.STOPPED:
         told = told[0], f"{told[1]} in {file.path}, and the same call goes on from there"
-    motion = kept.motion(over, begin, told, milliseconds)
+    motion = None
+    while motion is None:
+        told = kept.halt(over) if full else told
+        try:
+            motion = kept.motion(over, begin, told, milliseconds)
+        except MemoryError:
+            full = True
+    missed = excess(motion, runner.settings, begin.slack)
+    motion = replace(motion, conduct=replace(motion.conduct, warning=missed)) if missed else motion
     if problem is not None:
         problem.motion = motion
         raise problem
@@ -258,7 +286,7 @@ def _loop(
     file: RunFile | None,
 ) -> int:
     """Go on until the run is over. Returns the last answer of the kernels."""
-    stops = [*runner.signals.corners(over.start, over.end), over.end]
+    stops = stops_of(runner.model, runner.signals, over.start, over.end)
     answer = runner.start(over.start, begin.x, stops)
     if file is not None and isinstance(runner, Runner) and answer >= 0:
         known = file.go_on(runner, kept)

@@ -17,10 +17,12 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import Hold, checked
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State
 from .assemble import assemble
-from .mechanism import Mechanism
+from .mechanism import Mechanism, refuse_nodes
 from .meeting import Conditions, meet
 from .redundancy import rank_of
 from .targets import kept, read
@@ -73,6 +75,7 @@ class Singular:
     def __len__(self) -> int:
         return len(self.positions)
 
+    @checked
     def values(self, kind: str = "dead point") -> Array:
         """The coordinate at all positions of a kind."""
         return np.array([p.value for p in self.positions if p.kind == kind])
@@ -88,18 +91,19 @@ class Singular:
         return "\n".join(lines)
 
 
+@checked
 def singular_positions(
     model: CompiledModel,
     coordinate: str,
     over: tuple[float, float],
     *,
     driver: str | None = None,
-    hold: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     branch: Mapping[str, Any] | None = None,
     step: float = STEP,
     t: float = 0.0,
-    r: Any = None,
+    r: State | None = None,
 ) -> Singular:
     """Where a driver is dead, and where branches meet, while a coordinate is in a range.
 
@@ -126,6 +130,7 @@ def singular_positions(
             )
     if not step > 0:
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
+    refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
     held = kept(m, hold)
     begin = assemble(model, {coordinate: low} | held, start=start, branch=branch, t=t, r=r)

@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError, ModelError
+from ..arguments import Complexes, checked
+from ..errors import ArgumentError, ModelError, shown
 from .alpha import Alpha, GeneralizedAlpha
 from .integrator import Integrator
 from .runge_kutta import response as response_of
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 ROUNDED = 1e-12  # of |R| = 1, to which methods without damping round
 
 
+@checked
 def amplification(
     method: str | Alpha | GeneralizedAlpha,
     omega: ArrayLike,
@@ -54,7 +56,7 @@ def amplification(
     if isinstance(alpha, Integrator):
         return _one_step(alpha, angle, damping, index)
     if index not in (None, 1, 2, 3):
-        raise ArgumentError(f"index={index!r}: None (free), 3 (position), 2 (speed) or 1")
+        raise ArgumentError(f"index={shown(index)}: None (free), 3 (position), 2 (speed) or 1")
     size = 3 if index is None else 4
     after, before = np.zeros((2, *angle.shape, size, size))
     # increments: x' and h x' after the step by everything before it and a after it
@@ -89,7 +91,8 @@ def _one_step(method: Integrator, angle: Array, damping: float, index: int | Non
     return np.asarray(response_of(method, system).real)
 
 
-def response(method: str, z: ArrayLike) -> NDArray[np.complexfloating[Any, Any]]:
+@checked
+def response(method: str, z: Complexes) -> NDArray[np.complexfloating[Any, Any]]:
     """R(z) (...), by which a step multiplies y of y' = lambda y, at z = lambda h.
 
     Args:
@@ -103,6 +106,7 @@ def response(method: str, z: ArrayLike) -> NDArray[np.complexfloating[Any, Any]]
     return response_of(integrator(method), numbers)[..., 0, 0]
 
 
+@checked
 def stable_along(method: str, direction: complex) -> float:
     """How far from 0 along a ray a method is stable: the largest r with |R| <= 1 up to it.
 
@@ -132,6 +136,7 @@ def stable_along(method: str, direction: complex) -> float:
     return low
 
 
+@checked
 def spectral_radius(
     method: str | Alpha | GeneralizedAlpha,
     omega: ArrayLike,
@@ -151,6 +156,7 @@ def spectral_radius(
     return np.asarray(np.abs(values).max(axis=-1))
 
 
+@checked
 def period_error(
     method: str | Alpha | GeneralizedAlpha, omega: ArrayLike, damping: float = 0.0
 ) -> Array:

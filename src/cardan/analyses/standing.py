@@ -1,22 +1,38 @@
-"""How a system stands where it rests: stably, unstably, or with parts that nothing holds."""
+"""How a system stands where it rests: stably, unstably, or with parts that nothing holds.
+
+Where forces have a potential the inertia of the stiffness tells, the number of its negative
+eigenvalues on what constraints allow. Forces that follow the motion have none: a system can begin
+to oscillate (flutter) while its stiffness holds it, and eigenvalues of the small motions tell.
+
+Source: H. Ziegler, Principles of Structural Stability (1968), chapters 2 and 3.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import issparse
+from scipy.sparse.linalg import ArpackError
 
 from .contract import Contract
 from .first_order import eigenvalues
-from .saddle import SKEW, Lowest, Singular
-from .static_problem import Load, Point, Problem
+from .saddle import LOOSE, SKEW, Lowest, Singular, Sparse, near_quadratic
+from .static_problem import Load, Point, Problem, scaled
 
 Array = NDArray[np.float64]
+Complex: TypeAlias = NDArray[np.complex128]
 SHARE = 0.2  # entries of a motion below this part of the largest are not told
 MOST = 3
-GROWING = 1e-6  # real parts of eigenvalues, over the largest modulus
+# real parts that count as growth, over the largest modulus: of what rests, of what moves fast.
+# What is known to a part KNOWN of the square of the largest leaves as much of other squares
+GROWING, KNOWN = 1e-6, 1e-10
+FLUTTER = 1e-3  # imaginary parts over the modulus: below that growth is no oscillation
 MANY = 300  # speeds up to which all eigenvalues are looked at
+FEW, SHIFT = 12, 1e-3  # of more speeds: pairs next to 0, and how near [rad/s]
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,14 +41,21 @@ class Standing:
 
     Attributes:
         stable: None where the stiffness alone does not tell and eigenvalues were not to be had.
-        negative: Independent directions in which it is pushed away.
+        negative: Negative eigenvalues of the stiffness on what constraints allow: independent
+            directions in which the system is pushed away.
         least: The lowest eigenvalue of the stiffness on what constraints allow, without units of
             length: an energy [J]. It passes 0 where stability changes.
         direction: Its direction (nu,), without units.
         loose: Where it moves freely, in words.
-        side: A number that is another one beyond a critical load: eigenvalues below 0, down to
-            rounding; where forces have no potential 0 or 1 by the sign of the determinant. None
-            where it is not known.
+        side: A number that is another one beyond a critical load: negative eigenvalues; where
+            forces have no potential motions that grow, or 0 or 1 by the sign of the determinant
+            where those were not to be had. None where it is not known.
+        signed: The same, eigenvalues that may be rounding counted by their sign.
+        margin: How far the nearest eigenvalue of the stiffness is from 0; NaN where forces have no
+            potential.
+        frequency: Of an oscillation that grows [rad/s]; 0 where none does.
+        dead: How it stands under dead loads in place of the displacements that are prescribed;
+            None where none are.
     """
 
     stable: bool | None
@@ -41,12 +64,30 @@ class Standing:
     direction: Array
     loose: tuple[str, ...]
     side: int | None = None
+    signed: int | None = None
+    margin: float = np.nan
+    frequency: float = 0.0
+    dead: Standing | None = None
+
+    @property
+    def under_dead_load(self) -> Standing:
+        """How it stands where what moves it is a load that stays."""
+        return self if self.dead is None else self.dead
 
 
 def stand(problem: Problem, point: Point, load: Load) -> Standing:
     """How a system stands at a point where it rests."""
+    found = _stand(problem, point, load, load)
+    if not load.prescribed:
+        return found
+    kept = {name: value for name, value in load.hold.items() if name not in load.prescribed}
+    return replace(found, dead=_stand(problem, point, load, replace(load, hold=kept)))
+
+
+def _stand(problem: Problem, point: Point, load: Load, kept: Load) -> Standing:
+    """The same under a load, where what is kept holds (no more than the load does)."""
     system = problem.system
-    K, G = problem.tangent(point, load)
+    K, G = problem.tangent(point, kept)
     nu = len(system.columns)
     try:
         lowest = system.saddle.lowest(K[:nu, :nu], G[:, :nu])
@@ -55,32 +96,67 @@ def stand(problem: Problem, point: Point, load: Load) -> Standing:
     loose = tuple(words(system, motion) for motion in lowest.loose.T)
     least = float(lowest.values[0]) if len(lowest.values) else np.inf
     direction = lowest.vectors[:, 0] if len(lowest.values) else np.zeros(nu)
-    stable = _stable(problem, point, load, lowest)
-    return Standing(stable, lowest.negative, least, direction, loose, _side(lowest))
-
-
-def _side(lowest: Lowest) -> int | None:
-    if lowest.skew <= SKEW:
-        return int(np.sum(lowest.values < 0)) if lowest.loose.size else lowest.negative
-    return int(lowest.sign < 0) if lowest.sign else None
-
-
-def _stable(problem: Problem, point: Point, load: Load, lowest: Lowest) -> bool | None:
-    """By the stiffness where forces have a potential; else by how small motions grow."""
-    system = problem.system
+    found = Standing(None, lowest.negative, least, direction, loose)
     if lowest.skew <= SKEW and not system.internals:
+        found = replace(found, side=lowest.negative, signed=lowest.signed)
+        found = replace(found, margin=_margin(lowest))
         # gyroscopic forces do no work: what a potential holds they leave stable
         if not lowest.negative and not lowest.loose.size:
-            return True
-        if load.u is None:
-            return False if lowest.negative else None
-    if len(system.columns) > MANY:
+            return replace(found, stable=True)
+        if kept.u is None:
+            return replace(found, stable=False if lowest.negative else None)
+    held = [system.place(name)[1] for name in kept.hold]
+    values = _motions(problem, point, load, kept, held)
+    if lowest.skew > SKEW:
+        side = int(lowest.sign < 0) if lowest.sign else None
+        found = replace(found, side=side, signed=side)
+    elif system.internals:
+        found = replace(found, side=lowest.negative, signed=lowest.signed)
+    return found if values is None else _told_by(found, values, lowest.skew > SKEW)
+
+
+def _margin(lowest: Lowest) -> float:
+    """How far from 0 the nearest eigenvalue is; loose directions do not count."""
+    sizes = np.abs(lowest.values)
+    firm = sizes[sizes > LOOSE * lowest.largest]
+    return float(firm.min()) if len(firm) else float("nan")
+
+
+def _told_by(found: Standing, values: Complex, circulatory: bool) -> Standing:
+    """How it stands by the eigenvalues of its small motions [1/s]."""
+    sizes = np.abs(values)
+    largest = float(sizes.max(initial=0.0)) or 1.0
+    off = KNOWN * largest**2 / np.maximum(sizes, KNOWN / GROWING * largest)
+    grows = values.real > off
+    found = replace(found, stable=not grows.any())
+    if not circulatory:
+        return found
+    fastest = values[np.where(grows, values.real, -np.inf).argmax()] if grows.any() else 0j
+    sways = abs(fastest.imag) > FLUTTER * abs(fastest)
+    frequency = abs(fastest.imag) if sways else 0.0
+    many = int(np.sum(grows))
+    return replace(found, side=many, signed=many, frequency=float(frequency))
+
+
+def _motions(
+    problem: Problem, point: Point, load: Load, kept: Load, held: Sequence[int]
+) -> Complex | None:
+    """Eigenvalues of small motions [1/s]: all, of many speeds those next to 0 at rest."""
+    system, tau = problem.system, problem.held(point, load)[1]
+    if len(system.columns) <= MANY:
+        found: Complex | None = eigenvalues(system, point.at, held, tau)
+        return found
+    if kept.u is not None or not isinstance(system.saddle, Sparse) or system.internals:
         return None
-    held, tau = problem.held(point, load)
-    values = eigenvalues(system, point.at, held, tau)
-    if values is None:
+    own, G = system.tangents(point.at), problem.tangent(point, kept)[1]
+    K, C, M = (scaled(x, system.columns, system.columns) for x in (own.K, own.C, own.M))
+    if not issparse(K):
         return None
-    return bool(np.real(values).max(initial=0.0) <= GROWING * np.abs(values).max(initial=1.0))
+    try:
+        values: Complex = near_quadratic(K, C, M, G, SHIFT, 2 * FEW, system.saddle.factored)[0]
+    except (Singular, ArpackError):
+        return None
+    return values
 
 
 def words(system: Contract, motion: Array) -> str:
@@ -97,3 +173,16 @@ def words(system: Contract, motion: Array) -> str:
     told = sorted((n for n in sizes if sizes[n] >= SHARE * largest > 0), key=order)
     more = ", ..." if len(told) > MOST else ""
     return ", ".join(f"'{name}'" for name in told[:MOST]) + more
+
+
+def holdable(system: Contract, motion: Array, held: Collection[str] = ()) -> str:
+    """The coordinate that a motion (nu,) moves most of those that can be held; "" without.
+
+    Args:
+        system, motion: Of what, in which direction.
+        held: Coordinates that are held already.
+    """
+    sizes = np.abs(motion[: len(system.owners)])
+    own = {name: sizes[k] for name, (_, k) in system.places.items() if name not in held}
+    name = max(own, key=own.__getitem__, default="")
+    return name if name and own[name] >= SHARE * sizes.max(initial=0.0) > 0 else ""

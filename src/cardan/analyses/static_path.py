@@ -4,23 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, near
+from ..arguments import checked
+from ..errors import ModelError, SolveWarning, counted, near, warn
 from ..runtime.conduct import FINISHED
-from .equilibrium import DIRECT, Equilibrium
-from .following import Crossing
+from .critical_load import located
+from .equilibrium import Equilibrium
+from .following import Crossing, Place
 from .loading import Loading
-from .newton import rest
-from .standing import stand
 from .static_problem import Problem
 
 Array = NDArray[np.float64]
-CLOSE = 1e-14  # of the path: two places that are one
 SHOWN = 12
+SAID = {
+    "held": "stability changes",
+    "dead load": "stability under dead loads changes",
+    "limit": "limit load",
+}
 
 
 @final
@@ -97,14 +102,31 @@ class StaticPath:
         return np.array([row.iterations for row in self.rows], dtype=np.intp)
 
     @property
-    def negative(self) -> NDArray[np.intp]:
-        """Directions in which every row is unstable (n,)."""
-        return np.array([row.negative for row in self.rows], dtype=np.intp)
+    def stable(self) -> list[bool | None]:
+        """Whether every row is stable; None where that could not be told.
+
+        Under dead loads: where displacements are prescribed, with the forces that this takes as
+        loads that stay. ``stable_held`` tells it of the system as it is held.
+        """
+        return [row.stable for row in self.rows]
 
     @property
-    def stable(self) -> list[bool | None]:
-        """Whether every row is stable; None where that could not be told."""
-        return [row.stable for row in self.rows]
+    def stable_held(self) -> list[bool | None]:
+        """The same with displacements that are prescribed."""
+        return [row.stable_held for row in self.rows]
+
+    @property
+    def n_negative(self) -> NDArray[np.intp]:
+        """Negative eigenvalues of the stiffness on what constraints allow, under dead loads (n,).
+
+        Independent directions in which every row is pushed away.
+        """
+        return np.array([row.n_negative for row in self.rows], dtype=np.intp)
+
+    @property
+    def n_negative_held(self) -> NDArray[np.intp]:
+        """The same with displacements that are prescribed (n,)."""
+        return np.array([row.n_negative_held for row in self.rows], dtype=np.intp)
 
     def __getitem__(self, name: str | int) -> Any:
         """The equilibrium of a row; or a history: swept, coordinate, multiplier, holding force.
@@ -125,41 +147,61 @@ class StaticPath:
         known = [*self.values, *first.named, *held]
         raise ModelError(f"path['{name}']: there is no such history.{near(name, known)}")
 
+    @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (n, 6) of parent on child at the child joint frame, in its axes."""
         return np.array([row.reaction(joint) for row in self.rows])
 
+    @checked
     def pose(self, frame: str) -> Array:
         """Transforms (n, 4, 4) from frame axes to ground axes."""
         return np.array([row.pose(frame) for row in self.rows])
 
     def critical(self) -> list[dict[str, float]]:
-        """Swept values at which stability changes, by bisection."""
-        return [self.loading.values(self._between(crossing)) for crossing in self.crossings]
+        """Where stability changes: swept values, and the forces that hold what is prescribed.
 
-    def _between(self, crossing: Crossing) -> float:
-        """Where exactly stability changes."""
-        problem, point = Problem(self.loading.system), crossing.before.point
-        low, high = crossing.before.s, crossing.after.s
-        while high - low > CLOSE:
-            middle = 0.5 * (low + high)
-            load = self.loading.at(middle)
-            search = rest(problem, problem.under(point, load), load, DIRECT)
-            if not search.converged:
-                high = middle
-                continue
-            if stand(problem, search.point, load).side == crossing.before.side:
-                low, point = middle, search.point
-            else:
-                high = middle
-        return 0.5 * (low + high)
+        The last one is the limit load where the path ended at one. Of displacements that are
+        prescribed both are told: where the system that is held becomes unstable, and where it would
+        under a dead load in place of what holds it (a limit load is such a place).
+
+        Warns:
+            SolveWarning: no equilibrium was found next to a critical load; what is told is the
+                middle of the interval in which it lies, with the width of that as ``P.width``
+                for a swept ``P``.
+        """
+        found = [located(self.loading, crossing) for crossing in self.crossings]
+        told = [self._told(place) for place, _ in found]
+        for values, (place, part) in zip(told, found, strict=True):
+            if part:
+                values.update(self._widths(place.s, part))
+        return told
+
+    def _widths(self, s: float, part: float) -> dict[str, float]:
+        """The swept interval in which a critical load lies, by name; warns of it."""
+        low, high = (self.loading.values(s + sign * part / 2) for sign in (-1, 1))
+        span = ", ".join(f"{name} = {low[name]:.6g} ... {high[name]:.6g}" for name in low)
+        warn(
+            f"critical: no equilibrium was found next to a critical load, which is known to lie "
+            f"within {span} only. Sweep that interval alone, or with more steps",
+            SolveWarning,
+        )
+        return {f"{name}.width": abs(high[name] - low[name]) for name in low}
+
+    def _told(self, place: Place) -> dict[str, float]:
+        """Swept values at a place, and the forces that prescribe."""
+        load, found = self.loading.at(place.s), self.loading.values(place.s)
+        tau = Problem(self.loading.system).held(place.point, load)[1]
+        for name in load.prescribed:
+            found[f"{name}.holding"] = float(tau[self.loading.system.place(name)[1]])
+        return found
 
     def __repr__(self) -> str:
         first = self.rows[0]
         ends = ", ".join(f"{n} = {v[0]:.6g} ... {v[-1]:.6g}" for n, v in self.values.items())
         lines = [
             f"statics of '{first.model.name}', {ends}: {self.message}",
-            f"  {len(self)} equilibria, {int(self.iterations.sum())} iterations",
+            f"  {counted(len(self), 'equilibrium', 'equilibria')}, "
+            f"{counted(int(self.iterations.sum()), 'iteration')}",
         ]
         last = self.rows[-1]
         names = list(last.named)[: min(last.model.nq, SHOWN)]
@@ -167,10 +209,11 @@ class StaticPath:
         for crossing in self.crossings:
             low, high = (self.loading.values(p.s) for p in (crossing.before, crossing.after))
             span = ", ".join(f"{n} = {low[n]:.6g} ... {high[n]:.6g}" for n in self.values)
-            lines.append(f"  stability changes between {span}")
+            lines.append(f"  {SAID[crossing.of]} between {span}")
         return "\n".join(lines)
 
-    def plot(self, path: Any = None, names: Sequence[str] | None = None) -> Any:
+    @checked
+    def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Any:
         """Histories over the first swept value as a Matplotlib figure, written to ``path``.
 
         Raises:

@@ -27,6 +27,7 @@ class Load:
     Attributes:
         t, r, parameters: Time [s], inputs (nr,), values by name.
         hold: Coordinate -> the value it has.
+        prescribed: Those of them that are moved in place of a load.
         u: Speed -> value, of a steady motion; None at rest.
         left: Forces and gaps (nu + nz,), (m + k,) that are left over on purpose, None for none.
     """
@@ -37,6 +38,7 @@ class Load:
     hold: Mapping[str, float] = field(default_factory=dict)
     u: Mapping[str, Any] | None = None
     left: tuple[Array, Array] | None = None
+    prescribed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,36 +10,40 @@ section 9.5 (automatic increments).
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, SolveWarning
+from ..arguments import Count, Hold, checked
+from ..errors import ModelError, SolveError, SolveWarning, warn
 from .contract import Contract, contract_of
+from .critical_load import limit_load
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
 from .following import Crossing, Place, Step, ahead, first
 from .loading import TIME, Loading, loading
 from .newton import Search, rest
-from .standing import stand, words
+from .settling import held, settled
+from .standing import holdable, stand, words
 from .static_path import StaticPath
 from .static_problem import Problem
 
+Array = NDArray[np.float64]
 STEPS = 10
 GOOD = 5  # iterations after which the next step may be longer
 SMALLEST = 2.0**-20
 SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are asked for
 
 
+@checked
 def statics(
     model: Any,
     swept: Mapping[str, Any] | None = None,
     *,
-    steps: int = STEPS,
+    steps: Count = STEPS,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    hold: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
@@ -77,12 +81,12 @@ def statics(
     base = read(system, still, inputs, parameters, t)
     way = loading(system, _known(model), base, {**(swept or {}), **named}, moved)
     rows, crossed, failure = _follow(model, Problem(system), way, q, steps)
-    lost = _lost(system, way, crossed)
+    changed = _changed(system, way, crossed)
     found = StaticPath.of(way, rows, crossed, failure)
     if failure and check:
         raise SolveError(failure)
-    for said in filter(None, (lost, failure)):
-        warnings.warn(said, SolveWarning, stacklevel=3)
+    for said in filter(None, (changed, failure)):
+        warn(said, SolveWarning)
     return found
 
 
@@ -100,12 +104,12 @@ def _follow(
 ) -> tuple[list[tuple[float, Equilibrium]], list[Crossing], str]:
     """Places of the path and equilibria there, critical loads, and why it ended early."""
     load = way.at(0.0)
-    start = rest(problem, problem.begin(load, q), load, WAYS)
+    start = settled(problem, problem.begin(load, q), load, WAYS)
     if not start.converged:
         raise SolveError(
-            f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start)}"
+            f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start, load)}"
         )
-    here = first(problem, start, load)
+    here = begin = first(problem, start, load)
     rows, crossed = [(0.0, record(model, problem, start, load, here.standing))], list[Crossing]()
     for goal in _goals(way, steps):
         length = goal - here.s
@@ -114,12 +118,11 @@ def _follow(
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
             step = ahead(problem, here, load)
-            found = rest(problem, step.point, load, DIRECT)
+            found = held(problem, here.point, load, rest(problem, step.point, load, DIRECT))
             shortest = 0.5 * length < SMALLEST / steps
             there = _reached(step, found, way, s, length * steps <= SHORT, shortest)
             if there is not None:
-                if step.crosses(there.standing):
-                    crossed.append(Crossing(here, there))
+                crossed += step.crossings(there)
                 here = there
                 length *= 1.5 if found.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
@@ -127,7 +130,9 @@ def _follow(
                 continue
             length *= 0.5
             if shortest:
-                return rows, crossed, _stopped(problem.system, way, here, found)
+                limit = limit_load(problem, way, begin, here)
+                crossed += [Crossing(here, limit, "limit")] if limit is not None else []
+                return rows, crossed, _stopped(problem.system, way, here, found, limit)
     return rows, crossed, ""
 
 
@@ -141,7 +146,7 @@ def _reached(
     if shortest:
         return there
     # critical loads are passed in short steps, for other branches not to be taken for this one
-    if step.crosses(there.standing) and not (short and step.surely(found.point)):
+    if step.crosses(there) and not (short and step.surely(found.point)):
         return None
     return there if step.returns(there, way.at(step.start.s)) else None
 
@@ -156,7 +161,9 @@ def _said(way: Loading, s: float) -> str:
     return ", ".join(f"{name} = {value:.6g}" for name, value in way.values(s).items())
 
 
-def _stopped(system: Contract, way: Loading, last: Place, found: Search) -> str:
+def _stopped(
+    system: Contract, way: Loading, last: Place, found: Search, limit: Place | None
+) -> str:
     """Where and why a path ended, and what to do."""
     moving = words(system, found.motion)
     where = f", along {moving}" if moving else ""
@@ -164,27 +171,67 @@ def _stopped(system: Contract, way: Loading, last: Place, found: Search) -> str:
     ended = f"no equilibrium next to the last one beyond {beyond} (asked: {asked})"
     if last.standing.loose:
         free = " and ".join(last.standing.loose)
+        name = holdable(system, found.motion, way.base.hold)
+        cure = f", or hold it: hold={{'{name}': value}}" if name else ""
+        return f"{ended}: nothing holds {free} there. Begin where loads or springs hold it{cure}"
+    if limit is not None:
         return (
-            f"{ended}: nothing holds {free} there. Begin where loads or springs hold it, or "
-            "hold it: hold={'...': value}"
+            f"{ended}: the stiffness gives way{where} at the limit point {_said(way, limit.s)}, "
+            "the largest load that equilibria lead to. The path up to there is kept"
+            f"{_onward(system, way, limit.standing.direction)}"
         )
     return (
         f"{ended}: the stiffness gives way there{where} (lowest eigenvalue "
         f"{last.standing.least:.3g} J): a limit point, a bifurcation, or the "
-        "end of what the mechanism can reach. The path up to there is kept; go on "
-        "with prescribed displacements (hold={'...': (start, end)})"
+        "end of what the mechanism can reach. The path up to there is kept"
+        f"{_onward(system, way, last.standing.direction)}"
     )
 
 
-def _lost(system: Contract, way: Loading, crossed: list[Crossing]) -> str:
-    """Where a path that goes on became unstable, and what to do; "" where it did not."""
-    lost = next((crossing for crossing in crossed if crossing.lost), None)
-    if lost is None:
+def _onward(system: Contract, way: Loading, motion: Array) -> str:
+    """What leads on where a path along loads, or prescribed displacements, ended."""
+    prescribed = [name for name, kind in way.kinds.items() if kind == "hold"]
+    name = holdable(system, motion, (*way.base.hold, *prescribed))
+    if not name:
         return ""
-    moving = words(system, lost.direction)
+    what = "another displacement leads" if prescribed else "prescribed displacements lead"
+    return f"; {what} on: hold={{'{name}': (start, end)}}"
+
+
+def _changed(system: Contract, way: Loading, crossed: list[Crossing]) -> str:
+    """Where stability changed on a path that goes on, and what to do; "" where it did not."""
+    changed = [crossing for crossing in crossed if crossing.of == "held"]
+    if not changed:
+        return ""
+    told = next((crossing for crossing in changed if crossing.lost), changed[0])
+    said = [_change(system, way, told)]
+    others = [crossing for crossing in changed if crossing is not told]
+    if others:
+        spans = "; ".join(_span(way, crossing) for crossing in others)
+        said.append(f"Stability changes also between {spans}.")
+    return " ".join([*said, "path.critical() finds the load" + ("s" if others else "")])
+
+
+def _change(system: Contract, way: Loading, crossing: Crossing) -> str:
+    """A change of stability, as sentences."""
+    span = f"from a load between {_span(way, crossing)} on"
+    moving = words(system, crossing.direction)
+    frequency = crossing.standing(crossing.after).frequency
+    sides = (crossing.side(place) for place in (crossing.before, crossing.after))
+    if not crossing.lost:
+        many = "{} instead of {}".format(*reversed([*sides]))
+        return f"it stands more stably {span}: unstable in {many} directions along {moving}."
+    if frequency:
+        return (
+            f"unstable {span}: forces that follow the motion feed an oscillation of "
+            f"{frequency:.6g} rad/s, which grows (flutter). The path goes on as it began."
+        )
     return (
-        f"unstable from a load between {_said(way, lost.before.s)} and {_said(way, lost.after.s)} "
-        f"on: the stiffness gives way along {moving}. The path goes on as it began, where the "
-        "system would leave it. path.critical() finds the load; a small load aside, or a shape "
-        "that is not perfect, leads onto the branch that it takes"
+        f"unstable {span}: the stiffness gives way along {moving}. The path goes on as it began, "
+        "where the system would leave it; a small load aside, or a shape that is not perfect, "
+        "leads onto the branch that it takes."
     )
+
+
+def _span(way: Loading, crossing: Crossing) -> str:
+    return f"{_said(way, crossing.before.s)} and {_said(way, crossing.after.s)}"

@@ -11,12 +11,13 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import FunctionError, ModelError, SolveError, near, spelled
+from ..arguments import checked
+from ..errors import FunctionError, ModelError, SolveError, near, shown
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
 from . import record as abi
-from .alpha import GeneralizedAlpha
+from .alpha import Alpha, GeneralizedAlpha
 from .closed_start import closed_start
 from .happenings import check_start, happenings
 from .outcome import explain
@@ -45,6 +46,8 @@ class Stepper:
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         self._log = runner.drained()
         self._over = over
+        # steps of one length count from the first of them: sums would drift from the grid
+        self._grid = self.t, 0.0, 0
 
     def _start(self, begin: Array, t: float) -> None:
         runner = self._runner
@@ -94,6 +97,7 @@ class Stepper:
         method = self._runner.settings.method.name
         return f"Stepper('{self._model.name}', {method}, t = {run.t:g} s, {run.steps} steps)"
 
+    @checked
     def step(self, dt: float, inputs: Mapping[str, float] | None = None) -> Array:
         """Go on by ``dt`` and say where that leads.
 
@@ -117,7 +121,7 @@ class Stepper:
         if self._over:
             raise SolveError(f"{self._over}; restore an earlier state, or start anew")
         self._set(inputs or {})
-        start, end = self.t, self.t + dt
+        start, end = self.t, self._end(dt)
         self._runner.may.forward(start, end)
         # what the caller watches may raise behind a step: go back to before it
         before = self._runner.save() if self._runner.may.watches else None
@@ -135,6 +139,14 @@ class Stepper:
             raise SolveError(explain(self._runner, answer, Span(run.t_start, end))[1])
         return self.state
 
+    def _end(self, dt: float) -> float:
+        """The end of a step from here: on the grid of those before it, if it is as long."""
+        begin, step, count = self._grid
+        if step != dt or begin + count * step != self.t:
+            begin, count = self.t, 0
+        self._grid = begin, dt, count + 1
+        return begin + (count + 1) * dt
+
     def _set(self, inputs: Mapping[str, float]) -> None:
         for name, value in inputs.items():
             if name not in self._names:
@@ -143,6 +155,7 @@ class Stepper:
                 raise SolveError(f"inputs: '{name}' is {value}. Every input must be finite")
             self._runner.views["r"][self._names.index(name)] = value
 
+    @checked
     def save(self, path: str | Path | None = None) -> Saved:
         """A checkpoint; :meth:`restore` goes back to it bit for bit.
 
@@ -154,12 +167,15 @@ class Stepper:
             ModelError: no such directory, or a method with choices of its own.
         """
         saved = replace(self._runner.save(), over=self._over)
+        # here as there the steps to come count from this time
+        self._grid = self.t, 0.0, 0
         if path is not None:
             from .checkpoint import write
 
             write(self._runner, self._how, saved, Path(path))
         return saved
 
+    @checked
     def restore(self, saved: Saved) -> None:
         """Go back to a checkpoint of this stepper.
 
@@ -168,9 +184,10 @@ class Stepper:
         """
         self._runner.restore(saved)
         self._log, self._over = self._log[:0], saved.over
+        self._grid = self.t, 0.0, 0
 
 
-@spelled
+@checked
 def stepper(
     model: CompiledModel,
     *,
@@ -180,9 +197,9 @@ def stepper(
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
     events: Mapping[str, Any] | None = None,
-    method: str | GeneralizedAlpha = "auto",
+    method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-6,
-    atol: float = 1e-9,
+    atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
     inputs: Mapping[str, Any] | None = None,
@@ -219,6 +236,7 @@ def stepper(
     return made
 
 
+@checked
 def resume(
     model: CompiledModel, path: str | Path, *, events: Mapping[str, Any] | None = None
 ) -> Stepper:
@@ -235,10 +253,11 @@ def resume(
     from .checkpoint import read
 
     if not isinstance(path, str | Path):
-        raise ModelError(f"resume({path!r}): name the file that stepper.save(path) wrote")
+        raise ModelError(f"resume({shown(path)}): name the file that stepper.save(path) wrote")
     return Stepper(*read(model, Path(path), events))
 
 
+@checked
 def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array:
     """The states that a time dt leads to.
 

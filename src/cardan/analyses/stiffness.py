@@ -11,11 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import checked
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
@@ -71,8 +71,13 @@ class Stiffness:
         return explicit > GAIN * self.implicit_steps(length, rtol)
 
 
+@checked
 def stiffness(
-    model: CompiledModel, x: ArrayLike, t: float = 0.0, r: State | None = None, s: Any = None
+    model: CompiledModel,
+    x: ArrayLike,
+    t: float = 0.0,
+    r: State | None = None,
+    s: State | None = None,
 ) -> Stiffness:
     """Rates of a model at a state, from about twenty evaluations of ``rhs``.
 

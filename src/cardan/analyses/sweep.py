@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near
+from ..arguments import Hold, checked
+from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
 from ..runtime.compiled import CompiledModel
 from ..runtime.conduct import FINISHED
+from ..runtime.evaluation import State
 from ..runtime.initial import entries
+from ..runtime.named_rotations import component
 from .assemble import assemble
 from .consistent import accelerations, speeds
 from .drive import Drive, Stuck
-from .mechanism import Mechanism
+from .mechanism import Mechanism, refuse_nodes
 from .targets import kept
+
+FASTEST = 1e100  # of a driver: its square is a number too
 
 Array = NDArray[np.float64]
 
@@ -83,6 +88,7 @@ class Sweep:
         known = [*self.model.coordinates, *self.model.speeds]
         raise ModelError(f"sweep['{name}']: there is no such history.{near(name, known)}")
 
+    @checked
     def pose(self, frame: str) -> Array:
         """Transforms (n, 4, 4) from frame axes to ground axes."""
         return self.model.pose(frame, self.q)
@@ -95,12 +101,13 @@ class Sweep:
         if len(self):
             worst = int(np.argmin(self.quality))
             lines.append(
-                f"  {len(self)} positions; weakest hold {self.quality[worst]:.3g} at "
+                f"  {counted(len(self), 'position')}; weakest hold {self.quality[worst]:.3g} at "
                 f"{first[worst]:.6g}"
             )
         return "\n".join(lines)
 
-    def plot(self, path: Any = None, names: Sequence[str] | None = None) -> Any:
+    @checked
+    def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Any:
         """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
         Raises:
@@ -114,6 +121,7 @@ class Sweep:
         return plot_over(self.model.name, next(iter(self.drivers)), self.values, curves, path)
 
 
+@checked
 def sweep(
     model: CompiledModel,
     driver: str | Mapping[str, ArrayLike],
@@ -121,11 +129,11 @@ def sweep(
     *,
     rate: float = 1.0,
     acceleration: float = 0.0,
-    hold: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     branch: Mapping[str, Any] | None = None,
     t: float = 0.0,
-    r: Any = None,
+    r: State | None = None,
     check: bool = False,
 ) -> Sweep:
     """Drive a mechanism through given values and keep its branch.
@@ -149,7 +157,11 @@ def sweep(
         ArgumentError: values of a wrong shape. SolveError: values that are not finite; with
             ``check``, a mechanism that cannot follow.
     """
+    for word, value in (("rate", rate), ("acceleration", acceleration)):
+        if not abs(value) <= FASTEST:
+            raise SolveError(f"sweep: {word}={value:g}; it must be finite, up to {FASTEST:g}")
     drivers = _drivers(model, driver, values)
+    refuse_nodes(model, "sweep")
     m, table = Mechanism(model, t, r), np.stack([*drivers.values()], axis=1)
     held = kept(m, hold)
     drive = Drive(m, list(drivers), held)
@@ -168,7 +180,7 @@ def sweep(
     if message is not None:
         if check:
             raise SolveError(message)
-        warnings.warn(message, SolveWarning, stacklevel=3)
+        warn(message, SolveWarning)
     return found
 
 
@@ -176,12 +188,17 @@ def _drivers(model: CompiledModel, driver: Any, values: Any) -> dict[str, Array]
     """Name -> values of all drivers, checked."""
     given = driver if isinstance(driver, Mapping) else {driver: values}
     if isinstance(driver, Mapping) == (values is not None) or not given:
-        raise ArgumentError("sweep takes a coordinate and its values, or {coordinate: values, ...}")
+        raise ArgumentError(
+            "sweep: driver= is a coordinate and values= its values, or it is {coordinate: values}"
+        )
     found: dict[str, Array] = {}
     for name, column in given.items():
         moved = [name for name in model.inputs if f"{name}.rate" in model.inputs]
         if name not in model.coordinates and name not in moved:
             known = [*model.coordinates, *moved]
+            part = component(model.manifest, name)
+            if part:
+                raise ModelError(f"sweep: {part}")
             raise ModelError(f"sweep: there is no coordinate '{name}'.{near(name, known)}")
         array = np.asarray(column, dtype=np.float64)
         if array.ndim != 1 or len(array) == 0:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any
@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, listed, near
+from ..errors import ArgumentError, ModelError, SolveError, listed, near, shown
 from ..runtime.initial import entries, missing
+from ..runtime.named_rotations import check_units, refuse_components
 from .mechanism import Mechanism
 
 Array = NDArray[np.float64]
@@ -52,7 +53,7 @@ class Target:
         """Derivative of the residual along steps (n, nu)."""
         if self.kind == "coordinate":
             return m.kinematics(q)[self.place] / self._scale(m)[:, None]
-        found = m.model.frame_jacobian(self.name, q, t=m.t, r=m.r) * m.columns
+        found = m.frame_jacobian(self.name, q)
         found[3:] /= m.size
         return found[3:] if self.kind == "position" else np.asarray(found)
 
@@ -120,6 +121,7 @@ def read(
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
     found = [_target(m, name, value) for name, value in named.items()]
+    _check_rotations(m, found)
     known = [target.name for target in found]
     weights, held = _weights(weights), None if hold is None else listed("hold", hold, "hand")
     for word, names in (("weights", [*weights]), ("hold", held or [])):
@@ -131,14 +133,29 @@ def read(
     return [replace(target, weight=counts.get(target.name)) for target in found]
 
 
+def _check_rotations(m: Mechanism, found: Sequence[Target]) -> None:
+    """Refuse single components of quaternions, and quaternions whose length is not 1."""
+    manifest, given = m.model.manifest, dict[int, float]()
+    for target in found:
+        if target.kind == "coordinate":
+            places = range(target.place.start, target.place.stop)
+            given.update(zip(places, target.value.tolist(), strict=True))
+    refuse_components(manifest, "targets", given)
+    q = m.model._layout.start("q").copy()
+    q[list(given)] = list(given.values())
+    check_units(manifest, q, "targets: ")
+
+
 def _weights(given: Any) -> dict[str, float]:
     """Target -> weight, checked but for the names."""
     if not isinstance(given, Mapping | None):
-        raise ModelError(f"weights={given!r}: give targets with weights, such as {{'hand': 1.0}}")
+        raise ModelError(
+            f"weights={shown(given)}: give targets with weights, such as {{'hand': 1.0}}"
+        )
     for name, weight in (given or {}).items():
         number = float(weight) if isinstance(weight, Real) else np.nan
         if not (np.isfinite(number) and number > 0):
-            raise ModelError(f"weights: '{name}' has {weight!r}; weights are positive numbers")
+            raise ModelError(f"weights: '{name}' has {shown(weight)}; weights are positive numbers")
     return {name: float(weight) for name, weight in (given or {}).items()}
 
 
@@ -153,8 +170,8 @@ def kept(m: Mechanism, hold: Any) -> dict[str, Any]:
     known = [*entries(m.model.manifest, "q"), *m.model.frames]
     told = near(hold, known) if isinstance(hold, str) and hold not in known else ""
     raise ModelError(
-        f"hold={hold!r}: give coordinates or frames with the values they keep, such as "
-        f"{{'{hold if hold in known else known[0]}': 0.2}}.{told}"
+        f"hold={shown(hold)}: give coordinates or frames with the values they keep, such as "
+        f"{{'{hold if isinstance(hold, str) and hold in known else known[0]}': 0.2}}.{told}"
     )
 
 
@@ -162,10 +179,10 @@ def _target(m: Mechanism, name: str, value: Any) -> Target:
     where, manifest = f"targets: '{name}'", m.model.manifest
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where}: {value!r} is not a number or an array of numbers")
+        raise ArgumentError(f"{where}: {shown(value)} is not a number or an array of numbers")
     array = array.astype(np.float64)
     if not np.isfinite(array).all():
-        raise SolveError(f"{where} is {value!r}; it must be finite")
+        raise SolveError(f"{where} is {shown(value)}; it must be finite")
     places, frames = entries(manifest, "q"), m.model.frames
     place = places.get(name)
     if place is not None and not (name in frames and array.shape == (4, 4)):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError
+from ..errors import ArgumentError, ModelError, SolveError, shown
 
 
 @dataclass(frozen=True)
@@ -26,28 +26,24 @@ class Span:
         return abs(self.end - self.start)
 
 
-def span(t: Any) -> Span:
-    """A run out of an end time, a pair ``(start, end)`` or an array of output times.
+def span(t: Any, t_eval: Any = None) -> Span:
+    """A run out of an end time, a pair ``(start, end)`` or output times.
 
-    A pair may go backward. A tuple or list of two numbers is a pair, an array of two is two
-    output times.
+    A pair may go backward. A tuple or list of two numbers is a pair; an array, or more numbers, are
+    output times. An array of two could be meant as both: it is refused.
+
+    Args:
+        t: One of the three, None where ``t_eval`` says it.
+        t_eval: Output times; the run goes from the first to the last of them.
 
     Raises:
-        ModelError: an empty or negative span, times that do not go one way.
+        ModelError: an empty or negative span, times that do not go one way, or to another end.
         SolveError: a time that is not finite.
         ArgumentError: nothing of the three.
     """
-    try:
-        array = np.array(t, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ArgumentError(_shape(repr(t))) from None
-    if array.ndim > 1 or array.size == 0:
-        raise ArgumentError(_shape(f"an array of shape {array.shape}"))
-    bad = np.flatnonzero(~np.isfinite(np.atleast_1d(array)))
-    if len(bad):
-        raise SolveError(
-            f"t: time {bad[0]} is {np.atleast_1d(array)[bad[0]]}. Times must be finite"
-        )
+    if t_eval is not None:
+        return _evaluated(t, t_eval)
+    array = _times("t", t)
     if array.ndim == 0:
         return _forward(float(array))
     if isinstance(t, tuple | list) and len(array) == 2:
@@ -55,7 +51,43 @@ def span(t: Any) -> Span:
         if start == end:
             raise ModelError(f"t=({start:g}, {end:g}): the run has no length")
         return Span(start, end)
+    if len(array) == 2:
+        raise ArgumentError(
+            f"t is an array of two times: give the pair ({array[0]:g}, {array[1]:g}) for a run "
+            "with every step, or t_eval= these two for output at them alone"
+        )
     return _listed(array)
+
+
+def _times(name: str, given: Any) -> NDArray[np.float64]:
+    """Finite times, one or a row."""
+    try:
+        array = np.array([] if given is None else given, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError, RecursionError):
+        raise ArgumentError(_shape(name, shown(given))) from None
+    if array.ndim > 1 or array.size == 0:
+        got = f"an array of shape {array.shape}" if given is not None else "None"
+        raise ArgumentError(_shape(name, got))
+    bad = np.flatnonzero(~np.isfinite(np.atleast_1d(array)))
+    if len(bad):
+        raise SolveError(
+            f"{name}: time {bad[0]} is {np.atleast_1d(array)[bad[0]]}. Times must be finite"
+        )
+    return array
+
+
+def _evaluated(t: Any, t_eval: Any) -> Span:
+    """A run with output at given times, whose ends are those of ``t`` where that is given."""
+    over = _listed(np.atleast_1d(_times("t_eval", t_eval)))
+    if t is None:
+        return over
+    ends = span(t)
+    if ends.times is not None or (ends.start, ends.end) != (over.start, over.end):
+        raise ModelError(
+            f"t_eval: these output times go from {over.start:g} s to {over.end:g} s, the run from "
+            f"{ends.start:g} s to {ends.end:g} s; leave out t, or give t_eval= the same ends"
+        )
+    return over
 
 
 def _forward(end: float) -> Span:
@@ -82,5 +114,5 @@ def _listed(times: NDArray[np.float64]) -> Span:
     return Span(float(times[0]), float(times[-1]), times)
 
 
-def _shape(got: str) -> str:
-    return f"t is {got}; give an end time, (start, end) or a 1-d array of output times"
+def _shape(name: str, got: str) -> str:
+    return f"{name} is {got}; give an end time, (start, end) or a 1-d array of output times"

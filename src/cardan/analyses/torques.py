@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, near
+from ..arguments import Count, checked
+from ..errors import ArgumentError, counted, near
 from ..ir.names import of_rate
 from ..runtime.trajectory import Trajectory
 from .actuation import actuation, named_speeds
@@ -99,10 +100,12 @@ class Torques:
         blocks = {"q": self.q, "u": self.u, "udot": self.udot, "tau": self.tau}
         return named_columns(self.model, self.t, blocks)
 
+    @checked
     def save(self, path: str | Path) -> Path:
         """Write the table as comma-separated values. Returns the path."""
         return write(Path(path), self.table())
 
+    @checked
     def plot(self, path: str | Path | None = None) -> Any:
         """Forces and powers as a Matplotlib figure, written to ``path`` if given."""
         from ..view.plot import plot_over
@@ -112,7 +115,7 @@ class Torques:
 
     def __repr__(self) -> str:
         first, last = (self.t[0], self.t[-1]) if len(self.t) else (0.0, 0.0)
-        span = f"{len(self.t)} samples, {first:g} ... {last:g} s"
+        span = f"{counted(len(self.t), 'sample')}, {first:g} ... {last:g} s"
         lines = [f"'{self.model.name}': forces along {span}"]
         width = max((len(name) for name in self.actuators), default=0)
         most = np.abs(self.power).max(axis=0, initial=0.0)
@@ -127,6 +130,7 @@ class Torques:
         return "\n".join(lines)
 
 
+@checked
 def torques(
     model: CompiledModel,
     motion: Any,
@@ -136,7 +140,7 @@ def torques(
     inputs: Mapping[str, float] | None = None,
     cutoff: float | None = None,
     period: float | None = None,
-    harmonics: int = 5,
+    harmonics: Count = 5,
 ) -> Torques:
     """Forces that make a motion, beside those that the model's own elements supply.
 
@@ -152,7 +156,8 @@ def torques(
         inputs: Values of inputs in place of those of the motion: ``{"motor": 0}`` asks what it
             takes without the motor.
         cutoff, period, harmonics: How positions are smoothed; see
-            :func:`.identification.data.measured`.
+            :func:`.identification.data.measured`. A filter leaves out samples at either end; all
+            others keep the times given.
 
     Raises:
         ArgumentError: names or shapes that do not fit.
@@ -194,7 +199,7 @@ def _motion(
     smooth: dict[str, Any] = {"cutoff": cutoff, "period": period, "harmonics": harmonics}
     if isinstance(motion, Trajectory):
         if motion.model is None or cutoff is not None or period is not None:
-            return measured(model, motion, **smooth)
+            return measured(model, motion, ends=True, **smooth)
         rest: dict[str, Any] = {"t": motion.t, "r": motion.r if motion.r.shape[1] else None}
         udot = motion.model.forward_dynamics(motion.q, motion.u, z=motion.z, s=motion.s, **rest)
         nothing = np.zeros_like(motion.u)
@@ -203,7 +208,7 @@ def _motion(
         t = np.asarray(motion["t"], dtype=float)
         known = {*columns(model)["q"]}
         motion = {key: _values(motion[key], t, key in known) for key in motion.keys()}  # noqa: SIM118
-    return measured(model, motion, **smooth)
+    return measured(model, motion, ends=True, **smooth)
 
 
 def _values(given: Any, t: Array, coordinate: bool) -> Any:

@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ModelError, SolveError, SolveWarning
+from ..arguments import checked
+from ..errors import ModelError, SolveError, SolveWarning, counted, warn
 from .contract import contract_of
 from .equilibrium import equilibrium
 from .relative import Relative
@@ -37,6 +38,7 @@ STEADY = 1e-8  # of the rates at which accelerations change
 AGAIN = 4  # speeds that are set to 0 one after the other
 
 
+@checked
 def trim(
     model: Any,
     wanted: Mapping[str, float] | None = None,
@@ -72,8 +74,9 @@ def trim(
     system = contract_of(model)
     if not isinstance(system, Relative):
         raise ModelError(
-            f"trim: '{model.name}' has coordinates='absolute'. Its steady motions: "
-            "model.equilibrium(u={'...': speed}, hold={'...': 0}) tells the force in holding"
+            f"trim (wanted=, free=): '{model.name}' has coordinates='absolute'. Its steady "
+            "motions: model.equilibrium(u={'...': speed}, hold={'...': 0}) tells the force in "
+            "holding"
         )
     problem = asked(system, wanted, free, u, inputs, parameters, t)
     problem, guess, spent, met, moving = _from(problem, q)
@@ -87,7 +90,7 @@ def trim(
     if not found.converged:
         if check:
             raise SolveError(found.message)
-        warnings.warn(found.message, SolveWarning, stacklevel=3)
+        warn(found.message, SolveWarning)
     return found
 
 
@@ -214,7 +217,7 @@ def _record(
 ) -> SteadyMotion:
     """What was found, as users see it."""
     moving = bool(np.abs(guess.at.u).max(initial=0.0) > 0)
-    kind = f"{'steady motion' if moving else 'rest'}, after {spent} iterations"
+    kind = f"{'steady motion' if moving else 'rest'}, after {counted(spent, 'iteration')}"
     loose = problem.loose(guess, _open(problem, guess), OWN) if not message else ()
     at = guess.at
     return SteadyMotion(

@@ -146,6 +146,11 @@ def _culprits(m: Mechanism, again: Search) -> str:
 
 def _open(m: Mechanism, found: Sequence[Found]) -> str:
     """What has the largest residual where the search came nearest."""
+    if not m.closing.rows:
+        return (
+            f"beams of '{m.model.name}' do not fit without strain between the places that are "
+            "named: name fewer coordinates"
+        )
 
     def gap_of(one: Found) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
@@ -160,7 +165,7 @@ def _open(m: Mechanism, found: Sequence[Found]) -> str:
     many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
     cut = next((cut for cut in m.cuts if cut["name"] == name), None)
     if cut is None:
-        row = next(row for row in m.closing.rows if row["name"] == name)
+        row = next(row for row in m.closing.rows if name in (row["name"], row["joint"]))
         least = f"{max(length, other):.3g} {residual_unit(row)}".strip()
         return (
             f"constraint '{name}' cannot be met{moment(m)}: its residual comes no nearer to 0 than "

@@ -10,11 +10,13 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arguments import Count, Seed, checked
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State
 from .assemble import assemble, outside
 from .branches import branches
-from .mechanism import Mechanism
+from .mechanism import Mechanism, refuse_nodes
 from .searches import drawn, search_from
 from .targets import read
 
@@ -59,6 +61,7 @@ class Workspace:
             lines += [f"  {axis} from {low:.6g} to {high:.6g} m" for axis, low, high in ends]
         return "\n".join(lines)
 
+    @checked
     def plot(self, path: str | Path | None = None) -> Any:
         """The places from three sides as a Matplotlib figure, written to ``path`` if given.
 
@@ -71,17 +74,18 @@ class Workspace:
         return plot_points(title, self.points, path)
 
 
+@checked
 def workspace(
     model: CompiledModel,
     frame: str,
     *,
     over: Mapping[str, tuple[float, float]] | None = None,
-    samples: int = SAMPLES,
+    samples: Count = SAMPLES,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     branch: Mapping[str, Any] | None = None,
-    seed: int = 0,
+    seed: Seed = 0,
     t: float = 0.0,
-    r: Any = None,
+    r: State | None = None,
 ) -> Workspace:
     """Places that the origin of a frame reaches: samples of coordinates, each assembled.
 
@@ -104,6 +108,7 @@ def workspace(
         raise ModelError(f"workspace: there is no frame '{frame}'.{near(frame, model.frames)}")
     if samples < 1:
         raise ArgumentError(f"samples={samples}: at least one is needed")
+    refuse_nodes(model, "workspace")
     m, wanted = Mechanism(model, t, r), branches(model, branch or {})
     ranges = {name: _range(model, name, ends) for name, ends in (over or {}).items()}
     first = assemble(model, start=start, branch=branch, t=t, r=r).q

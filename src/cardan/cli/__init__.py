@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import Any, NoReturn, cast
 
 from .. import __version__
-from ..errors import BuildWarning, CardanError, SolveWarning
+from ..errors import BuildWarning, CardanError, ModelWarning, SolveWarning
 
 INTERRUPTED = 128 + signal.SIGINT
 # command -> module of this package and what it does, in one line
@@ -120,7 +120,7 @@ def _warnings(command: str) -> Iterator[None]:
     usual = warnings.showwarning
 
     def show(message: Any, category: type[Warning], *where: Any, **more: Any) -> None:
-        if issubclass(category, SolveWarning | BuildWarning):
+        if issubclass(category, ModelWarning | SolveWarning | BuildWarning):
             print(f"cardan {command}: {message}", file=sys.stderr)
         else:
             usual(message, category, *where, **more)

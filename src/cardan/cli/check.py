@@ -6,10 +6,17 @@ import argparse
 import json
 import sys
 import warnings
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING
 
-from ..errors import CardanError, DerivationError, SolveWarning
+from ..errors import (
+    CardanError,
+    DerivationError,
+    ImpossibleWarning,
+    ModelWarning,
+    SolveWarning,
+)
 from . import reading
 
 if TYPE_CHECKING:
@@ -19,7 +26,8 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 Complain about a scene, each complaint with its cure.
 
-An error says why the scene cannot be used, with line and column where a file has them. A warning
+An error says why the scene cannot be used, with line and column where a file has them, or that it
+describes nothing real, such as an impossible inertia. A warning
 names what is there and does not act, or what cannot be computed. A note tells what was changed on
 the way, such as 1.5708 that became pi/2."""
 
@@ -68,15 +76,14 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     from ..equations.absolute.record import Absolute
     from ..pipeline import derive
 
-    try:
-        # warnings say what the notes of the model say too
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            scene = reading.load(options)
-        equations = derive(scene)
-    except (CardanError, OSError) as problem:
-        return [Complaint("error", str(problem))]
-    found = [Complaint("warning", note) for note in equations.system.notes]
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            equations = derive(reading.load(options))
+        except (CardanError, OSError) as problem:
+            return [Complaint("error", str(problem)), *_doubts(said, ())]
+    notes = equations.system.notes
+    found = [*_doubts(said, notes), *(Complaint("warning", note) for note in notes)]
     snaps = [Complaint("note", str(snap)) for snap in equations.system.snaps]
     if isinstance(equations, Absolute):
         return found + _started(equations) + snaps
@@ -95,15 +102,25 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     return found + snaps
 
 
+def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> list[Complaint]:
+    """Warnings of reading a scene that no note repeats, what cannot be first."""
+    texts = {str(w.message): w.category for w in said if issubclass(w.category, ModelWarning)}
+    new = {text: kind for text, kind in texts.items() if not any(note in text for note in notes)}
+    wrong = [text for text, kind in new.items() if issubclass(kind, ImpossibleWarning)]
+    rest = [Complaint("warning", text) for text in new if text not in wrong]
+    return [*(Complaint("error", text) for text in wrong), *rest]
+
+
 def _started(equations: Absolute) -> list[Complaint]:
     """Whether a scene in absolute coordinates moves from where it is built."""
     from ..pipeline import compile
+    from ..runtime.initial import start_of
 
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         try:
             model = compile(equations)
-            x = model.initial()
+            x, _ = start_of(model, {}, {})
             model.forward_dynamics(x[: model.nq], x[model.nq : model.nq + model.nu])
         except CardanError as problem:
             return [Complaint("warning", f"no forward dynamics: {problem}")]

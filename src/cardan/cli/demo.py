@@ -38,6 +38,7 @@ class Scene:
     damping: float | None = None
 
 
+PACKAGE = "example-robot-data"
 SCENES = {
     "acrobat": Scene("acrobat.urdf", {"grip": 1.8, "left_hip": -0.6, "right_knee": 0.5}),
     "panda": Scene(
@@ -63,13 +64,15 @@ def run(options: argparse.Namespace) -> int:
     out = options.out or Path("out") / f"demo{suffix}"
     path = locate(options.scene)
     out.mkdir(parents=True, exist_ok=True)
+    # meshes are named from the folder of their package, which the file lies in
+    packages = [folder for folder in path.resolve().parents if folder.name == PACKAGE]
     with empty_cache():
         from .terminal import progress
         from .tour import Start, take
 
         picture = importlib.util.find_spec("matplotlib") is not None
         with progress() as show:
-            tour = take(path, out, Start(scene.q, scene.damping), show, picture)
+            tour = take(path, packages, out, Start(scene.q, scene.damping), show, picture)
     from .screen import display
 
     display(tour, path, scene.q, scene.damping)
@@ -99,13 +102,13 @@ def locate(name: str) -> Path:
     if name == "acrobat":
         return Path(__file__).parent / "scenes" / SCENES[name].load
     try:
-        files = importlib.metadata.files("example-robot-data") or []
+        files = importlib.metadata.files(PACKAGE) or []
     except importlib.metadata.PackageNotFoundError:
         files = []
     for entry in files:
         if str(entry).endswith(SCENES[name].load):
             return Path(str(entry.locate())).resolve()
     raise BuildError(
-        f"the URDF of '{name}' comes with the package example-robot-data, which is not installed; "
+        f"the URDF of '{name}' comes with the package {PACKAGE}, which is not installed; "
         "say  pip install 'cardan[demo]'  or try  cardan demo"
     )

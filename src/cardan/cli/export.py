@@ -40,6 +40,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     reading.method(what)
     what.add_argument("--reproducible", action="store_true",
                       help="flags under which every compiler gives equal bits")  # fmt: skip
+    what.add_argument("--prefix", metavar="NAME", default="",
+                      help="before all names, such as arm_: several in one program")  # fmt: skip
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
@@ -63,6 +65,7 @@ def run(options: argparse.Namespace) -> int:
             options.functions,
             integrators=options.integrators,
             reproducible=options.reproducible,
+            prefix=options.prefix,
             **chosen,
         )
     files = sorted(path.name for path in folder.iterdir())

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import argparse
 import json
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..analyses.integrators import INTEGRATORS
+from ..errors import ImpossibleWarning, ModelError
 from . import INTERRUPTED, reading, running
 
 if TYPE_CHECKING:
     from ..analyses.precision import Precision
+    from ..model import Model
 
 DESCRIPTION = """\
 Run a scene or robot with every integrator, from rough tolerances to fine ones, and set the time of
 each run beside its error. Then say which method to take for which error, and why.
 
-Errors are taken from a reference: two methods at the tightest tolerances, whose difference says how
-far they can be trusted. A method goes no further than the reference, or than --patience."""
+Errors are taken from a reference: two methods at the tightest tolerances, or, where a motion is too
+stiff for those, two implicit ones in fixed steps extrapolated to 0; their difference says how far
+they can be trusted. A method goes no further than the reference, or than --patience."""
 
 EPILOG = """\
 examples:
@@ -57,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import compile
     from .terminal import console, progress
 
-    scene = reading.read(options)
+    scene = _real(options)
     found = running.begin(scene, options)
     end = found.pop("t")
     with progress() as show:
@@ -73,9 +77,25 @@ def run(options: argparse.Namespace) -> int:
         for name, why in made.left_out.items():
             out.print(f"{name}: {why}", soft_wrap=True)
         out.print(made.recommendation, soft_wrap=True)
+        for line in made.undetermined:
+            out.print(line, soft_wrap=True)
         for path in written:
             out.print(f"wrote {path}", soft_wrap=True)
     return INTERRUPTED if made.interrupted else 0
+
+
+def _real(options: argparse.Namespace) -> Model:
+    """The scene.
+
+    Raises:
+        ModelError: nothing real has its numbers: measuring its motion would say nothing.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ImpossibleWarning)
+        try:
+            return reading.read(options)
+        except ImpossibleWarning as doubt:
+            raise ModelError(str(doubt)) from None
 
 
 def write(made: Precision, path: Path) -> str:
@@ -112,5 +132,6 @@ def summary(made: Precision) -> dict[str, Any]:
         "doubt": made.doubt,
         "left_out": made.left_out,
         "recommendation": made.recommendation.splitlines(),
+        "undetermined": list(made.undetermined),
         "interrupted": made.interrupted,
     }

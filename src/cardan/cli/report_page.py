@@ -31,15 +31,17 @@ def page(made: Precision) -> str:
         for p in made.points
     )
     advice = "".join(f"<p>{escape(line)}</p>" for line in made.recommendation.splitlines())
+    drawn = "" if made.still else picture(made)
     head = "".join(f"<th>{name}</th>" for name in heads)
     left = "".join(f"<p>{escape(f'{k}: {why}')}</p>" for k, why in made.left_out.items())
+    left += "".join(f"<p>{escape(line)}</p>" for line in made.undetermined)
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta http-equiv="Content-Security-Policy" '
         "content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
         f"<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
         f"<p>{made.span[0]:g} s to {made.span[1]:g} s; errors from {escape(made.reference)}</p>\n"
-        f"{picture(made)}\n<h2>Which method</h2>\n{advice}\n<h2>What was measured</h2>\n"
+        f"{drawn}\n<h2>Which method</h2>\n{advice}\n<h2>What was measured</h2>\n"
         f"<table><tr>{head}</tr>\n{rows}\n</table>\n{left}\n"
         "</body>\n</html>\n"
     )

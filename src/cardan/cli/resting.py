@@ -55,7 +55,7 @@ def numbers(found: Equilibrium) -> dict[str, Any]:
         "converged": found.converged,
         "message": found.message,
         "stable": found.stable,
-        "unstable_directions": found.negative,
+        "unstable_directions": found.n_negative,
         "free": list(found.loose),
         "iterations": found.iterations,
         "q": dict(zip(model.coordinates, found.q.tolist(), strict=True)),

@@ -20,7 +20,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     run.add_argument("--method", metavar="NAME",
                      help="integrator, such as DOP853, Radau or RK4 (default auto)")  # fmt: skip
     run.add_argument("--rtol", type=positive, help="relative tolerance per step (default 1e-6)")
-    run.add_argument("--atol", type=positive, help="absolute tolerance per step (default 1e-9)")
+    run.add_argument("--atol", type=positive,
+                     help="absolute one (default 1e-3 rtol, at most 1e-9)")  # fmt: skip
     run.add_argument("--step", metavar="SECONDS", type=positive,
                      help="step of a method of fixed step, else the first one")  # fmt: skip
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
+from ..errors import counted
 from .terminal import console
 
 if TYPE_CHECKING:
@@ -20,8 +21,8 @@ def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | Non
     out.print(tour.graph, soft_wrap=True)
     out.print()
     out.print(
-        f"derived {tour.bodies} bodies in {tour.derived * 1e3:.1f} ms, "
-        f"{tour.operations} operations, compiled and checked in {tour.compiled:.2f} s",
+        f"derived {counted(tour.bodies, 'body', 'bodies')} in {tour.derived * 1e3:.1f} ms, "
+        f"{counted(tour.operations, 'operation')}, compiled and checked in {tour.compiled:.2f} s",
         soft_wrap=True,
     )
     for line in tour.lines:

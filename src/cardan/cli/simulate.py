@@ -41,7 +41,8 @@ examples:
         another integrator (cardan report compares them), an initial state of an element
 
 A smaller --rtol costs little: the integrator has order 8. The energy line tells if it helped.
-Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-9."""
+Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-3 rtol
+(at most 1e-9)."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

@@ -74,11 +74,19 @@ class Tour:
     files: tuple[Path, ...]
 
 
-def take(path: Path, out: Path, begin: Start, show: Callable[..., None], picture: bool) -> Tour:
+def take(
+    path: Path,
+    packages: Sequence[Path],
+    out: Path,
+    begin: Start,
+    show: Callable[..., None],
+    picture: bool,
+) -> Tour:
     """Go the whole way with a URDF.
 
     Args:
         path: The file.
+        packages: Folders from which it names meshes.
         out: Folder for what is written.
         begin: How the simulation starts.
         show: Receives the name of each step.
@@ -86,7 +94,7 @@ def take(path: Path, out: Path, begin: Start, show: Callable[..., None], picture
     """
     show("deriving")
     start = perf_counter()
-    scene = load(path)
+    scene = load(path, packages=packages)
     equations = derive(scene)
     text = generate(equations.function("forward_dynamics"), model=equations.system.name)
     derived = perf_counter() - start

@@ -18,7 +18,8 @@ RUN = (
 )
 SHIFT = ("shift.h", "shift.c", "linear.h")
 SPARSE = (
-    *("mesh.h", "mesh_lanes.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c", "mesh_solve.c"),
+    *("mesh.h", "mesh_lanes.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c"),
+    *("mesh_open.c", "mesh_solve.c"),
     *("sparse.h", "sparse_dense.h", "sparse_factor.c", "sparse_quality.c"),
     *("sparse_loose.c", "sparse_signs.c", "sparse_solve.c"),
 )
@@ -30,7 +31,8 @@ INTEGRATORS = {
     "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
     "alpha": (
         *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
-        *("alpha_extent.c", "alpha_memory.c", "alpha_newton.c", "alpha_sparse.c", "linear.h"),
+        *("alpha_extent.c", "alpha_memory.c", "alpha_newton.c", "alpha_pick.c"),
+        *("alpha_sparse.c", "linear.h"),
         *SPARSE,
     ),
     "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
@@ -167,9 +169,9 @@ def readme(manifest: dict[str, Any], package: str, compile_line: str) -> str:
         "(4, 2). A `real` is then a vector, entry k of an array belongs to 8 states, element j of",
         "it to state j; arrays begin at multiples of 64 bytes. Parameters are shared, or one set",
         "per state with `-DCARDAN_LANE_PARAMETERS`. Flags that make lanes equal to single states",
-        "to the bit: `-O2 -march=native -fno-tree-vectorize -fno-math-errno`, and",
-        "`-ffp-contract=fast` with gcc, `=on` with clang. A program that wants both renames one:",
-        "`-Drhs=rhs_lanes`.",
+        "to the bit: `-O2 -march=native -fno-tree-vectorize -fno-math-errno`, and with gcc",
+        "`-ffp-contract=fast --param=avoid-fma-max-bits=0`, with clang `-ffp-contract=on`. A",
+        "program that wants both renames one: `-Drhs=rhs_lanes`.",
         "",
         "Compile only what you trust: C runs with all your rights.",
     ]

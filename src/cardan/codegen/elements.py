@@ -12,6 +12,7 @@ from .naming import comment
 
 KERNEL = "cardan_mesh_call_"
 COLUMNS = "cardan_columns[cardan_nu + (cardan_nu == 0)]"
+HELD = "cardan_held[cardan_nq + cardan_nu + (cardan_nq + cardan_nu == 0)]"
 QUATERNIONS = "cardan_quaternions[cardan_nquaternions + (cardan_nquaternions == 0)]"
 
 
@@ -155,11 +156,13 @@ def prototypes(
         *(f"    cardan_{name} = {value} /* {about} */" for name, value, about in counts[-1:]),
         "};",
         "",
-        "/* model.c: values to start from; circuits may be open there, see start_model */",
+        "/* model.c: values to start from, all loops closed */",
         *(f"extern const double {block};" for block in blocks),
         f"extern const double {header.array('s')};",
         "/* first entry of every unit quaternion in q */",
         f"extern const ptrdiff_t {QUATERNIONS};",
+        "/* 1: entries of x = [q, u] that stay as they are where parameters move the rest */",
+        f"extern const double {HELD};",
         "/* of the scene: what lengths count against [m]; what speeds count in: that, or 1 */",
         f"extern const double cardan_size, {COLUMNS};",
         "",
@@ -177,8 +180,9 @@ def prototypes(
         "CARDAN_API const wreal *model_w(const cardan_model *model);",
         "/* how many numbers of work memory each of them takes */",
         "CARDAN_API size_t model_work_size(const cardan_model *model);",
-        "/* x = [q, u] as the scene names it, all circuits closed at time t and inputs r; returns",
-        " * a status, CARDAN_OPEN where they cannot be */",
+        "/* x = [q, u] where simulate() starts; at other parameters, times or inputs nodes follow",
+        " * the joints of the tree. Returns a status: CARDAN_OPEN where joints or beams would have",
+        " * to move too: take x = model.with_parameters(...).initial() of cardan there */",
         "CARDAN_API int start_model(const cardan_model *model, real t, const real *r, real *x,",
         "    real *work);",
         "/* the sparse matrix by rows: the column of every value (cardan_nvalues), where every row",
@@ -293,7 +297,8 @@ int start_model(const cardan_model *model, real t, const real *r, real *x, real 
         x[i] = cardan_default_q[i];
     for (int i = 0; i < cardan_nu; i++)
         x[cardan_nq + i] = cardan_default_u[i];
-    return cardan_mesh_start(&model->mesh, t, r, cardan_quaternions, cardan_nquaternions, x, work);
+    return cardan_mesh_start(&model->mesh, t, r, cardan_quaternions, cardan_nquaternions,
+                             cardan_held, x, work);
 }
 
 void model_pattern(int32_t *columns, int32_t *starts, ptrdiff_t *unknowns)

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from ..equations.record import Equations
-from ..errors import CodegenError, DerivationError, near
+from ..errors import CodegenError, DerivationError, near, shown
 from . import companions, header, layout, manifest, simulating
+from . import prefix as prefixes
 from .languages import LANGUAGES, cython
 from .writing import generate
 
@@ -29,6 +30,7 @@ def export(
     integrators: Sequence[str] = (),
     reproducible: bool = False,
     loops: bool | None = None,
+    prefix: str = "",
 ) -> Path:
     """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
@@ -43,6 +45,8 @@ def export(
             comes along, and ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         loops: As :func:`cardan.compile` takes it.
+        prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+            different prefixes can be linked into one program. With ``language="c"``.
 
     Returns:
         The directory. It appears whole or not at all.
@@ -51,8 +55,14 @@ def export(
         CodegenError: the directory holds other things; an unknown language or integrator.
         DerivationError: an unknown function.
     """
+    if not isinstance(functions, list | tuple | None):
+        raise CodegenError(f"functions={shown(functions)}: give a list such as ['rhs']")
+    for one in functions or ():
+        if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
+            raise CodegenError(f"functions: {shown(one)}: give names, or ('pose', 'hand')")
     target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
     check_words(language, wanted)
+    prefixes.check(prefix, language)
     check(target)
     known = equations.names()
     # equations that tell of no energy go without
@@ -81,6 +91,8 @@ def export(
         texts = _companions(data, language, wanted, flags)
         texts["model.c"] = header.defaults(data, _closed(equations))
         layout.add_files(folder, texts)
+        if prefix:
+            prefixes.add(folder, prefix)
         (folder / layout.LOCK).unlink()
 
     replaced(target, fill)

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from ..elements.joints.custom import Custom
 from ..elements.joints.joint import Reversed
 from ..equations.blocks import blocks
-from ..ir.function import Function, Output, live
+from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import complement, unit
@@ -57,6 +58,31 @@ def scene(system: System) -> Function:
     return _function("scene", system, graph, outputs, "the scene as numbers")
 
 
+def time_jumps(system: System) -> Function | None:
+    """The Function ``time_jumps`` of t, p: what passes zero where the scene jumps at a time.
+
+    Outputs: jumps (n): the two sides of every comparison of t with what is constant along a run,
+    one less the other. None where there is no such comparison.
+    """
+    graph = system.graph.fork()
+    timed, fixed = set[int](), set[int]()
+    found = list[int]()
+    for i, node in enumerate(system.graph.nodes):
+        operands = node[1:] if node[0] not in ("const", "var", "atom") else ()
+        if node[0] == "var" and node[1] == "t":
+            timed.add(i)
+        elif node[0] == "const" or (node[0] == "var" and node[1] == "p"):
+            fixed.add(i)
+        elif operands and all(k in timed or k in fixed for k in operands):
+            (timed if any(k in timed for k in operands) else fixed).add(i)
+            if node[0] in ("lt", "le") and i in timed:
+                found.append(graph.sub(*operands))
+    outputs = (_output("jumps", (len(found),), [(node,) for node in found]),)
+    if not found:
+        return None
+    return _function("time_jumps", system, graph, outputs, "what jumps at times passes zero there")
+
+
 def _sizes(joints: Sequence[Joint | Cut], name: str = "sizes") -> list[Output]:
     """Lengths of rods, radii of wheels and of their crowns, where there are any."""
     rows = []
@@ -90,6 +116,11 @@ def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
     ]
 
 
+def _declared(joint: Joint) -> Any:
+    """The element of a joint as the user gave it, whichever of its bodies carries the other."""
+    return joint.element.element if isinstance(joint.element, Reversed) else joint.element
+
+
 def curve(graph: Graph, joint: Joint) -> list[Any] | None:
     """Breaks, coefficients by component and piece, and period (0 for none) of a joint's curve."""
     if "curve" not in joint.data:
@@ -97,7 +128,7 @@ def curve(graph: Graph, joint: Joint) -> list[Any] | None:
     numbers = [graph.value(graph.nodes[node][1]) for node in joint.data["curve"][2]]
     tables = [graph.tables[int(number or 0)] for number in numbers]
     breaks = list(tables[0].breaks)
-    period = breaks[-1] if getattr(joint.element, "closed", False) else 0.0
+    period = breaks[-1] if getattr(_declared(joint), "closed", False) else 0.0
     return [breaks, [[list(c) for c in t.coefficients] for t in tables], period]
 
 
@@ -110,6 +141,29 @@ def scene_motion(system: System) -> Function | None:
     rows = [(m.value, m.rate, m.acceleration) if m else (0, 0, 0) for m in motions]
     outputs = (_output("motion", (len(rows), 3), rows),)
     return _function("scene_motion", system, system.graph, outputs, "motion of prescribed joints")
+
+
+def scene_poses(system: System) -> tuple[Function, ...]:
+    """Of every joint of the user's own the Function ``scene_pose_<k>`` of its coordinates q and p:
+    rotation (3, 3) and position (3) of the child seen from the parent, as they were written."""
+    graph, found = system.graph.fork(), []
+    known = blocks(system)
+    for k, joint in enumerate(system.joints):
+        element = _declared(joint)
+        if not isinstance(element, Custom):
+            continue
+        count = len(element.coordinates)
+        q = Matrix(graph, count, 1, [graph.var("q", i) for i in range(count)])
+        data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
+        turned, placed = element.pose(q, **data)
+        outputs = (
+            _output("rotation", (3, 3), [turned.nodes]),
+            _output("position", (3,), [placed.nodes]),
+        )
+        own = Block("q", tuple(c.name for c in element.coordinates), ("",) * count)
+        about = f"pose of joint '{joint.name}'"
+        found.append(Function(f"scene_pose_{k}", graph, (own, known["p"]), outputs, about=about))
+    return tuple(found)
 
 
 def _rotors(system: System, graph: Graph) -> list[int]:

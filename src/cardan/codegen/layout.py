@@ -11,15 +11,17 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from .. import regular_file
 from ..errors import CodegenError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
 from ..ir.rows import dumped, opened
+from ..ir.seal import sealed, unsealed
 from ..ir.serialize import to_dict
 from . import header
 from .manifest import Base
@@ -31,6 +33,10 @@ HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 # frames up to which a manifest is written for people
 READ = 1000
 MANIFEST, SAVED, LOCK = "manifest.json", "functions.json", ".lock"
+
+
+class Damaged(CodegenError):
+    """A manifest is not what was written."""
 
 
 def write_model(directory: Path, base: Base) -> None:
@@ -45,12 +51,15 @@ def write_model(directory: Path, base: Base) -> None:
     """
     directory.mkdir(parents=True, exist_ok=True)
     with _locked(directory):
-        there = read(directory)
+        there, damaged = _there(directory)
+        if there is not None and not _is_saved(directory, there):
+            there, damaged = None, True
         if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
             if there["available"] != base.data["available"]:
                 _write_manifest(directory, {**there, "available": base.data["available"]})
             return
-        if there is None and any(path.name != LOCK for path in directory.iterdir()):
+        # a damaged model of ours is written anew, as a damaged object is compiled anew
+        if there is None and not damaged and any(path.name != LOCK for path in directory.iterdir()):
             raise CodegenError(
                 f"directory {directory} is not empty and holds no model of cardan: "
                 "name a new or empty one"
@@ -64,6 +73,29 @@ def write_model(directory: Path, base: Base) -> None:
         _write_manifest(directory, {**base.data, "sha256": hashes})
 
 
+def _there(directory: Path) -> tuple[dict[str, Any] | None, bool]:
+    """The manifest, and whether one of cardan is damaged."""
+    try:
+        found = read(directory)
+        # what else a model has is there: its manifest was lost
+        lost = found is None and all((directory / name).is_file() for name in ("model.h", SAVED))
+        return found, lost
+    except Damaged:
+        # other programs have files of that name too
+        if not (directory / "model.h").is_file():
+            raise
+        return None, True
+
+
+def _is_saved(directory: Path, manifest: dict[str, Any]) -> bool:
+    """Whether the expressions of a model are those that its manifest speaks of."""
+    try:
+        content = regular_file.content(directory / SAVED)
+    except OSError:
+        return False
+    return hashlib.sha256(content).hexdigest() == str(manifest["sha256"].get(SAVED))
+
+
 def has_function(directory: Path, name: str) -> bool:
     """Whether a function is in the manifest and its file is the one it speaks of."""
     return not missing(directory, [name])
@@ -71,7 +103,7 @@ def has_function(directory: Path, name: str) -> bool:
 
 def missing(directory: Path, names: Sequence[str]) -> list[str]:
     """Those that :func:`has_function` denies, by one look at the manifest."""
-    functions = (read(directory) or {}).get("functions", {})
+    functions = (_there(directory)[0] or {}).get("functions", {})
     return [name for name in names if not _is_there(directory, functions.get(name))]
 
 
@@ -79,10 +111,10 @@ def _is_there(directory: Path, entry: dict[str, Any] | None) -> bool:
     if entry is None:
         return False
     try:
-        content = (directory / entry["file"]).read_bytes()
-    except OSError:
+        content = regular_file.content(directory / Path(entry["file"]).name)
+    except (OSError, KeyError, TypeError, ValueError):
         return False
-    return hashlib.sha256(content).hexdigest() == str(entry["sha256"])
+    return hashlib.sha256(content).hexdigest() == str(entry.get("sha256"))
 
 
 def add_function(directory: Path, cfile: CFile, function: Function | Recursion) -> None:
@@ -112,6 +144,8 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
                     hashes[name] = _write(directory / name, kernel(name))
             hashes[cfile.entry["file"]] = _write(directory / cfile.entry["file"], cfile.text)
             functions[cfile.name] = cfile.entry
+        if not _is_saved(directory, manifest):
+            raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
         text = _appended((directory / SAVED).read_text("utf-8"), saved)
         hashes[SAVED] = _write(directory / SAVED, text)
         _write_manifest(directory, manifest)
@@ -125,6 +159,16 @@ def add_files(directory: Path, texts: Mapping[str, str]) -> None:
             raise CodegenError(f"directory {directory} holds no model: call write_model first")
         for name, text in texts.items():
             manifest["sha256"][name] = _write(directory / name, text)
+        _write_manifest(directory, manifest)
+
+
+def change(directory: Path, edit: Callable[[dict[str, Any]], None]) -> None:
+    """Change what the manifest of a directory says."""
+    with _locked(directory):
+        manifest = read(directory)
+        if manifest is None:
+            raise CodegenError(f"directory {directory} holds no model: call write_model first")
+        edit(manifest)
         _write_manifest(directory, manifest)
 
 
@@ -162,16 +206,28 @@ def _plain(data: dict[str, Any]) -> Any:
 
 
 def read(directory: Path) -> dict[str, Any] | None:
-    """The manifest of a directory; None where there is none of this schema."""
+    """The manifest of a directory; None where there is none of this schema.
+
+    Raises:
+        Damaged: there is one, but not as it was written.
+    """
     try:
-        found = opened(json.loads((directory / MANIFEST).read_text("utf-8")))
+        found = unsealed(regular_file.content(directory / MANIFEST))
     except FileNotFoundError:
         return None
-    except ValueError as problem:
-        raise CodegenError(
+    except (ValueError, OSError) as problem:
+        raise Damaged(
             f"{directory / MANIFEST} is damaged ({problem}): remove the directory"
         ) from problem
-    return found if isinstance(found, dict) and "abi" in found else None
+    if not (isinstance(found, dict) and "abi" in found):
+        return None
+    wanted = (("functions", dict), ("sha256", dict), ("available", list))
+    wrong = [name for name, kind in wanted if not isinstance(found.get(name), kind)]
+    rows = found["functions"].values() if not wrong else ()
+    if wrong or not all(isinstance(row, dict) for row in rows):
+        name = wrong[0] if wrong else "functions"
+        raise Damaged(f"{directory / MANIFEST} is damaged ('{name}'): remove the directory")
+    return found
 
 
 def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
@@ -181,8 +237,8 @@ def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
     # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
     rows = max(len(ordered["frames"]), len(ordered["joints"]))
     indent = 1 if rows <= READ else None
-    text = dumped(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
-    _write(directory / MANIFEST, text + "\n")
+    text = sealed(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
+    _write(directory / MANIFEST, text)
 
 
 def _line(name: str, saved: dict[str, Any]) -> str:

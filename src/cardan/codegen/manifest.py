@@ -13,15 +13,20 @@ from typing import Any
 from .. import __version__
 from ..elements.internal import TICK
 from ..elements.joints.joint import entries
-from ..equations import blocks
-from ..equations.constraints import Row
+from ..equations import blocks, pressing
+from ..equations.constraints import Row, left_out
+from ..equations.dynamics import Dynamics
+from ..equations.kinematics import Kinematics
 from ..equations.record import Equations
 from ..ir.function import Function
+from ..topology.segment import Segment
 from ..topology.system import Cut, Force, Frame, Joint, System
+from ..topology.welds import passed
 from . import flat
 
 ABI = 1
 SCHEMA = 1
+LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 LIMITS = ("lower", "upper", "speed", "effort")
 
 
@@ -92,10 +97,47 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         "functions": {},
         "sha256": {},
     }
+    if isolated(system):
+        data["isolated"] = True
     if data["multipliers"] and not equations.treatment.exact:
         # what holds such a system together is that its constraints give way
         data["projected"] = False
     return Base(data, lambda: _saved(equations))
+
+
+def isolated(system: System) -> bool:
+    """Whether nothing but gravity acts on a scene from outside, so that its momenta stay.
+
+    Joints leave everything free from the ground, and what forces do comes in pairs.
+    """
+    first = [
+        joint for body, joint in zip(system.bodies, system.joints, strict=True) if body.parent < 0
+    ]
+    free = all(j.element.kind == "free" and j.motion is None and j.coupling is None for j in first)
+    closing = [
+        system.frames[k].body for cut in system.closing for k in (cut.parent_frame, cut.child_frame)
+    ]
+    ends = [
+        system.frames[k].body
+        for segment in system.segments
+        for k in (segment.frame_a, segment.frame_b)
+    ]
+    frames = [system.frames[k].body for force in system.forces for k in force.frames.values()]
+    across = [system.bodies[k].parent for force in system.forces for k in force.joints.values()]
+    return (
+        free
+        and not system.written
+        and not system.constraints
+        and min([*closing, *ends, *frames, *across], default=0) >= 0
+        and all(force.element.paired() for force in system.forces)
+        and not any(_loaded(system, segment) for segment in system.segments)
+    )
+
+
+def _loaded(system: System, segment: Segment) -> bool:
+    """Whether a segment of a beam carries a load from outside."""
+    nodes = [node for name in LOADS for node in segment.data.get(name, (0, 0, ()))[2]]
+    return any(system.graph.nodes[node] != ("const", 0.0) for node in nodes)
 
 
 def parameter_rows(system: System) -> list[dict[str, Any]]:
@@ -165,12 +207,14 @@ def _ticks(system: System) -> list[dict[str, Any]]:
 def _saved(equations: Equations) -> tuple[Function, ...]:
     """What a check of the model needs besides its compiled functions."""
     system = equations.system
-    found = [flat.scene(system)]
+    found = [flat.scene(system), *flat.scene_poses(system)]
     motion = flat.scene_motion(system)
-    if motion is not None:
-        found.append(motion)
+    jumps = flat.time_jumps(system)
+    found += [one for one in (motion, jumps) if one is not None]
     if system.forces and "applied" in equations.names():
-        found.append(equations.function("applied"))
+        found += [equations.function("applied"), equations.function("wrenches")]
+    if pressing.judged(system, equations.chosen):
+        found.append(pressing.told(Dynamics(Kinematics(system), equations.method)))
     if system.closures:
         found.append(equations.function("dependents"))
     return tuple(found)
@@ -180,10 +224,11 @@ def _scene(equations: Equations) -> dict[str, Any]:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
+    judged = pressing.judged(system, equations.chosen)
     unknown += [
-        f"the friction of '{force.name}' follows from reactions"
-        for force in system.forces
-        if force.element.pressed
+        f"the friction of '{force.name}' follows from reactions of closed circuits"
+        for force in pressing.pressed(system)
+        if not judged
     ]
     samples = _samples(system)
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
@@ -194,6 +239,7 @@ def _scene(equations: Equations) -> dict[str, Any]:
         "forces": list(dict.fromkeys(force.name for force in system.forces)),
         "unknown": unknown,
         **({"curves": curves} if any(curves) else {}),
+        **({"pressed": judged} if judged else {}),
         **({"samples": samples} if samples else {}),
         **(_circuits(equations) if system.closed or system.closures else {}),
     }
@@ -263,6 +309,12 @@ def _speeds(equations: Equations) -> list[dict[str, Any]]:
     return made
 
 
+def limits_of(joint: Joint) -> dict[str, float]:
+    """What is declared of the limits of a joint, by name."""
+    limits = zip(LIMITS, joint.limits, strict=True)
+    return {name: value for name, value in limits if value is not None and isfinite(value)}
+
+
 def _joint(equations: Equations, number: int) -> dict[str, Any]:
     system = equations.system
     joint, element = system.joints[number], system.joints[number].element
@@ -271,7 +323,6 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
     coupled = None
     if joint.coupling is not None:
         coupled = {"leader": system.joints[joint.coupling.leader].name}
-    limits = zip(LIMITS, joint.limits, strict=True)
     # as declared, not as the tree goes
     bodies = _body(system, system.bodies[number].parent), system.bodies[number].name
     frames = system.frames[joint.parent_frame].name, system.frames[joint.child_frame].name
@@ -288,7 +339,7 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
         "u": [joint.u, len(element.speeds)] if own_speeds else None,
         "q0": list(joint.q0) if joint.q0 is not None else None,
         "u0": list(joint.u0) if joint.u0 is not None else None,
-        "limits": {name: value for name, value in limits if value is not None and isfinite(value)},
+        "limits": limits_of(joint),
         "quaternion": joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
         "rotation": _rotation(joint),
         "domain": element.domain,
@@ -310,7 +361,11 @@ def _solved(system: System, joint: Joint) -> dict[str, Any] | None:
 
 
 def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
-    system = equations.system
+    system, rest = equations.system, left_out(cut)
+    welds = [
+        {"joint": weld.joint, "frame": system.frames[weld.frame].name, "side": weld.side}
+        for weld in passed(system, cut)
+    ]
     return {
         "name": cut.name,
         "kind": cut.element.kind,
@@ -318,6 +373,8 @@ def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
         "child_frame": system.frames[cut.child_frame].name,
         "circuit": [system.joints[i].name for i, _ in cut.path],
         "reason": cut.reason,
+        **({"fixed": welds} if welds else {}),
+        **({"left_out": rest} if rest else {}),
     }
 
 

@@ -15,8 +15,8 @@ from .. import __version__
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
-from . import layout
-from .manifest import ABI, SCHEMA, Base, parameter_rows
+from . import flat, layout
+from .manifest import ABI, SCHEMA, Base, isolated, parameter_rows
 from .mesh_rows import plane_of, rows
 from .writing import generate
 
@@ -66,6 +66,7 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
+        **({"isolated": True} if isolated(system) else {}),
         "scene": {"parents": [], "kinds": [], "rotations": [], "forces": [], "unknown": []},
         "mesh": {
             "places": [_place(kind) for kind in places.kinds],
@@ -87,7 +88,9 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
 
 def saved(absolute: Absolute) -> tuple[Function, ...]:
     """Functions of the parameters that the runtime evaluates as they are."""
-    return (*commons(absolute), absolute.frames.poses, absolute.states)
+    jumps = flat.time_jumps(absolute.system)
+    some = (jumps,) if jumps is not None else ()
+    return (*commons(absolute), absolute.frames.poses, absolute.states, *some)
 
 
 def commons(absolute: Absolute) -> tuple[Function, ...]:

@@ -10,6 +10,7 @@ import numpy as np
 from ..equations.absolute.record import Absolute, BlockKind
 from ..ir.rows import INTEGER, TEXT, VALUE, Row, Rows, Run
 from ..topology.system import Joint
+from .manifest import limits_of
 
 # nodes inside of beams up to which each has rows of its own, for readers
 LISTED = 1000
@@ -125,6 +126,7 @@ def _joints(absolute: Absolute, named: int) -> list[Row]:
         row |= {"q0": _start(kind, joint, "q0"), "u0": _start(kind, joint, "u0")}
         if joint is not None:
             row["domain"] = joint.element.domain
+            row["limits"] = limits_of(joint)
             if kind.plane is None:
                 row["kind"] = joint.element.kind
         found.append(row)

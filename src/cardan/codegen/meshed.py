@@ -9,6 +9,7 @@ from typing import Any
 from ..equations.absolute.record import Absolute
 from ..errors import CodegenError, DerivationError, near
 from . import companions, elements, header, layout, mesh, meshed_example, tables
+from . import prefix as prefixes
 from .export import FLAGS, check, check_words, replaced
 from .writing import generate
 
@@ -31,6 +32,7 @@ def export(
     language: str = "c",
     integrators: Sequence[str] = (),
     reproducible: bool = False,
+    prefix: str = "",
 ) -> Path:
     """Write C that needs nothing but a C compiler.
 
@@ -43,6 +45,8 @@ def export(
         integrators: ``"alpha"``, ``"dop853"``, ``"rk45"``, ``"rk4"``: their C comes along, and
             ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
+        prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+            different prefixes can be linked into one program.
 
     Returns:
         The directory. It appears whole or not at all.
@@ -55,6 +59,7 @@ def export(
     target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
     check_words(language, wanted)
     _check(absolute, language, wanted)
+    prefixes.check(prefix, language)
     check(target)
     names = _asked(functions, wanted)
 
@@ -71,6 +76,8 @@ def export(
         for name in dict.fromkeys(kernels):
             texts[name] = layout.kernel(name)
         layout.add_files(folder, texts)
+        if prefix:
+            prefixes.add(folder, prefix)
         (folder / layout.LOCK).unlink()
 
     replaced(target, fill)
@@ -96,9 +103,12 @@ def _check(absolute: Absolute, language: str, integrators: Sequence[str]) -> Non
                 f"Model '{name}' goes with {', '.join(METHODS)}"
             )
     if integrators and tables.sizes(absolute)["nz"]:
+        cure = "leave out what has them"
+        if not absolute.system.segments:
+            cure = "derive(scene, coordinates='relative')"
         raise CodegenError(
             f"integrators: model '{name}' has internal states, which no run in absolute "
-            "coordinates takes: derive(scene, coordinates='relative')"
+            f"coordinates takes: {cure}"
         )
 
 
@@ -155,10 +165,13 @@ def _others(data: dict[str, Any], planned: tables.Planned) -> str:
     modes = ", ".join(repr(float(row["default"])) for row in data["s"])
     quaternions = ", ".join(map(str, data["quaternions"]))
     columns = "\n".join(tables.wrapped(map(repr, planned.columns.tolist() or [1.0])))
+    held = "\n".join(tables.wrapped("01"[one] for one in planned.held.tolist() or [False]))
     return (
         f"\n/* modes */\nconst double {header.array('s')} = {{{modes or 0.0}}};\n"
         "\n/* first entry of every unit quaternion in q */\n"
         f"const ptrdiff_t {elements.QUATERNIONS} = {{{quaternions or 0}}};\n"
+        "\n/* 1: entries of x that stay as they are where parameters move the rest */\n"
+        f"const double {elements.HELD} = {{\n{held}\n}};\n"
         "\n/* what lengths count against [m]; what speeds count in: that, or 1 */\n"
         f"const double cardan_size = {planned.size!r};\n"
         f"const double {elements.COLUMNS} = {{\n{columns}\n}};\n"

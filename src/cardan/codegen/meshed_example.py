@@ -184,7 +184,10 @@ MOST = 60  # names in a list
 CONVENTIONS = """\
 Parameters: `prepare_model(p, &model)` finds the numbers of all elements for values of p, which may
 be others than those of the scene; the lengths of beams between their nodes and which elements there
-are stay as they were exported. `start_model` closes all circuits next to the start in `model.c`.
+are stay as they were exported. `start_model` gives the start in `model.c`, that of cardan's
+`simulate`: joints stand as they are, nodes follow them. Where other parameters, times or inputs
+open loops, or move ends of beams, it returns `CARDAN_OPEN`: x is then
+`model.with_parameters(...).initial()` of cardan.
 
 Conventions: M udot + h = f + G^T lam with G udot = gamma, where the bias h holds velocity products
 and gravity. A node holds q = \\[w x y z, px py pz\\], a unit quaternion and the position, and u =

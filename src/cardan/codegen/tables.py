@@ -65,7 +65,11 @@ class Planned(Protocol):
 
     @property
     def start(self) -> Any:
-        """(nx,) state that the scene names."""
+        """(nx,) state in which a run starts."""
+
+    @property
+    def held(self) -> Any:
+        """(nx,) which entries of it stay as they are when parameters change."""
 
     @property
     def size(self) -> float:

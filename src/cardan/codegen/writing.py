@@ -72,6 +72,7 @@ def generate(
         else:
             program = loops.lower(function, staged, model, notes)
         text = language.write(program)
+    text += language.sizes(function.name, _sizes(function, program))
     file = function.name + language.SUFFIX
     entry = _entry(function, program, file, text, of)
     return CFile(function.name, text, entry, program.includes, program.prepare_operations)
@@ -97,6 +98,20 @@ def _entry(
         "headers": list(program.includes),
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
     }
+
+
+# the blocks of cardan_in in their order, and parameters
+BLOCKS = (
+    *("t", "q", "u", "z", "s", "r", "p", "w"),
+    *("udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"),
+)
+
+
+def _sizes(function: Function | Recursion, program: Program) -> list[int]:
+    """Of out, work and w, and of every block as far as it is read."""
+    read = {block.name: len(block) for block in function.inputs if block.name in program.blocks}
+    out = sum(output.size for output in function.outputs)
+    return [out, program.work_size, program.prepared_size, *(read.get(b, 0) for b in BLOCKS)]
 
 
 def _result(output: Output) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from hashlib import sha256
 from itertools import pairwise
 from typing import Any
 
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 from ..ir.graph import Table
 from ..ir.numbers import FLOATS
 
@@ -39,8 +39,8 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
         F. N. Fritsch, J. Butland, A Method for Constructing Local Monotone Piecewise Cubic
         Interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
     """
-    if kind not in KINDS:
-        raise ModelError(f"table: kind {kind!r} does not exist.{near(str(kind), KINDS)}")
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise ModelError(f"table: kind {shown(kind)} does not exist.{near(kind, KINDS)}")
     breaks, values = _column("x", x), _column("y", y)
     if len(breaks) != len(values):
         raise ModelError(

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from ..errors import ModelError
+from ..errors import ModelError, shown
 
 # directions by their letters
 AXES = {
@@ -46,15 +46,16 @@ def number(owner: str, name: str, value: Any) -> Any:
     """
     if is_expression(value) and not hasattr(value, "tolist"):
         return value
-    if not isinstance(value, str | bytes | bool | None):
+    truth = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+    if not truth and not isinstance(value, str | bytes | None):
         try:
             result = float(value)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             result = math.nan
         if math.isfinite(result):
             return result
     raise ModelError(
-        f"{owner}: {name} is {value!r}; give a finite number, a parameter or an expression"
+        f"{owner}: {name} is {shown(value)}; give a finite number, a parameter or an expression"
     )
 
 
@@ -79,7 +80,7 @@ def vector(owner: str, name: str, value: Any, length: int | None = None) -> tupl
     value = value.tolist() if hasattr(value, "tolist") else value
     if isinstance(value, str | bytes) or not isinstance(value, Sequence):
         raise ModelError(
-            f"{owner}: {name} is {value!r}; give {length or 'a sequence of'} numbers, "
+            f"{owner}: {name} is {shown(value)}; give {length or 'a sequence of'} numbers, "
             f"such as {tuple(range(length or 2))}"
         )
     entries = [x[0] if isinstance(x, Sequence) and len(x) == 1 else x for x in value]
@@ -97,7 +98,8 @@ def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
     if isinstance(value, str):
         if value not in AXES:
             raise ModelError(
-                f"{owner}: {name} {value!r} is no direction; give 'x', 'y', 'z', '-x', '-y', '-z' "
+                f"{owner}: {name} {shown(value)} is no direction; give 'x', 'y', 'z', "
+                "'-x', '-y', '-z' "
                 "or three numbers"
             )
         return AXES[value]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..errors import DerivationError, near
+from ..errors import DerivationError, counted, near
 from ..topology.system import Named, System
 from .counts import Counts
 from .record import Equations
@@ -52,7 +52,7 @@ def chosen_by(
         counts = {m: both[m].operations_of("forward_dynamics") for m in both}
     except DerivationError:
         # M is singular: everything but udot can be had
-        return replace(plain, method="composite", reason=f"{system.depth()} joints deep")
+        return replace(plain, method="composite", reason=f"{counted(system.depth(), 'joint')} deep")
     best = min(counts, key=lambda m: counts[m].cycles)
     other = next(m for m in counts if m != best)
     reason = f"{_told(counts[best])}; by {other} {_told(counts[other])}"
@@ -60,7 +60,7 @@ def chosen_by(
 
 
 def _told(counts: Counts) -> str:
-    return f"{counts.total} operations, {counts.critical_path:.0f} in a row"
+    return f"{counted(counts.total, 'operation')}, {counts.critical_path:.0f} in a row"
 
 
 def check_method(method: str) -> None:
@@ -111,10 +111,11 @@ def predicted(system: System) -> tuple[str | None, str]:
     factor, joints = factorization(system), sum(j.u >= 0 for j in system.joints)
     ratio = factor / (ELIMINATION * max(joints, 1))
     depth = system.depth()
+    told = counted(factor, "operation")
     if ratio < UNCLEAR[0]:
-        return "composite", f"{depth} joints deep: solving with M takes {factor} operations"
+        return "composite", f"{counted(depth, 'joint')} deep: solving with M takes {told}"
     if ratio > UNCLEAR[1]:
-        return "articulated", f"{depth} joints deep: solving with M would take {factor} operations"
+        return "articulated", f"{counted(depth, 'joint')} deep: solving with M would take {told}"
     return None, ""
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from ..errors import counted
 from ..topology.system import Closure, Cut, System
+from .constraints import left_out
 
 if TYPE_CHECKING:
     from .record import Equations
@@ -29,7 +31,7 @@ def circuits_told(equations: Equations) -> list[str]:
     if system.closed:
         names, treatment = equations.multipliers, equations.treatment
         shown = _some(names)
-        lines.append(f"  {len(names)} constraints by {treatment.name}: {shown}")
+        lines.append(f"  {counted(len(names), 'constraint')} by {treatment.name}: {shown}")
     return lines
 
 
@@ -40,8 +42,8 @@ def _closable(system: System) -> str:
     rest = len(system.cuts) - len(system.closable)
     circuits = f", {rest} circuit{'s' * (rest > 1)} with multipliers" if rest else ""
     return (
-        f"  constraints='closed_form' would leave {left} of {system.nq} coordinates{circuits}; it "
-        "does not pass dead points"
+        f"  constraints='closed_form' would leave {left} of {counted(system.nq, 'coordinate')}"
+        f"{circuits}; it does not pass dead points"
     )
 
 
@@ -50,7 +52,9 @@ def _solved(system: System, closure: Closure) -> str:
     signs = f"branch {_sign(closure.branch)}"
     if closure.third >= 0:
         signs += f", {system.joints[closure.third].name} {_sign(closure.side)}"
-    return f"  circuit of {_ring(system, closure.cut)}: in closed form, {names} follow ({signs})"
+    rest = f"; {_redundant(closure.cut)}" if left_out(closure.cut) else ""
+    ring = _ring(system, closure.cut)
+    return f"  circuit of {ring}: in closed form, {names} follow ({signs}){rest}"
 
 
 def _sign(number: int) -> str:
@@ -64,13 +68,20 @@ def _cut(system: System, cut: Cut) -> str:
     if rows == all_rows:
         count = f"{rows} conditions"
     else:
-        count = f"moves {where or 'in a group'}, so that {rows} of {all_rows} conditions close it"
+        count = f"moves {where or 'in a group'}, so that {rows} of {all_rows} conditions close it; "
+        count += _redundant(cut)
     if cut.carrier is None:
         at = f"cut at {cut.name} ({cut.element.kind}), as {cut.reason}"
     else:
         kind = system.joints[cut.carrier].element.kind
         at = f"cut at {cut.name} ({kind}), which keeps its coordinates, as {cut.reason}"
     return f"  circuit of {_ring(system, cut)}: {at}; {count}"
+
+
+def _redundant(cut: Cut) -> str:
+    """Conditions that hold by themselves: two sides bear them, and nothing says how much each."""
+    names = _some([row["name"] for row in left_out(cut)])
+    return f"redundant: {names}, along which reactions are not determined"
 
 
 def _ring(system: System, cut: Cut) -> str:

@@ -25,7 +25,7 @@ from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..topology.internals import slides
-from ..topology.system import System
+from ..topology.system import Cut, System
 from .ends import ends
 from .kinematics import Kinematics
 from .loads import places
@@ -79,6 +79,12 @@ def rows(system: System) -> tuple[Row, ...]:
         row = Row(entry.name, entry.unit, entry.name, level)
         (held if level == POSITION else slipping).append(row)
     return (*held, *slipping)
+
+
+def left_out(cut: Cut) -> list[dict[str, str]]:
+    """Names and units of the conditions of a circuit that its motion fulfills by itself."""
+    rest = [held for k, held in enumerate(cut.element.held) if k not in cut.rows]
+    return [{"name": row.name, "unit": row.force_unit} for row in _rows(cut.name, rest, POSITION)]
 
 
 def _rows(owner: str, components: Sequence[Component], level: str) -> list[Row]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import hypot
 from typing import TYPE_CHECKING
 
+from ..errors import counted
 from ..ir.function import Function, count
 from .circuits_told import circuits_told
 
@@ -65,8 +66,9 @@ def overview(equations: Equations) -> str:
     lines = [
         f"equations of '{s.name}' by {equations.method}"
         + (f" ({equations.reason})" if equations.reason else ""),
-        f"  {sum(len(b.parts) for b in s.bodies)} bodies, {s.nq} coordinates, {s.nu} speeds, "
-        f"{len(s.parameters)} parameters, {len(s.inputs)} inputs",
+        f"  {counted(sum(len(b.parts) for b in s.bodies), 'body', 'bodies')}, "
+        f"{counted(s.nq, 'coordinate')}, {counted(s.nu, 'speed')}, "
+        f"{counted(len(s.parameters), 'parameter')}, {counted(len(s.inputs), 'input')}",
         "  q: " + _row(equations.coordinates),
         "  u: " + _row(equations.speeds),
         *circuits_told(equations),

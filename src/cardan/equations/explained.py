@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
+from ..arguments import checked
 from .conserved import Conserved, conserved
 from .contributions import Contribution, contributions
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 class Explainable:
     """What :func:`cardan.derive` hands over, in whatever coordinates."""
 
+    @checked
     def explain(self, path: str | Path) -> Path:
         """Everything about these equations as a page to read.
 
@@ -37,6 +39,7 @@ class Explainable:
 class Explained(Explainable):
     """Equations of joint coordinates, which are sums over bodies and forces."""
 
+    @checked
     def contributions(self, name: str) -> tuple[Contribution, ...]:
         """What bodies and force elements add to M, h or f; they add up to the whole.
 

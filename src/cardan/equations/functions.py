@@ -9,6 +9,7 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from . import binding, canonical, happening, increments, outputs, regressor
 from .context import Context, Recipe
+from .loads import generalized
 
 TWIST = (("wx", "wy", "wz", "vx", "vy", "vz"), ("rad/s",) * 3 + ("m/s",) * 3)
 WRENCH = (("mx", "my", "mz", "fx", "fy", "fz"), ("N*m",) * 3 + ("N",) * 3)
@@ -59,6 +60,17 @@ def _coriolis(c: Context) -> tuple[Output, ...]:
 
 def _forces(c: Context) -> tuple[Output, ...]:
     return c.vector("f", c.d.forces(), "tau")
+
+
+def _wrenches(c: Context) -> tuple[Output, ...]:
+    bodies, zero = range(len(c.k.system.bodies)), Matrix.zeros(c.k.graph, 3)
+    pairs = [c.d.loads.wrenches.get(i, (zero, zero)) for i in bodies]
+    found = {"moment": [x for x, _ in pairs], "force": [x for _, x in pairs]}
+    outputs = [
+        Output(name, (len(bodies), 3), tuple(node for x in rows for node in x.nodes))
+        for name, rows in found.items()
+    ]
+    return (*outputs, *c.vector("joints", generalized(c.k, c.d.loads), "tau"))
 
 
 def _qdot(c: Context) -> tuple[Output, ...]:
@@ -205,6 +217,9 @@ RECIPES: dict[str, Recipe] = {
     "gravity": Recipe("part of h that is left at rest", _gravity, told=True),
     "coriolis": Recipe("h without gravity", _coriolis, told=True),
     "applied": Recipe("f: generalized forces of the model's elements", _forces),
+    "wrenches": Recipe(
+        "what elements do on every body, at its origin in its axes, and along joints", _wrenches
+    ),
     "qdot": Recipe("qdot = N(q) u + n(t, q)", _qdot),
     "dependents": Recipe(
         "coordinates, then speeds, of joints that circuits determine",

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from ..elements.forces.force import Action, JointLoad, Load, Places
+from ..errors import StructuralZero
 from ..ir.arithmetic import Scalar
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
@@ -121,7 +122,13 @@ def places(k: Kinematics, force: Force) -> Places:
 
 def _actions(k: Kinematics, force: Force, given: Mapping[str, Matrix]) -> tuple[Action, ...]:
     at = places(k, force)
-    return force.element.act(replace(at, data={**at.data, **given}))
+    try:
+        return force.element.act(replace(at, data={**at.data, **given}))
+    except StructuralZero as problem:
+        raise StructuralZero(
+            f"force '{force.name}': it divides by what is always zero, such as the distance of two "
+            "points that coincide in every position; place its frames elsewhere"
+        ) from problem
 
 
 def _rotors(

@@ -11,12 +11,14 @@ P. Painleve, C. R. Acad. Sci. Paris 121 (1895) 112.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..elements.forces.force import Places
 from ..ir.arithmetic import Scalar, norm, select
 from ..ir.derivative import forward
+from ..ir.function import Function, Output, live
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
@@ -24,6 +26,7 @@ from ..ir.solve import solve
 from ..spatial.axis import unit
 from ..topology.system import Force, System
 from .accelerations import accelerations
+from .blocks import blocks
 from .closing_loads import closing_wrenches, with_closing
 from .joint_forces import along_joint, joint_forces
 from .loads import places
@@ -31,6 +34,7 @@ from .loads import places
 if TYPE_CHECKING:
     from .dynamics import Dynamics
 
+MOST_JUDGED = 200  # speeds: a judge writes M out
 STEPS = 6  # of Newton: each doubles the digits, the first has one
 
 
@@ -78,6 +82,46 @@ def solved(d: Dynamics, tau: Matrix, udot: Matrix) -> Pressed:
         for force, c, row in zip(own, coefficients, shares, strict=True)
     }
     return Pressed(dict(zip(atoms, (v.node for v in values), strict=True)), certainty)
+
+
+def judged(system: System, chosen: Sequence[object]) -> list[tuple[int, bool]]:
+    """Of friction that a judge can tell from reactions its joint, and whether that has a line.
+
+    None in closed circuits, where accelerations alone do not tell reactions.
+    """
+    closed = bool(system.cuts or system.constraints or system.closures)
+    if closed or chosen or system.nu > MOST_JUDGED:
+        return []
+    joints = [i for force in pressed(system) for i in force.joints.values()]
+    return [(i, bool(system.joints[i].element.line)) for i in joints]
+
+
+def told(d: Dynamics) -> Function:
+    """The Function ``scene_pressing``: what a judge solves for in another way.
+
+    Outputs: rest (nu), generalized forces without friction that follows from reactions; along
+    (k, nu), generalized force per unit of friction of every element; coefficient (k), friction per
+    force of reaction.
+    """
+    k, g = d.k, d.k.graph
+    own = pressed(k.system)
+    atoms = [_placeholder(places(k, force)) for force in own]
+    force, still = d.forces().nodes, dict.fromkeys(atoms, ZERO)
+    rest = rebuild(g, force, still, into=g)[1]
+    along = [forward(g, force, {atom: ONE}) for atom in atoms]
+    rows = [node for row in along for node in rebuild(g, row, still, into=g)[1]]
+    coefficients = [force.element.pressing(places(k, force)).node for force in own]
+    outputs = (
+        Output("rest", (len(rest),), tuple(rest)),
+        Output("along", (len(own), len(rest)), tuple(rows)),
+        Output("coefficient", (len(own),), tuple(coefficients)),
+    )
+    roots = [node for output in outputs for node in output.nodes]
+    read = {g.nodes[i][1] for i in live(g, roots) if g.nodes[i][0] == "var"}
+    known = blocks(k.system)
+    about = "friction that follows from reactions"
+    given = tuple(known[name] for name in known if name in read)
+    return Function("scene_pressing", g, given, outputs, about=about)
 
 
 def with_values(x: Matrix, values: dict[int, int]) -> Matrix:

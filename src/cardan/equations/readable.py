@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from ..arguments import checked
 from ..errors import DerivationError
 from ..ir.function import Block, Function
 
@@ -55,6 +56,7 @@ class Readable(ABC):
             for i, entry in enumerate(b.entries)
         }
 
+    @checked
     def written(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix in readable form.
 
@@ -121,6 +123,7 @@ class Readable(ABC):
         """gamma (m, 1) as SymPy: G udot = gamma."""
         return self.written("constraint_bias")
 
+    @checked
     def named(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function of a mechanism as books write it, with names for what its circuits determine.
 
@@ -157,6 +160,7 @@ class Readable(ABC):
 
         return html(self)
 
+    @checked
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Sequence
 
 from ..errors import DerivationError, near
 from ..topology.system import System
@@ -72,6 +73,17 @@ def about(name: str, of: str | None) -> str:
     return f"{recipe.about} {of}" if recipe.of == "function" else recipe.about
 
 
+def blocks_of(wrt: str | Sequence[str]) -> tuple[str, ...]:
+    """What a function is differentiated by.
+
+    Raises:
+        DerivationError: nothing.
+    """
+    if not len(wrt):
+        raise DerivationError("derivative: wrt is empty; name a block such as 'q'")
+    return (wrt,) if isinstance(wrt, str) else tuple(wrt)
+
+
 def check(name: str, of: str | None) -> None:
     """Whether a function is asked for as it should be.
 
@@ -82,8 +94,9 @@ def check(name: str, of: str | None) -> None:
         raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
     recipe = RECIPES[name]
     if bool(recipe.of) != (of is not None):
-        wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
-        raise DerivationError(f"function '{name}' {wanted}: {name}({of or '?'})")
+        if recipe.of:
+            raise DerivationError(f"function '{name}' needs a {recipe.of}: {name}(?)")
+        raise DerivationError(f"function '{name}' takes no frame or joint: leave out of='{of}'")
 
 
 def missing(system: System, name: str) -> str:

@@ -8,7 +8,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import DerivationError
+from ..arguments import checked
+from ..errors import DerivationError, counted
 from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
@@ -30,7 +31,7 @@ from .linearized.linear import Linearizable
 from .looped import FOLDED, LOOPED, by_bodies, repeats
 from .pressing import pressed
 from .readable import Readable
-from .recipes import DIFFERENTIATED, RECIPES, about, c_name, check, is_told, missing
+from .recipes import DIFFERENTIATED, RECIPES, about, blocks_of, c_name, check, is_told, missing
 from .relative import FORMALISMS
 from .relative.formalism import Formalism
 from .rewritten import Told, candidates
@@ -131,6 +132,7 @@ class Equations(Readable, Linearizable, Explained):
         """C name of a function."""
         return c_name(self.system, name, of)
 
+    @checked
     def function(self, name: str, of: str | None = None) -> Function:
         """One function as expressions.
 
@@ -151,6 +153,7 @@ class Equations(Readable, Linearizable, Explained):
                 self._made[symbol], self._told[symbol] = self._fewest(name, symbol, of)
         return self._made[symbol]
 
+    @checked
     def rewritten(self, name: str, of: str | None = None) -> tuple[str, ...]:
         """Rewrites of the system graph from which a function was derived; see :func:`derive`."""
         self.function(name, of)
@@ -183,6 +186,7 @@ class Equations(Readable, Linearizable, Explained):
             return made[0]
         return min(made, key=lambda pair: sum(stage(pair[0]).operations().values()))
 
+    @checked
     def derivative(
         self, function: str, wrt: Sequence[str] = ("q", "u", "r", "p"), of: str | None = None
     ) -> Function:
@@ -200,7 +204,7 @@ class Equations(Readable, Linearizable, Explained):
         Raises:
             DerivationError: no such function, block, parameter or input.
         """
-        return self.function("derivative", str(Request(function, of, tuple(wrt))))
+        return self.function("derivative", str(Request(function, of, blocks_of(wrt))))
 
     def recursion(self, name: str) -> Recursion:
         """One function as a recursion: steps that visit the bodies, for loops over tables.
@@ -301,6 +305,7 @@ class Equations(Readable, Linearizable, Explained):
                     raise
         return counts
 
+    @checked
     def operations_of(self, name: str, of: str | None = None) -> Counts:
         """Operators of one function as its C has them, after all passes."""
         c_name = self.c_name(name, of)
@@ -353,9 +358,11 @@ class Equations(Readable, Linearizable, Explained):
         return mechanics(self)
 
     def __repr__(self) -> str:
-        counted = f"{len(self.system.bodies)} bodies, {len(self.coordinates)} coordinates"
-        return f"Equations('{self.system.name}', {self.method}: {counted})"
+        bodies = counted(len(self.system.bodies), "body", "bodies")
+        coordinates = counted(len(self.coordinates), "coordinate")
+        return f"Equations('{self.system.name}', {self.method}: {bodies}, {coordinates})"
 
+    @checked
     def export(
         self,
         directory: str | Path,
@@ -364,6 +371,7 @@ class Equations(Readable, Linearizable, Explained):
         integrators: Sequence[str] = (),
         reproducible: bool = False,
         loops: bool | None = None,
+        prefix: str = "",
     ) -> Path:
         """Write C, a package for NumPy and an example that need no cardan.
 
@@ -374,6 +382,7 @@ class Equations(Readable, Linearizable, Explained):
             integrators: ``"dop853"``, ``"rk45"``, ``"radau"``, ...: to simulate from C.
             reproducible: Equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
+            prefix: Before all names, such as ``"arm_"``: several exports in one program then.
 
         Returns:
             The directory.
@@ -383,7 +392,9 @@ class Equations(Readable, Linearizable, Explained):
         """
         from ..codegen.export import export
 
-        return export(self, directory, functions, language, integrators, reproducible, loops)
+        return export(
+            self, directory, functions, language, integrators, reproducible, loops, prefix
+        )
 
     def __str__(self) -> str:
         return overview(self)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ..errors import DerivationError, near
+from ..errors import DerivationError, near, shown
 from ..ir.matrix import Matrix
 from ..spatial.moments import inertia_tensor
 from ..topology.rewrites import REWRITES
@@ -29,7 +29,8 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
     names = (names,) if isinstance(names, str) else names
     if not isinstance(names, Iterable):
         raise DerivationError(
-            f"rewrites: names are wanted, () for none, not {names!r}. Known: {', '.join(REWRITES)}"
+            f"rewrites: names are wanted, () for none, not {shown(names)}. Known: "
+            f"{', '.join(REWRITES)}"
         )
     names = tuple(names)
     for name in names:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -14,13 +16,20 @@ from .graph import Table
 from .numbers import Numbers, Operators
 
 
+@dataclass(frozen=True)
 class Arrays(Numbers):
-    """Arrays of floats; tables and solutions entry by entry of the batch."""
+    """Arrays of one kind of number; tables and solutions entry by entry of the batch.
+
+    Attributes:
+        entry: The arithmetic of one entry.
+    """
+
+    entry: Numbers
 
     def table(self, table: Table, derivative: int, x: Any) -> Any:
         """Derivative of a table at x."""
         breaks, coefficients = np.array(table.breaks), np.array(table.coefficients)
-        piece = np.searchsorted(breaks, x, side="right") - 1
+        piece = np.searchsorted(breaks, np.real(x), side="right") - 1
         piece = np.clip(piece, 0, len(coefficients) - 1)
         h, total = x - breaks[piece], np.zeros_like(x)
         for j, factor in enumerate(table.factors(derivative)):
@@ -34,7 +43,7 @@ class Arrays(Numbers):
         if kind in ("rank_revealing", "semidefinite", "basic"):
             # the choice of pivots differs within the batch
             flat = both.reshape(-1, n * (n + m))
-            solved = [numbers.FLOATS.solve(kind, n, m, row.tolist()) for row in flat]
+            solved = [self.entry.solve(kind, n, m, row.tolist()) for row in flat]
             x = np.array(solved).reshape((*batch, n * m))
         else:
             a = both[..., : n * n].reshape((*batch, n, n))
@@ -121,4 +130,32 @@ def arrays() -> Arrays:
     }
     for name in _SAME_NAME:
         operators[name] = getattr(np, name)
-    return Arrays("numpy", np.float64, operators, lambda x: x, np.finfo(float).eps)
+    eps = np.finfo(float).eps
+    return Arrays("numpy", np.float64, operators, lambda x: x, eps, numbers.FLOATS)
+
+
+@cache
+def complex_arrays() -> Arrays:
+    """The arithmetic of arrays of complex numbers; comparisons and choices by the real part."""
+    real = np.real
+    single = numbers.COMPLEXES
+    operators = dict(arrays().operators)
+    for name in ("atan2", "stumpff"):
+        operators[name] = _entry_by_entry(single.operators[name])
+    operators |= {
+        "floor": lambda a: np.floor(real(a)) + 0j,
+        "lt": lambda a, b: _as_float(real(a) < real(b)),
+        "le": lambda a, b: _as_float(real(a) <= real(b)),
+        "eq": lambda a, b: _as_float(real(a) == real(b)),
+        "min": lambda a, b: np.where(real(b) < real(a), b, a),
+        "max": lambda a, b: np.where(real(b) > real(a), b, a),
+        "abs": lambda a: np.where(real(a) < 0, -a, a),
+        "sign": lambda a: np.sign(real(a)),
+    }
+    return Arrays("numpy", np.complex128, operators, real, single.eps, single)
+
+
+def _entry_by_entry(f: Callable[..., complex]) -> Callable[..., Any]:
+    """f of one entry after the other, for operators that NumPy does not have."""
+    alone = np.frompyfunc(f, 2, 1)
+    return lambda a, b: np.asarray(alone(a, b), dtype=complex)

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ..errors import SolveError
-from .solve import DEPENDENT, VANISHED
+from .solve import DEPENDENT, LEAST, VANISHED
 
 Rows = list[list[Any]]
 
@@ -126,9 +126,13 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
     size, left, taken = [a[i][i].real for i in range(n)], list(range(n)), list[int]()
     size = [max(own, VANISHED * max(size)) for own in size]
     while left:
-        best = max(left, key=lambda i: (_share(a[i][i], size[i]), -i))
-        if not _share(a[best][best], size[best]) > DEPENDENT:
+        # the largest of the rows that depend least on those before it
+        shares = {i: _share(a[i][i], size[i]) for i in left}
+        least = max(DEPENDENT, LEAST * max(shares.values()))
+        free = [i for i in left if shares[i] > least]
+        if not free:
             break
+        best = max(free, key=lambda i: (a[i][i].real, -i))
         left.remove(best)
         taken.append(best)
         for i in left:

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
+from ..errors import DerivationError, StructuralZero
 from .ops import COMMUTATIVE, OPERATORS
 
 Node = tuple[Any, ...]
@@ -122,11 +123,11 @@ class Graph:
         """A finite number.
 
         Raises:
-            ValueError: the value is NaN or infinite.
+            DerivationError: the value is NaN or infinite.
         """
         value = float(value) + 0.0  # -0.0 becomes 0.0
         if not math.isfinite(value):
-            raise ValueError(f"a constant of an expression must be finite, not {value}")
+            raise DerivationError(f"a constant of an expression must be finite, not {value}")
         return self.intern(("const", value))
 
     def var(self, block: str, k: int) -> int:
@@ -215,10 +216,10 @@ class Graph:
         """a / b.
 
         Raises:
-            ZeroDivisionError: b is the number 0.
+            StructuralZero: b is the number 0.
         """
         if b == 0:
-            raise ZeroDivisionError("an expression divides by a structural zero")
+            raise StructuralZero("an expression divides by a structural zero")
         if a == 0:
             return 0
         if b == 1:

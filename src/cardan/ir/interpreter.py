@@ -7,7 +7,7 @@ in for it where there is no compiler. What C computes as infinity or NaN is infi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, cast
 
 from .function import Function, Output
 from .graph import Graph, Node
@@ -27,7 +27,8 @@ def evaluate(
     Args:
         function: What to evaluate.
         values: Block name -> its entries (n); for ``numpy`` arrays (..., n), whose leading axes
-            are broadcast. Blocks that no result depends on may be missing.
+            are broadcast, and complex entries make all results complex. Blocks that no result
+            depends on may be missing.
         arithmetic: ``float``, ``complex`` (comparisons look at real parts), ``numpy`` or ``mp``.
         digits: Decimal digits of ``mp``.
 
@@ -38,7 +39,7 @@ def evaluate(
         ValueError: a block is missing or has another length than the function's.
         SolveError: a linear system has no solution.
     """
-    numbers = _numbers(arithmetic, digits)
+    numbers = _numbers(arithmetic, digits, values)
     graph, order = function.graph, function.live()
     inputs = _inputs(function, values, numbers, order)
     if arithmetic != "numpy":
@@ -95,7 +96,7 @@ def _special(graph: Graph, node: Node, found: Mapping[int, Any], numbers: Number
     raise ValueError(f"node {node} cannot be evaluated: placeholders must be replaced first")
 
 
-def _numbers(arithmetic: str, digits: int) -> Numbers:
+def _numbers(arithmetic: str, digits: int, values: Mapping[str, Any]) -> Numbers:
     if arithmetic == "float":
         return FLOATS
     if arithmetic == "complex":
@@ -103,9 +104,11 @@ def _numbers(arithmetic: str, digits: int) -> Numbers:
     if arithmetic == "mp":
         return digits_of(digits)
     if arithmetic == "numpy":
-        from .arrays import arrays
+        import numpy as np
 
-        return arrays()
+        from .arrays import arrays, complex_arrays
+
+        return complex_arrays() if any(map(np.iscomplexobj, values.values())) else arrays()
     raise ValueError(f"arithmetic must be one of {', '.join(ARITHMETICS)}, not {arithmetic!r}")
 
 
@@ -136,7 +139,7 @@ def _block(entries: Any, numbers: Numbers) -> Any:
         return [numbers.number(x) for x in entries]
     import numpy as np
 
-    return np.asarray(entries, dtype=float)
+    return np.asarray(entries, dtype=cast("type[Any]", numbers.number))
 
 
 def _stacked(output: Output, found: Mapping[int, Any], batch: tuple[int, ...]) -> Any:

@@ -201,7 +201,7 @@ def opened(data: Any) -> Any:
         return data
     try:
         return {key: _opened(entry) for key, entry in data.items()}
-    except (KeyError, TypeError, AttributeError, IndexError) as error:
+    except (KeyError, TypeError, AttributeError, IndexError, OverflowError) as error:
         raise ValueError(f"a run of rows is damaged: {error!r}") from error
 
 

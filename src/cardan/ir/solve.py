@@ -16,6 +16,8 @@ KINDS = ("spd", "symmetric_indefinite", "rank_revealing", "semidefinite", "basic
 DEPENDENT = 1e-9
 # of the largest diagonal entry: no row is measured by less, as nothing but rounding may be left
 VANISHED = 1e-15
+# of what is left of the row that depends least: rows with more are taken by their size
+LEAST = 1e-3
 
 
 def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:

@@ -19,6 +19,7 @@ enum {
     ALPHA_WEAK,    /* pivots of the factored matrix that were replaced: of a mesh */
     ALPHA_APART,   /* 1: positions and speeds of a mesh are bound by a matrix each */
     ALPHA_LAME,    /* pivots of the one for speeds that were replaced */
+    ALPHA_TURNED,  /* angle by which nodes have turned since the matrix of a mesh was factored */
     ALPHA_EXTENT,  /* of a mesh: the amplitude against which lengths count */
     ALPHA_MIDDLE,  /* (3) of its nodes at the start */
     ALPHA_NOW = ALPHA_MIDDLE + 3
@@ -68,10 +69,14 @@ typedef struct cardan_alpha {
 /* alpha_memory.c */
 cardan_alpha cardan_alpha_at(const cardan_run *run);
 
+/* alpha_pick.c */
+ptrdiff_t cardan_alpha_picked(const cardan_alpha *v, ptrdiff_t rows);
+void cardan_alpha_pick(const cardan_alpha *v);
+void cardan_alpha_pick_again(const cardan_alpha *v);
+
 /* alpha_matrix.c */
 int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const real *y,
                          const real *udot, const real *lam);
-void cardan_alpha_pick(const cardan_alpha *v);
 ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h);
 ptrdiff_t cardan_alpha_matrix(cardan_run *run, real h, real *matrix);
 int cardan_alpha_renew(cardan_run *run, const cardan_alpha *v, real h, real t, const real *y,

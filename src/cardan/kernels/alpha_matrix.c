@@ -15,9 +15,6 @@
 #include "linear.h"
 #include <math.h>
 
-/* square of the sine of the angle to others at which a row still is one of its own: dependent.h */
-static const real DEPENDENT = 1e-9;
-
 /* Weights of the unknowns: a body without inertia counts like the lightest that has some. */
 static void weigh(const cardan_alpha *v)
 {
@@ -62,46 +59,6 @@ int cardan_alpha_tangent(cardan_run *run, const cardan_alpha *v, real t, const r
     return status;
 }
 
-/* Choose rows of G that follow from no others, those of positions first. */
-void cardan_alpha_pick(const cardan_alpha *v)
-{
-    const ptrdiff_t nu = v->nu, m = v->m;
-    const real *G = v->tangent + 3 * nu * nu + m * nu;
-    real *rows = v->room;
-
-    for (ptrdiff_t k = 0; k < m; k++) {
-        v->picked[k] = 0;
-        for (ptrdiff_t i = 0; i < nu; i++)
-            rows[k * nu + i] = v->unit[k] * G[k * nu + i] * v->weight[i];
-    }
-    for (ptrdiff_t first = 0, last = v->mp; first < m; first = last, last = m)
-        for (;;) {
-            real largest = DEPENDENT;
-            ptrdiff_t best = -1;
-
-            /* the row of which the most is left */
-            for (ptrdiff_t k = first; k < last; k++) {
-                real sum = 0;
-                for (ptrdiff_t i = 0; i < nu; i++)
-                    sum += rows[k * nu + i] * rows[k * nu + i];
-                if (v->picked[k] == 0 && sum > largest) {
-                    largest = sum;
-                    best = k;
-                }
-            }
-            if (best < 0)
-                break;
-            v->picked[best] = 1;
-            for (ptrdiff_t k = 0; k < m; k++) {
-                real share = 0;
-                for (ptrdiff_t i = 0; i < nu; i++)
-                    share += rows[k * nu + i] * rows[best * nu + i] / largest;
-                for (ptrdiff_t i = 0; i < nu && k != best; i++)
-                    rows[k * nu + i] -= share * rows[best * nu + i];
-            }
-        }
-}
-
 /* out (nu) = row (nu) T; a rotation couples three speeds that stand side by side. */
 static void turned(const cardan_alpha *v, const real *row, real *out)
 {
@@ -137,19 +94,10 @@ static void put_stabilization(const cardan_alpha *v, real *to, const real *row, 
     }
 }
 
-static ptrdiff_t picked(const cardan_alpha *v, ptrdiff_t rows)
-{
-    ptrdiff_t count = 0;
-
-    for (ptrdiff_t k = 0; k < rows; k++)
-        count += v->picked[k] != 0;
-    return count;
-}
-
 /* Unknowns of the stabilization; at h = 0 accelerations and multipliers are sought alone. */
 static ptrdiff_t stabilizers(const cardan_alpha *v, real h)
 {
-    return v->index == 2 && h != 0 ? picked(v, v->mp) : 0;
+    return v->index == 2 && h != 0 ? cardan_alpha_picked(v, v->mp) : 0;
 }
 
 /* Fill in the matrix of a step h, or that of accelerations and multipliers for h = 0.
@@ -158,7 +106,7 @@ static ptrdiff_t stabilizers(const cardan_alpha *v, real h)
  */
 ptrdiff_t cardan_alpha_assemble(const cardan_alpha *v, real h)
 {
-    const ptrdiff_t nu = v->nu, extra = stabilizers(v, h), n = nu + extra + picked(v, v->m);
+    const ptrdiff_t nu = v->nu, extra = stabilizers(v, h), n = nu + extra + cardan_alpha_picked(v, v->m);
     const real *K = v->tangent, *C = K + nu * nu, *M = C + nu * nu, *R = M + nu * nu;
     const real *G = R + v->m * nu, part = (1 - v->af) / (1 - v->am);
     const real damping = h * v->gamma * part, stiffness = h * h * v->beta * part;
@@ -246,6 +194,8 @@ int cardan_alpha_renew(cardan_run *run, const cardan_alpha *v, real h, real t, c
     status = cardan_alpha_tangent(run, v, t, y, udot, lam);
     if (status == 0 && h == 0)
         cardan_alpha_pick(v);
+    else if (status == 0)
+        cardan_alpha_pick_again(v);
     return status != 0 ? status : factor(run, v, h);
 }
 

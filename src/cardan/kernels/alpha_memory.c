@@ -88,3 +88,11 @@ ptrdiff_t cardan_alpha_length(const cardan_run *run)
     measured.own = NULL;
     return lay(&measured, &v);
 }
+
+/* Whether the exchanges of rows in memory are of rows that exist; meshes come from no file. */
+int cardan_alpha_sound(const cardan_run *run)
+{
+    const cardan_alpha v = cardan_alpha_at(run);
+
+    return !v.mesh && cardan_places_fit(v.order, v.size, 0, (real)(v.size - 1));
+}

@@ -216,6 +216,12 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         v->now[ALPHA_APART] = 0;
         stale = 1;
     }
+    /* corrections of forces along axes that have turned since shrink by that angle, which increments
+     * do not tell of about a point where a body is held: nothing moves there */
+    if (v->mesh && v->m > 0) {
+        v->now[ALPHA_TURNED] += cardan_alpha_sparse_turn(run, v, h);
+        stale |= v->now[ALPHA_TURNED] > SLOW;
+    }
     /* it would not serve this step either: no correction is tried with it */
     if (v->now[ALPHA_HASTE] > 0) {
         v->now[ALPHA_HASTE]--;
@@ -228,7 +234,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
 
         if (stale || v->full) {
             status = renew(run, v, h, t_new);
-            v->now[ALPHA_AGE] = 0;
+            v->now[ALPHA_AGE] = v->now[ALPHA_TURNED] = 0;
             stale = 0;
             tangents++;
         }

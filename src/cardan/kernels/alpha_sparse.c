@@ -60,6 +60,12 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
         return status;
     for (ptrdiff_t k = 0; k < v->m && h == 0; k++)
         v->picked[k] = 1;
+    if (h != 0 && v->m > 0) {
+        status = cardan_alpha_gaps(run, v, t);
+        system.open = settling.open = v->residual + run->nu;
+    }
+    if (status != 0)
+        return status;
     run->jacobians++;
     run->factorizations++;
     status = cardan_mesh_factor(v->mesh, &at, &parts, &system, &assembled);

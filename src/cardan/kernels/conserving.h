@@ -17,6 +17,7 @@ enum {
     CONSERVING_EXCESS, /* by how much there is more at t: roundings */
     CONSERVING_UNMET,  /* energies that corrections of forces make up for, without signs */
     CONSERVING_SHARE,  /* of these to add, so that roundings do not add up */
+    CONSERVING_RATES,  /* of momenta of the trial over its step, without signs */
     CONSERVING_NOW
 };
 /* numbers of a place: its speeds are no more than these */

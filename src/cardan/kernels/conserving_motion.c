@@ -160,6 +160,7 @@ void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v
 {
     const cardan_mesh *mesh = v->mesh;
     const real *q = run->y, *u = q + v->nq, *next = run->trial, *u_next = next + v->nq;
+    real sum = 0;
 
     for (ptrdiff_t place = 0; place < mesh->places; place++) {
         const ptrdiff_t to = mesh->u[place], n = mesh->u[place + 1] - to, at = mesh->q[place];
@@ -168,14 +169,18 @@ void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v
 
         if (v->pose[place] == 0) {
             for (ptrdiff_t i = 0; i < n; i++)
-                for (ptrdiff_t j = 0; j < n; j++)
+                for (ptrdiff_t j = 0; j < n; j++) {
                     v->missing[to + i] += mass[n * i + j] * (u_next[to + j] - u[to + j]) / h;
+                    sum += fabs(mass[n * i + j] * u[to + j]);
+                }
             continue;
         }
         momentum(mass, q + at, u + to, v->half + at + 4, before);
         momentum(mass, next + at, u_next + to, v->half + at + 4, after);
-        for (int i = 0; i < 6; i++)
+        for (int i = 0; i < 6; i++) {
+            sum += fabs(before[i]);
             after[i] = (after[i] - before[i]) / h;
+        }
         cardan_rotation(v->half + at, R);
         back(R, after, moment);
         for (int i = 0; i < 3; i++) {
@@ -183,4 +188,5 @@ void cardan_conserving_momenta(const cardan_run *run, const cardan_conserving *v
             v->missing[to + 3 + i] += after[3 + i];
         }
     }
+    v->now[CONSERVING_RATES] = sum / h;
 }

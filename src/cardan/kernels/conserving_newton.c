@@ -19,6 +19,10 @@ static const real SLOW = 0.1;
 static const real WILD = 4;
 /* corrections that end a step: against the increment; where they shrink no more, these may be left */
 static const real SOUGHT = 1e-16, LEFT = 1e-12, AT_REST = 1e-12;
+/* corrections of multipliers that end a step, against them and the rates of momenta */
+static const real SETTLED = 1e-10;
+/* corrections with a matrix of this step after which multipliers are as good as rounding lets them be */
+enum { ENOUGH = 3 };
 /* a step whose matrix serves another one */
 static const real ALIKE = 1e-6;
 
@@ -60,10 +64,11 @@ static int residual(cardan_run *run, const cardan_conserving *v, real h, real t_
     return status == 0 ? 0 : CARDAN_MODEL;
 }
 
-/* Correct increment and multipliers; the correction into dx. */
-static int correct(const cardan_conserving *v, real h)
+/* Correct increment and multipliers; the correction into dx, the size of that of multipliers. */
+static int correct(const cardan_conserving *v, real h, real *forces)
 {
     const real scale = 0.5 * h * h;
+    real sum = 0;
     const ptrdiff_t *unknown = v->mesh->unknown;
     cardan_mesh_system system = v->system;
     int status;
@@ -78,8 +83,12 @@ static int correct(const cardan_conserving *v, real h)
         v->dx[i] = system.found[i];
         v->eta[i] += v->dx[i];
     }
-    for (ptrdiff_t k = 0; k < v->m; k++)
-        v->lam_new[k] -= system.found[unknown[k]] / scale;
+    for (ptrdiff_t k = 0; k < v->m; k++) {
+        const real change = system.found[unknown[k]] / scale;
+        v->lam_new[k] -= change;
+        sum += change * change;
+    }
+    *forces = sqrt(sum);
     return status;
 }
 
@@ -103,17 +112,27 @@ static void predict(const cardan_run *run, const cardan_conserving *v, real h, i
         v->lam_new[k] = v->middle[k];
 }
 
+/* Whether multipliers are found. Increments do not tell: about a point where a body is held, forces
+ * on that point move nothing, and with the matrix of a body that has turned since, their corrections
+ * shrink slowly or grow. Work of such forces on gaps that are rounding is what energy would drift by. */
+static int settled(const cardan_conserving *v, real forces)
+{
+    return forces <= SETTLED * (length_of(v->lam_new, v->m) + v->now[CONSERVING_RATES]);
+}
+
 /* Correct what was predicted until rounding is all there is; most: new matrices, at most. */
 static int correct_all(cardan_run *run, const cardan_conserving *v, real h, real t_new, int most)
 {
     const int fit = fabs(v->now[CONSERVING_MATRIX] / h - 1) < ALIKE && most == FEW_TANGENTS;
-    real last = INFINITY, size, whole, left;
-    int status = residual(run, v, h, t_new), tangents = 0;
+    real last = INFINITY, before = INFINITY, size, whole, left, forces;
+    int status = residual(run, v, h, t_new), tangents = 0, since = fit ? -MOST_CORRECTIONS : 0;
 
     if (status == 0 && !fit)
         status = renew(run, v, h, t_new - 0.5 * h);
     for (int k = 0; k < MOST_CORRECTIONS && status == 0; k++) {
-        status = correct(v, h);
+        int found;
+        status = correct(v, h, &forces);
+        since++;
         size = length_of(v->dx, v->nu);
         whole = length_of(v->eta, v->nu);
         left = LEFT * whole + AT_REST;
@@ -121,13 +140,17 @@ static int correct_all(cardan_run *run, const cardan_conserving *v, real h, real
             status = residual(run, v, h, t_new);
         if (status != 0 || !(size < INFINITY) || (size > WILD * last && tangents == most))
             break;
-        if (size <= SOUGHT * whole || (size > 0.5 * last && size <= left))
+        found = since >= ENOUGH || settled(v, forces);
+        if (found && (size <= SOUGHT * whole || (size > 0.5 * last && size <= left)))
             return 0;
-        if (size > left && size > SLOW * last && tangents < most) {
+        if (tangents < most && ((size > left && size > SLOW * last)
+                                || (!found && forces > SLOW * before))) {
             status = renew(run, v, h, t_new - 0.5 * h);
             tangents++;
+            since = 0;
         }
         last = size;
+        before = forces;
     }
     return status != 0 ? status : CARDAN_UNSOLVED;
 }

@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "run.h"
+#include <float.h>
 #include <math.h>
 
 static const real ROUNDING = 1e-14; /* of speeds on the constraints, times the square of the hold */
@@ -73,6 +74,14 @@ int cardan_refresh(cardan_run *run)
     return status;
 }
 
+/* The time next to the start of a span, inside: by one rounding of the longer of time and span. */
+static real inside(real start, real end)
+{
+    const real next = start + DBL_EPSILON * (end - start);
+
+    return next != start ? next : nextafter(start, end);
+}
+
 /* Start over at t, where something has changed: steps go to the next stop or tick. */
 void cardan_restart(cardan_run *run)
 {
@@ -83,6 +92,8 @@ void cardan_restart(cardan_run *run)
     for (ptrdiff_t i = 0; i < run->tick_count; i++)
         if (run->ticks[i].next < run->until)
             run->until = run->ticks[i].next;
+    run->early = inside(run->segment, run->until);
+    run->late = inside(run->until, run->segment);
 }
 
 /* Start the segment that lies ahead of t: choose the pieces of its inputs.

@@ -38,6 +38,13 @@ static real *place(const cardan_run *run, int what)
 }
 enum { HERE, THERE, LENGTHS, ORDER, STATE };
 
+/* Whether the order that memory holds is one of rows. */
+int cardan_hold_sound(const cardan_run *run)
+{
+    return !run->constraint_jacobian.function
+           || cardan_places_fit(place(run, ORDER), run->rates, 0, (real)(run->rates - 1));
+}
+
 static real dot(const real *a, const real *b, ptrdiff_t n)
 {
     real sum = 0;

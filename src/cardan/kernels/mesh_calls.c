@@ -9,6 +9,11 @@
 static const real LIGHT = 1e-6;
 /* what resists the motion of what is held, of what resists most */
 static const real HEAVY = 1e12;
+/* what redundant rows may leave: of what gaps of positions and speeds explain; whatever these are */
+static const real EXPLAINED = 100, GOOD = 1e-8;
+/* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
+ * explain anything */
+static const real REST = 1e-6;
 
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
 {
@@ -38,6 +43,39 @@ int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
     return status;
 }
 
+/* How much speeds miss of their constraints by rates (m), of the fastest, which is not at rest. */
+static real missed(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *u,
+                   const real *rates)
+{
+    real most = 0, fastest = 0;
+
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        most = fmax(most, fabs(system->rows[mesh->unknown[k]] * rates[k]));
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        fastest = fmax(fastest, fmax(u ? fabs(u[i]) : 0, REST) / system->units[i]);
+    return most > 0 ? most / fastest : 0;
+}
+
+/* Solve for accelerations with what redundant rows leave explained by gaps of the state: where it is
+ * not, a row of its own passed for one of them, and none is taken for redundant because of gaps. */
+static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
+                 cardan_mesh_system *system)
+{
+    int status = cardan_mesh_solve(mesh, system);
+    real most;
+
+    if (status == 0 && system->unfit <= GOOD)
+        return 0;
+    most = fmax(GOOD, EXPLAINED * fmax(system->sine, missed(mesh, system, u, rates)));
+    if (status == 0 && system->unfit <= most)
+        return 0;
+    system->open = NULL;
+    status = cardan_mesh_refactor(mesh, system);
+    if (status == 0)
+        status = cardan_mesh_solve(mesh, system);
+    return status == 0 && system->unfit > most ? CARDAN_UNSOLVED : status;
+}
+
 /* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work)
@@ -50,6 +88,7 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
     int assembled, status;
 
     at.udot = at.lam = NULL;
+    system.open = missing + mesh->nu;
     status = cardan_mesh_balance(mesh, &at, missing, system.work);
     if (status == 0)
         status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
@@ -66,7 +105,7 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
         system.right[i] = (tau ? tau[i] : 0) - missing[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system.right[mesh->unknown[k]] = gamma[k];
-    status = cardan_mesh_solve(mesh, &system);
+    status = solve(mesh, at.u, missing + mesh->nu + mesh->mp, &system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[i] = system.found[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
@@ -157,6 +196,7 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->mp; k++)
         out[mesh->nq + k] = open[k];
+    system.open = open;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
     return status != 0 ? status
@@ -175,6 +215,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         out[mesh->nu + k] = rates[k];
+    system.open = missing + mesh->nu;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)

@@ -31,11 +31,11 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
 
-/* mesh_start.c: close all circuits next to x = [q, u] by moving what has least inertia along them,
- * then make the speeds fit. quaternions (count): the first entry of each in q. Returns 0, the status
- * of an element, or CARDAN_OPEN where no such state is near. */
+/* mesh_start.c: move what is not held of x = [q, u] until all constraints hold, then the speeds.
+ * quaternions (count): the first entry of each in q. held (nq + nu): not 0 where x stays. Returns 0,
+ * the status of an element, or CARDAN_OPEN where that is not possible. */
 ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh);
 int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrdiff_t *quaternions,
-                      ptrdiff_t count, real *x, real *work);
+                      ptrdiff_t count, const real *held, real *x, real *work);
 
 #endif

@@ -18,7 +18,10 @@ typedef struct cardan_mesh_system {
     cardan_sparse_factors factors;
     real *rows, *units;   /* (n) what equations are multiplied with, what unknowns are counted in */
     real *right, *found;  /* (n) */
-    real *work;           /* of refinement (2 n); of loops over elements */
+    const real *open;     /* (mp) gaps of positions that hide redundant rows; NULL: there are none */
+    real sine;            /* of the angle that redundant rows may have because of them */
+    real unfit;           /* what redundant rows leave of a right-hand side, of the largest equation */
+    real *work;           /* of refinement (3 n); of loops over elements */
 } cardan_mesh_system;
 
 /* Point into a block, NULL: only measure. Returns how many numbers that takes. */
@@ -30,10 +33,13 @@ int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
 int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, cardan_mesh_system *system, int *assembled);
 int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system);
+/* mesh_open.c */
+real cardan_mesh_sine(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *open);
 /* Of a factored matrix of masses and constraints: CARDAN_SINGULAR where a motion is left to which
  * nothing has mass or inertia, else 0. */
 int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *system);
-/* found = a^-1 right. Returns 0 or CARDAN_UNSOLVED. */
-int cardan_mesh_solve(const cardan_mesh *mesh, const cardan_mesh_system *system);
+/* found = a^-1 right. Redundant rows may ask for something else: how much of the largest equation
+ * that is stands in `unfit`; what may be, the caller knows. Returns 0 or CARDAN_UNSOLVED. */
+int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system);
 
 #endif

@@ -6,9 +6,18 @@
 #include <math.h>
 
 /* backward error of a solution that is enough, and how often one is improved */
-static const real ENOUGH = 1e-13;
-/* what resists a speed, of what resists most: below that it is rounding */
-static const real ROUNDING = 1e-14;
+static const real ENOUGH = 1e-13, GOOD = 1e-8;
+/* sine of the angle to others at which a row is one of its own however wide gaps are */
+static const real OWN = 1e-4;
+/* what resists a free motion, of what resists others */
+static const real FREE = 1e-6;
+/* what a correction takes of a residual that redundant rows cannot fit, of it */
+static const real REDUNDANT = 1e-2;
+/* what equations of forces may miss beside that: its rounding over a replaced pivot */
+static const real FORCES = 1e-6;
+/* what resists a speed, of what resists most, for a unit of its own: below that it may be rounding, or
+ * the forces of a short step at bodies without inertia, and beside them other bodies would vanish */
+static const real LEAST = 1e-8;
 enum { IMPROVE = 4 };
 
 static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
@@ -35,17 +44,35 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     factors->scale = piece(block, &used, n);
     factors->shift = piece(block, &used, n);
     factors->work = piece(block, &used, cardan_sparse_work(plan));
+    /* two of them in the room of a number */
     factors->pivot = (int32_t *)(void *)piece(block, &used, n);
+    factors->exchanged = block ? factors->pivot + n : NULL;
     factors->replaced = (int32_t *)(void *)piece(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
-    system->work = piece(block, &used, 2 * n + cardan_mesh_room(mesh));
+    system->work = piece(block, &used, 3 * n + cardan_mesh_room(mesh));
     return used;
 }
 
-/* Units: the root of the inverse of what resists a speed; rows in those of the least of it.
- *
- * What nothing resists, or rounding, counts like the least that does.
+/* The largest number of a row of constraints, in units of the speeds. */
+static real most_of(const cardan_mesh *mesh, const cardan_mesh_system *system, ptrdiff_t block,
+                    const real *row)
+{
+    const cardan_sparse *plan = mesh->plan;
+    real most = 0;
+
+    for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
+        const int32_t column = plan->column[pair];
+        for (ptrdiff_t j = plan->first[column]; j < plan->first[column + 1]; j++, row++)
+            if (j < mesh->nu)
+                most = fmax(most, fabs(*row) * system->units[j]);
+    }
+    return most;
+}
+
+/* Units: the root of the inverse of what resists a speed; what nothing resists, or rounding, counts
+ * like the least that does. Rows of constraints have a largest number of 1 then: were they counted in
+ * units of the least too, rounding in a coordinate without mass would make zeros of them.
  */
 static void weigh(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
@@ -55,7 +82,7 @@ static void weigh(const cardan_mesh *mesh, cardan_mesh_system *system)
         largest = fmax(largest, fabs(system->a[mesh->diagonal[i]]));
     for (ptrdiff_t i = 0; i < mesh->nu; i++) {
         const real own = fabs(system->a[mesh->diagonal[i]]);
-        if (own > ROUNDING * largest)
+        if (own > LEAST * largest)
             least = fmin(least, own);
     }
     if (!(least < INFINITY))
@@ -63,8 +90,15 @@ static void weigh(const cardan_mesh *mesh, cardan_mesh_system *system)
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         system->rows[i] = system->units[i] =
             1 / sqrt(fmax(least, fabs(system->a[mesh->diagonal[i]])));
-    for (ptrdiff_t k = mesh->nu; k < mesh->plan->n; k++)
-        system->rows[k] = system->units[k] = sqrt(least);
+    for (ptrdiff_t block = 0; block < mesh->plan->blocks; block++) {
+        const real *row = system->a + mesh->plan->at[block];
+        for (ptrdiff_t k = mesh->plan->first[block]; k < mesh->plan->first[block + 1]; k++) {
+            const real most = k < mesh->nu ? 0 : most_of(mesh, system, block, row);
+            if (k >= mesh->nu)
+                system->rows[k] = system->units[k] = most > 0 ? 1 / most : sqrt(least);
+            row += mesh->plan->stride[block];
+        }
+    }
 }
 
 int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
@@ -80,6 +114,8 @@ int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,
 int cardan_mesh_refactor(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
     weigh(mesh, system);
+    system->sine = system->open ? cardan_mesh_sine(mesh, system, system->open) : 0;
+    system->factors.hidden = fmin(system->sine, OWN) * fmin(system->sine, OWN);
     return cardan_sparse_factor(mesh->plan, system->a, &system->factors) == 0 ? 0
                                                                              : CARDAN_UNSOLVED;
 }
@@ -88,19 +124,93 @@ int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *syst
 {
     const cardan_sparse_factors *factors = &system->factors;
 
-    if (factors->weak == 0)
+    real *x = system->found, *y = system->work, moved = 0, resists = 0;
+
+    if (factors->weak == 0 || cardan_sparse_loose(mesh->plan, factors, x) < 0)
         return 0;
-    return cardan_sparse_loose(mesh->plan, factors, system->found) < 0 ? 0 : CARDAN_SINGULAR;
+    /* beside it stand multipliers of redundant rows, of any size: the speeds alone must be free */
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        x[mesh->unknown[k]] = 0;
+    cardan_sparse_multiply(mesh->plan, system->a, x, y);
+    for (ptrdiff_t i = 0; i < mesh->plan->n; i++) {
+        moved = fmax(moved, fabs(x[i] / system->units[i]));
+        resists = fmax(resists, fabs(system->rows[i] * y[i]));
+    }
+    return resists <= FREE * moved ? CARDAN_SINGULAR : 0;
 }
 
-int cardan_mesh_solve(const cardan_mesh *mesh, const cardan_mesh_system *system)
+/* x (n) by the factors of a matrix that has lost pivots, without what it maps to nothing.
+ *
+ * Redundant rows of an iteration matrix fit the right-hand side only to the order of the step. What
+ * does not fit grows by the inverse of a replaced pivot, into multipliers that the matrix maps to
+ * nothing: a second solution, of what it maps them to, is free of them. t: room (n).
+ */
+static void pass(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *b, real *x,
+                 real *t)
 {
-    const cardan_sparse *plan = mesh->plan;
-    const cardan_sparse_factors *factors = &system->factors;
+    cardan_sparse_solve(mesh->plan, &system->factors, 1, b, x);
+    cardan_sparse_multiply(mesh->plan, system->a, x, t);
+    cardan_sparse_solve(mesh->plan, &system->factors, 1, t, x);
+}
 
-    cardan_sparse_solve(plan, factors, 1, system->right, system->found);
-    if (factors->weak > 0)
-        (void)cardan_sparse_refine(plan, factors, system->a, system->right, ENOUGH, IMPROVE,
-                                   system->found, system->work);
-    return cardan_not_finite(system->found, plan->n) >= 0 ? CARDAN_UNSOLVED : 0;
+/* Whether a correction d of x by its residual r (n), whose largest number is `error` of what it
+ * consists of, takes nothing of it, and all that is left is in rows of constraints: redundant ones
+ * that close circuits and ask for something else, while speeds and multipliers are as good as they
+ * get. t: room (n). */
+static int fits(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *r,
+                const real *d, real error, real *t)
+{
+    real left = 0, taken = 0, forces = 0;
+
+    for (int32_t w = 0; w < system->factors.weak; w++)
+        if (mesh->plan->multiplier[system->factors.replaced[w]] == 1)
+            return 0;
+    /* of numbers that are none no maximum would tell */
+    if (cardan_not_finite(d, mesh->plan->n) >= 0)
+        return 0;
+    cardan_sparse_multiply(mesh->plan, system->a, d, t);
+    for (ptrdiff_t i = 0; i < mesh->plan->n; i++) {
+        left = fmax(left, fabs(system->rows[i] * r[i]));
+        taken = fmax(taken, fabs(system->rows[i] * t[i]));
+        if (i < mesh->nu)
+            forces = fmax(forces, fabs(system->rows[i] * r[i]));
+    }
+    return taken <= REDUNDANT * left && forces * error <= FORCES * left;
+}
+
+/* Solve with lost pivots, and improve that until rounding, or what cannot fit, is all there is. */
+static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
+{
+    const ptrdiff_t n = mesh->plan->n;
+    real *x = system->found, *r = system->work, *d = r + n, *t = d + n;
+    real before = INFINITY, error = INFINITY;
+
+    pass(mesh, system, system->right, x, t);
+    /* what is judged is what is given: the last correction is measured too */
+    for (int step = 0; step <= IMPROVE; step++) {
+        error = cardan_sparse_residual(mesh->plan, &system->factors, system->a, system->right, x, r);
+        system->unfit = error;
+        if (error <= ENOUGH)
+            break;
+        if (!(error < INFINITY))
+            return CARDAN_UNSOLVED;
+        pass(mesh, system, r, d, t);
+        if (fits(mesh, system, r, d, error, t))
+            return 0;
+        if (step == IMPROVE || !(error < before))
+            break;
+        before = error;
+        for (ptrdiff_t i = 0; i < n; i++)
+            x[i] += d[i];
+    }
+    return error <= GOOD && cardan_not_finite(x, n) < 0 ? 0 : CARDAN_UNSOLVED;
+}
+
+int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system)
+{
+    system->unfit = 0;
+    if (system->factors.weak > 0)
+        return solve_weak(mesh, system);
+    cardan_sparse_solve(mesh->plan, &system->factors, 1, system->right, system->found);
+    return cardan_not_finite(system->found, mesh->plan->n) >= 0 ? CARDAN_UNSOLVED : 0;
 }

@@ -1,7 +1,7 @@
-/* Where a motion starts: all circuits of a mesh closed next to a state.
+/* Where a motion starts: what joints carry brought to where these stand.
  *
  * Part of cardan. Caller owns all memory.
- * Source: as of analyses/meshed_start.py, whose bounds these are.
+ * Source: as of analyses/meshed_start.py, which assembles loops and whose bounds these are.
  */
 #include "mesh_calls.h"
 #include <math.h>
@@ -28,20 +28,34 @@ static void normalize(const ptrdiff_t *quaternions, ptrdiff_t count, real *q)
     }
 }
 
+/* By how much entries that are held have moved. */
+static real moved(const real *held, const real *x, const real *x0, ptrdiff_t n)
+{
+    real found = 0;
+
+    for (ptrdiff_t i = 0; i < n; i++)
+        if (held[i] != 0)
+            found = fmax(found, fabs(x[i] - x0[i]));
+    return found;
+}
+
 ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh)
 {
-    return cardan_mesh_call_work(mesh) + mesh->nq + mesh->nu + mesh->m;
+    return cardan_mesh_call_work(mesh) + 2 * mesh->nq + mesh->nu + mesh->m;
 }
 
 int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrdiff_t *quaternions,
-                      ptrdiff_t count, real *x, real *work)
+                      ptrdiff_t count, const real *held, real *x, real *work)
 {
-    real *found = work + cardan_mesh_call_work(mesh), *u = x + mesh->nq;
-    const real scale = largest(x, mesh->nq, 1);
-    const cardan_in in = {.t = &t, .q = x, .u = u, .r = r, .w = (const wreal *)(const void *)mesh};
+    real *q0 = work + cardan_mesh_call_work(mesh), *found = q0 + mesh->nq, *u = x + mesh->nq;
+    const real scale = largest(x, mesh->nq, 1), speed = largest(u, mesh->nu, 1);
+    const cardan_in in = {.t = &t, .q = x, .u = u, .r = r, .tau = held + mesh->nq,
+                          .w = (const wreal *)(const void *)mesh};
     real gap = INFINITY, last;
     int status = 0, closed = mesh->mp == 0;
 
+    for (ptrdiff_t i = 0; i < mesh->nq; i++)
+        q0[i] = x[i];
     for (int k = 0; k < MOST && !closed && status == 0; k++) {
         status = cardan_mesh_call_close_position(&in, found, work);
         last = gap;
@@ -52,8 +66,12 @@ int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrd
         if (!closed)
             normalize(quaternions, count, x);
     }
+    /* what is held resists, but gives way where nothing else can */
+    closed = closed && moved(held, x, q0, mesh->nq) <= GOOD * scale;
     if (status == 0 && closed)
         status = cardan_mesh_call_close_velocity(&in, found, work);
+    if (status == 0 && closed)
+        closed = moved(held + mesh->nq, found, u, mesh->nu) <= GOOD * speed;
     for (ptrdiff_t i = 0; i < mesh->nu && status == 0 && closed; i++)
         u[i] = found[i];
     return status != 0 ? status : closed ? 0 : CARDAN_OPEN;

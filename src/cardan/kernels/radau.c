@@ -63,6 +63,14 @@ static parts parts_of(const cardan_run *run)
     return own;
 }
 
+/* Whether the factors in memory are of rows that exist. */
+int cardan_radau_sound(const cardan_run *run)
+{
+    const parts own = parts_of(run);
+
+    return cardan_shift_sound(&own.alone) && cardan_shift_sound(&own.pair);
+}
+
 int cardan_radau_init(cardan_run *run)
 {
     return cardan_first_step(run, ORDER);

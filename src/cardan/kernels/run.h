@@ -152,6 +152,9 @@ struct cardan_run {
     real t, t_old, t_start;
     real segment; /* start of the present segment */
     real until;   /* where a step must end: the next stop or tick */
+    /* first and last time inside it, from where what jumps at its ends is seen */
+    real early, late;
+    ptrdiff_t jumps;  /* 1: the model jumps at times */
     ptrdiff_t in_segment; /* steps since then; 0: what a method remembers of the past is void */
 
     /* step size control */
@@ -204,6 +207,13 @@ static inline cardan_in cardan_at(const cardan_run *run, const real *t, const re
     cardan_in in = {0};
 
     in.t = t;
+    if (run->jumps) {
+        const real way = run->late - run->early;
+        if ((*t - run->early) * way < 0)
+            in.t = &run->early;
+        else if ((run->late - *t) * way < 0)
+            in.t = &run->late;
+    }
     in.q = y;
     in.u = y + run->nq;
     in.z = y + run->nq + run->nu;
@@ -220,6 +230,15 @@ static inline int cardan_call_model(cardan_run *run, const cardan_call *call, ca
     in->w = call->w;
     run->model_status = call->function(in, out, run->work);
     return run->model_status == 0 ? 0 : CARDAN_MODEL;
+}
+
+/* Whether numbers that serve as places lie in least ... most; memory may come from a file. */
+static inline int cardan_places_fit(const real *x, ptrdiff_t count, real least, real most)
+{
+    for (ptrdiff_t i = 0; i < count; i++)
+        if (!(x[i] >= least && x[i] <= most))
+            return 0;
+    return 1;
 }
 
 /* run.c */
@@ -262,6 +281,7 @@ void cardan_accept_step(cardan_run *run, real h, real error, int order);
 int cardan_reject_step(cardan_run *run, real h, real error, int order, int status);
 ptrdiff_t cardan_hold_length(const cardan_run *run);
 void cardan_first_hold(cardan_run *run);
+int cardan_hold_sound(const cardan_run *run);
 int cardan_branches_meet(cardan_run *run, real *tau);
 ptrdiff_t cardan_weakest(const cardan_run *run);
 real cardan_span(const cardan_run *run);
@@ -323,6 +343,7 @@ int cardan_dop853_init(cardan_run *run);
 int cardan_dop853_step(cardan_run *run);
 int cardan_dop853_dense(cardan_run *run);
 ptrdiff_t cardan_dop853_length(const cardan_run *run);
+int cardan_alpha_sound(const cardan_run *run);
 int cardan_alpha_init(cardan_run *run);
 int cardan_alpha_step(cardan_run *run);
 int cardan_alpha_dense(cardan_run *run);
@@ -331,6 +352,7 @@ int cardan_conserving_init(cardan_run *run);
 int cardan_conserving_step(cardan_run *run);
 int cardan_conserving_dense(cardan_run *run);
 ptrdiff_t cardan_conserving_length(const cardan_run *run);
+int cardan_radau_sound(const cardan_run *run);
 int cardan_radau_init(cardan_run *run);
 int cardan_radau_step(cardan_run *run);
 int cardan_radau_dense(cardan_run *run);

@@ -32,6 +32,16 @@ cardan_shift cardan_shift_in(const cardan_run *run, const real *jacobian, real *
     return at;
 }
 
+int cardan_shift_sound(const cardan_shift *at)
+{
+    const real last = (real)(at->n - 1);
+
+    return cardan_places_fit(at->kept, 1, 0, (real)at->n)
+           && cardan_places_fit(at->kept + 1, at->n, 0, last)
+           && cardan_places_fit(at->mate, at->n, -1, last)
+           && cardan_places_fit(at->order, at->n, 0, last);
+}
+
 /* Column of the one entry of a row of coordinates, if it belongs to a speed or internal state. */
 static ptrdiff_t mate_of(const cardan_shift *at, ptrdiff_t i)
 {

@@ -21,6 +21,9 @@ typedef struct cardan_shift {
 ptrdiff_t cardan_shift_length(const cardan_run *run, int paired);
 cardan_shift cardan_shift_in(const cardan_run *run, const real *jacobian, real *memory, int paired);
 
+/* Whether the rows and columns that its memory speaks of exist. */
+int cardan_shift_sound(const cardan_shift *at);
+
 /* Factor (a + i b) I - J; returns 1 where that is singular or holds no numbers. */
 int cardan_shift_factor(const cardan_shift *at, real a, real b);
 

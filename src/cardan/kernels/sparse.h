@@ -57,7 +57,7 @@ typedef struct cardan_sparse {
     const int32_t *stride; /* blocks: numbers from one of its rows to the next */
     /* the elimination */
     const int32_t *order;      /* n: the unknown that is eliminated as the k-th */
-    const int32_t *multiplier; /* n: whether that one is a multiplier */
+    const int32_t *multiplier; /* n: whether that one is a multiplier: 1, 2 where it closes a circuit */
     const int32_t *start;      /* supernodes + 1: its first unknown in that order */
     const int32_t *panel;      /* supernodes: where its panel begins */
     const int32_t *width;      /* supernodes: numbers from one of its rows to the next */
@@ -80,9 +80,11 @@ typedef struct cardan_sparse_factors {
     double *work;          /* cardan_sparse_work(plan); solutions use it too */
     double *shift;         /* n: what was added to pivots, the first `weak` of them */
     int32_t *pivot;        /* n: with which row of its supernode each was exchanged */
+    int32_t *exchanged;    /* n: with which column of it */
     int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to */
     const double *rows;    /* n: what equations are multiplied with, NULL for 1 */
     const double *columns; /* n: the units of unknowns, NULL for 1 */
+    double hidden;         /* square of the sine below which rows that close circuits are redundant */
     int32_t count;         /* asks for the signs of eigenvalues of a symmetric matrix */
     int32_t weak;          /* how many pivots were replaced */
     int32_t singular;      /* the unknown of which nothing is known, or -1 */
@@ -107,6 +109,11 @@ void cardan_sparse_solve_turned(const cardan_sparse *plan, const cardan_sparse_f
 
 /* y = a x. */
 void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const double *x, double *y);
+
+/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units;
+ * infinity where numbers are not finite. */
+double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                              const double *a, const double *b, const double *x, double *r);
 
 /* Improve a solution x of a x = b until its backward error is at most `enough`, within `steps`
  * steps, as long as that helps. room: 2 n numbers. Returns the backward error: the largest residual

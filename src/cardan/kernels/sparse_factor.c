@@ -2,10 +2,19 @@
 #include "sparse.h"
 #include "sparse_dense.h"
 
+/* a multiplier that closes a circuit */
+#define CLOSES 2
+
 /* pivots below these parts of their size count as zero; what stands for them then */
 #define SPEED_NOISE 3e-14
 #define MULTIPLIER_NOISE 1e-12
 #define REPLACEMENT 1e-8
+/* a pivot in an equation of speeds is taken if it is this part of the largest */
+#define EARLY 1e-2
+/* the one that is symmetric to it, of the largest of its kind */
+#define PREFER 0.1
+/* what stands for a pivot of a multiplier is so much larger at least: it is to hold nothing */
+#define BEYOND 1e4
 
 /* Put a block of the matrix into its panel, in units. */
 static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
@@ -43,7 +52,9 @@ static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan
 /* Up to which size a pivot is nothing but rounding. */
 static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
 {
-    return (plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE) * f->scale[k];
+    const double noise = plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE;
+
+    return (plan->multiplier[k] == CLOSES ? fmax(noise, f->hidden) : noise) * f->scale[k];
 }
 
 /* Count the signs of the eigenvalues of D. */
@@ -75,26 +86,37 @@ static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double 
     return found;
 }
 
-/* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
-static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row,
-                   cardan_sparse_factors *f)
+/* The row of the pivot of column k, and its size as noise counts it.
+ *
+ * The largest of its own kind, of speeds or of multipliers, unless the other kind has a much larger
+ * one: redundant multipliers lose the square of their sine then, however small, and in equations of
+ * speeds, where they lose the sine, its square is what counts. held: rows that are of multipliers.
+ */
+static ptrdiff_t pivot_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, const double *panel,
+                          const cardan_sparse_factors *f, double *size)
 {
-    const ptrdiff_t own = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
-    double *pivot = row + own, scale = f->scale[k], small, wanted;
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const int own = plan->multiplier[first + k] != 0;
+    const double *held = f->work;
+    double most[2] = {-1, -1}, scale = f->scale[first + k];
+    ptrdiff_t row[2] = {k, k};
 
-    /* where its panel holds nothing but zeros, what lies beside it gives the size */
-    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
-        scale = fmax(fabs(row[n + j]), fabs(row[plan->turned[s] + j]));
-    small = REPLACEMENT * scale;
-    wanted = plan->multiplier[k] || *pivot < 0 ? -small : small;
-    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
-        f->singular = plan->order[k];
-        return CARDAN_SINGULAR;
+    for (ptrdiff_t i = k; i < n; i++) {
+        const double here = fabs(panel[i * plan->width[s] + k]);
+        const int kind = held[i] != 0;
+        if (here > most[kind])
+            most[kind] = here, row[kind] = i;
     }
-    f->shift[f->weak] = wanted - *pivot;
-    f->replaced[f->weak++] = (int32_t)k;
-    *pivot = wanted;
-    return CARDAN_OK;
+    *size = most[own];
+    if (!(most[own] < EARLY * most[1 - own])) {
+        const ptrdiff_t turned = f->exchanged[first + k];
+        const double here = fabs(panel[turned * plan->width[s] + k]);
+        /* rows go with their columns unless one is much larger */
+        return (held[turned] != 0) == own && here >= PREFER * most[own] ? (*size = here, turned)
+                                                                       : row[own];
+    }
+    *size = own ? fmax(most[own], most[1 - own] * most[1 - own] / scale) : most[1 - own];
+    return row[1 - own];
 }
 
 static void exchange(ptrdiff_t n, double *a, double *b)
@@ -106,33 +128,92 @@ static void exchange(ptrdiff_t n, double *a, double *b)
     }
 }
 
+/* What column k of rows that close circuits is of the largest, of what was there before; where that is little it
+ * changes places with the one of those beside it that keeps most. Which of several redundant rows are
+ * lost is chosen so: others would be kept at a small angle to each other, and magnify rounding. */
+static void choose(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *panel,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s];
+    double *scale = f->scale + first, *lt = panel + plan->turned[s];
+    double most = fabs(panel[k * width + k]) / (PREFER * scale[k]);
+    const int32_t kind = plan->multiplier[first + k];
+    ptrdiff_t best = k;
+
+    for (ptrdiff_t j = k + 1; j < n && plan->multiplier[first + j] == kind; j++)
+        if (fabs(panel[j * width + j]) > most * scale[j])
+            most = fabs(panel[j * width + j]) / scale[j], best = j;
+    if (best == k)
+        return;
+    f->exchanged[first + k] = (int32_t)best;
+    for (ptrdiff_t i = 0; i < n; i++)
+        exchange(1, panel + i * width + k, panel + i * width + best);
+    exchange(plan->later[s], lt + k * width, lt + best * width);
+    exchange(1, scale + k, scale + best);
+}
+
+/* Which column of a supernode stood first where that with pivot k stands. */
+static ptrdiff_t column_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k,
+                           const cardan_sparse_factors *f)
+{
+    for (ptrdiff_t j = k; j >= 0; j--) {
+        const ptrdiff_t other = f->exchanged[plan->start[s] + j];
+        k = k == j ? other : k == other ? j : k;
+    }
+    return k;
+}
+
+/* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
+static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row, double size,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t own = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
+    double *pivot = row + own, scale = f->scale[k], small, wanted;
+
+    /* where its panel holds nothing but zeros, what lies beside it gives the size */
+    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
+        scale = fmax(fabs(row[n + j]), fabs(row[plan->turned[s] + j]));
+    small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);
+    wanted = plan->multiplier[k] || *pivot < 0 ? -small : small;
+    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
+        f->singular = plan->order[k];
+        return CARDAN_SINGULAR;
+    }
+    f->shift[f->weak] = wanted - *pivot;
+    f->replaced[f->weak++] = (int32_t)(plan->start[s] + column_of(plan, s, own, f));
+    *pivot = wanted;
+    return CARDAN_OK;
+}
+
 /* [D | U] = P L [U of D | L^-1 P U], pivots in the rows; the diagonal keeps their reciprocals. */
 static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
                      cardan_sparse_factors *f)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
     const ptrdiff_t width = plan->width[s], all = n + plan->later[s];
+    double *held = f->work;
 
+    for (ptrdiff_t k = 0; k < n; k++)
+        held[k] = plan->multiplier[first + k];
     for (ptrdiff_t k = 0; k < n; k++) {
         double *row = panel + k * width, *below = row + width;
         const ptrdiff_t place = first + k;
-        const double noise = noise_of(plan, f, place);
-        ptrdiff_t pivot = k;
-        double most = fabs(row[k]), inverse;
+        double most, inverse;
+        ptrdiff_t pivot;
 
-        for (ptrdiff_t i = k + 1; i < n; i++) {
-            const double size = fabs(panel[i * width + k]);
-            if (size > most)
-                most = size, pivot = i;
-        }
-        if (!(most > noise)) {
+        f->exchanged[place] = (int32_t)k;
+        if (plan->multiplier[place] == CLOSES)
+            choose(plan, s, k, panel, f);
+        pivot = pivot_of(plan, s, k, panel, f, &most);
+        if (!(most > noise_of(plan, f, place))) {
             pivot = emptiest(k, n, all, panel, width);
-            if (replace(plan, s, place, panel + pivot * width, f))
+            if (replace(plan, s, place, panel + pivot * width, most, f))
                 return CARDAN_SINGULAR;
         }
         f->pivot[place] = (int32_t)pivot;
         if (pivot != k)
-            exchange(all, row, panel + pivot * width);
+            exchange(all, row, panel + pivot * width), exchange(1, held + k, held + pivot);
         inverse = 1 / row[k];
         row[k] = inverse;
         if (!(inverse - inverse == 0)) {

@@ -29,10 +29,8 @@ static double sizes(ptrdiff_t n, const double *x, const double *y)
     return sum;
 }
 
-/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units;
- * infinity where numbers are not finite. */
-static double residual(const cardan_sparse *plan, const cardan_sparse_factors *f, const double *a,
-                       const double *b, const double *x, double *r)
+double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                              const double *a, const double *b, const double *x, double *r)
 {
     double most = 0, size = 0;
     int finite = 1;
@@ -68,13 +66,13 @@ double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_facto
                             double *x, double *room)
 {
     double *r = room, *better = room + plan->n;
-    double error = residual(plan, f, a, b, x, r), next;
+    double error = cardan_sparse_residual(plan, f, a, b, x, r), next;
 
     for (ptrdiff_t step = 0; step < steps && error > enough; step++) {
         cardan_sparse_solve(plan, f, 1, r, better);
         for (ptrdiff_t i = 0; i < plan->n; i++)
             better[i] += x[i];
-        next = residual(plan, f, a, b, better, r);
+        next = cardan_sparse_residual(plan, f, a, b, better, r);
         if (!(next < error))
             break;
         memcpy(x, better, (size_t)plan->n * sizeof(double));
@@ -111,6 +109,8 @@ double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_
             /* the diagonal holds the reciprocals of pivots */
             const double inverse = f->values[plan->panel[s] + k * plan->width[s] + k];
             if ((inverse < 0) != (f->pivot[plan->start[s] + k] != k))
+                *sign = -*sign;
+            if (f->exchanged[plan->start[s] + k] != k)
                 *sign = -*sign;
             sum -= log(fabs(inverse));
         }

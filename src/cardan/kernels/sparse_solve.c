@@ -70,6 +70,7 @@ static void substitute(const cardan_sparse *plan, const cardan_sparse_factors *f
             for (ptrdiff_t i = 0; i < k; i++)
                 own[i] -= panel[i * width + k] * own[k];
         }
+        backwards(n, f->exchanged + first, own);
     }
 }
 
@@ -82,6 +83,7 @@ static void substitute_turned(const cardan_sparse *plan, const cardan_sparse_fac
         const double *panel = f->values + plan->panel[s];
         double *own = y + first;
 
+        forwards(n, f->exchanged + first, own);
         for (ptrdiff_t k = 0; k < n; k++) {
             own[k] *= panel[k * width + k];
             cardan_minus(n - k - 1, own[k], panel + k * width + k + 1, own + k + 1);

@@ -114,6 +114,8 @@ class Beam:
             ModelError: a number outside 0 ... 1, or a name that is taken.
         """
         where = checks.number(f"beam '{self.name}': at", s)
+        if name is not None:
+            checks.name("node", name)
         if not 0 <= where <= 1:
             raise ModelError(
                 f"beam '{self.name}': at({where:g}) lies outside; s runs from 0 (start) to 1 (end) "

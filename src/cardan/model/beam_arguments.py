@@ -10,7 +10,7 @@ from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..elements.written import axis, is_expression, number, vector
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 from . import checks
 from .beam import RELEASED, Beam, End, node
 from .body import Body
@@ -19,6 +19,8 @@ from .frame import Frame
 if TYPE_CHECKING:
     from .model import Model
 
+# of one beam, as bodies of one scene
+MOST_ELEMENTS = 100_000
 ROLES = ("start", "end")
 # what a beam is made of unless it says
 ELEMENT, INERTIA = "hellinger_reissner", "linked"
@@ -121,12 +123,13 @@ def _released(who: str, role: str, given: Any) -> tuple[str, ...]:
     listed = (given,) if isinstance(given, str) else given
     if not isinstance(listed, (tuple, list, set, frozenset)):
         raise ModelError(
-            f"{who}: release_{role} is {given!r}; give directions, such as 'ry' or ('ry', 'rz')"
+            f"{who}: release_{role} is {shown(given)}; give directions, such as 'ry' "
+            "or ('ry', 'rz')"
         )
     for one in listed:
         if one not in RELEASES:
             raise ModelError(
-                f"{who}: release_{role} has no direction {one!r}." + near(str(one), RELEASES)
+                f"{who}: release_{role} has no direction {shown(one)}." + near(one, RELEASES)
             )
     return tuple(listed)
 
@@ -145,11 +148,13 @@ def count_of(who: str, elements: Any) -> int:
     """A number of elements.
 
     Raises:
-        ModelError: not a whole number above 0.
+        ModelError: not a whole number above 0, or an absurd one.
     """
     number = checks.is_number(elements) and not isinstance(elements, bool)
     if not (number and elements >= 1 and elements % 1 == 0):
-        raise ModelError(f"{who}: elements is {elements!r}; give a whole number, 1 or more")
+        raise ModelError(f"{who}: elements is {shown(elements)}; give a whole number, 1 or more")
+    if elements > MOST_ELEMENTS:
+        raise ModelError(f"{who}: {elements:.6g} elements; a beam has at most {MOST_ELEMENTS}")
     return int(elements)
 
 
@@ -159,8 +164,8 @@ def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
     Raises:
         ModelError: another one, with the near ones.
     """
-    if str(given) not in known:
-        raise ModelError(f"{who}: {what} '{given}' does not exist." + near(str(given), known))
+    if not isinstance(given, str) or given not in known:
+        raise ModelError(f"{who}: {what} {shown(given)} does not exist." + near(given, known))
     return str(given)
 
 
@@ -173,7 +178,9 @@ def line_of(who: str, line: Any) -> Centerline:
     if line is None:
         return Straight()
     if not isinstance(line, Centerline):
-        raise ModelError(f"{who}: line is {line!r}; give cd.arc(...), cd.spline(points) or nothing")
+        raise ModelError(
+            f"{who}: line is {shown(line)}; give cd.arc(...), cd.spline(points) or nothing"
+        )
     return line
 
 
@@ -185,14 +192,14 @@ def materialized(who: str, section: Any, material: Any) -> tuple[Section, Materi
     """
     if not isinstance(section, Section):
         raise ModelError(
-            f"{who}: section is {section!r}; give one of cd.section, such as "
+            f"{who}: section is {shown(section)}; give one of cd.section, such as "
             "cd.section.circle(radius=0.01)"
         )
     if material is None and not section.shaped:
         material = Material()
     if not isinstance(material, Material):
         raise ModelError(
-            f"{who}: material is {material!r}; give cd.material(E=..., nu=..., rho=...)"
+            f"{who}: material is {shown(material)}; give cd.material(E=..., nu=..., rho=...)"
         )
     if section.shaped and not material.elastic:
         raise ModelError(f"{who}: its section is a shape; the material must say E and nu (or G)")
@@ -211,11 +218,13 @@ def prestrain_of(who: str, given: Mapping[str, Any] | None) -> dict[str, Any]:
         ModelError: an unknown name, or what is no number.
     """
     if given is not None and not isinstance(given, Mapping):
-        raise ModelError(f"{who}: prestrain is {given!r}; give strains by name, {{'twist': 0.1}}")
+        raise ModelError(
+            f"{who}: prestrain is {shown(given)}; give strains by name, {{'twist': 0.1}}"
+        )
     found = {}
     for name, value in (given or {}).items():
         if name not in STRAINS:
-            raise ModelError(f"{who}: prestrain has no '{name}'." + near(str(name), STRAINS))
+            raise ModelError(f"{who}: prestrain has no '{name}'." + near(name, STRAINS))
         found[name] = number(who, f"prestrain {name}", value)
     return found
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from ..errors import ModelError
+from ..errors import ModelError, shown
 from .frame import Frame, Located, rows_of, triple
 from .shape import Shape
 
@@ -79,7 +79,7 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
         unknown = [key for key in value if key not in INERTIA_ENTRIES]
         if unknown:
             raise ModelError(
-                f"body '{name}': inertia has no entry {unknown[0]!r}. "
+                f"body '{name}': inertia has no entry {shown(unknown[0])}. "
                 f"Entries: {', '.join(INERTIA_ENTRIES)}"
             )
         return tuple(value.get(key, 0) for key in INERTIA_ENTRIES)
@@ -89,17 +89,20 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
     if len(rows) != 3 or any(len(rows_of(row)) != 3 for row in rows):
         raise ModelError(
             f"body '{name}': inertia is 3x3, three principal values or dict(xx=, yy=, zz=, xy=, "
-            f"yz=, xz=), not {value!r}"
+            f"yz=, xz=), not {shown(value)}"
         )
     return _symmetric(rows, name)
 
 
 def _symmetric(rows: list[list[Any]], name: str) -> tuple[Any, ...]:
+    # products of rotations round by parts of the largest moment, not of the entry
+    numbers = [x for row in rows for x in row if isinstance(x, int | float)]
+    rounding = 1e-12 * max((abs(x) for x in numbers), default=0.0)
     for i, j in ((0, 1), (0, 2), (1, 2)):
         a, b = rows[i][j], rows[j][i]
         close = a == b
-        if not close and isinstance(a, (int, float)) and isinstance(b, (int, float)):
-            close = abs(a - b) <= 1e-12 * max(abs(a), abs(b))
+        if not close and isinstance(a, int | float) and isinstance(b, int | float):
+            close = abs(a - b) <= rounding
         if not close:
             raise ModelError(
                 f"body '{name}': inertia is not symmetric: entry {'xyz'[i]}{'xyz'[j]} is {a}, "
@@ -123,3 +126,20 @@ def placed(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
     if len(rows) == 2:
         return triple(rows[0], f"body '{name}': pose"), rows[1]
     return triple(pose, f"body '{name}': pose"), None
+
+
+def shapes_of(name: str, given: Any) -> tuple[Shape, ...]:
+    """The shapes of a body.
+
+    Raises:
+        ModelError: what is given is neither a shape nor several.
+    """
+    if given is None or isinstance(given, Shape):
+        return () if given is None else (given,)
+    shapes = tuple(given) if isinstance(given, list | tuple) else (None,)
+    if not all(isinstance(one, Shape) for one in shapes):
+        raise ModelError(
+            f"body '{name}': shape={shown(given)}: give a shape such as cd.shape.sphere(0.1), or a "
+            "list of some"
+        )
+    return shapes

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Container, Sequence
 from numbers import Real
 from typing import Any
 
-from ..errors import ModelError
+from ..arguments import UNIT
+from ..errors import ImpossibleWarning, ModelError, looks, points, shown, warn
 
 LONGEST_NAME = 200
+ROUNDED = 1e-6  # of the largest moment: what a file loses by rounding
 
 
 def name(what: str, text: Any) -> str:
@@ -20,7 +21,7 @@ def name(what: str, text: Any) -> str:
         ModelError: not text, empty, too long or with characters that cannot be printed.
     """
     if not isinstance(text, str) or not text.strip():
-        raise ModelError(f"{what}: a name must be text that is not empty, not {text!r}")
+        raise ModelError(f"{what}: a name must be text that is not empty, not {shown(text)}")
     if len(text) > LONGEST_NAME or not text.isprintable():
         raise ModelError(
             f"{what} {text[:40]!r}: a name has at most {LONGEST_NAME} printable characters"
@@ -39,6 +40,25 @@ def new(what: str, text: str, known: Container[str]) -> None:
         raise ModelError(f"{what} '{text}': the name is taken; names of this sort must differ")
 
 
+def apart(model: Any) -> None:
+    """Refuse names that only a program can tell from each other.
+
+    Raises:
+        ModelError: two names of a scene look the same.
+    """
+    seen: dict[str, tuple[str, str]] = {}
+    named = {"body": model.bodies, "frame": model.frames, "node": model.nodes}
+    named |= {"beam": model.beams, "joint": model.joints, "force": model.forces}
+    named |= {"parameter": model.parameters, "input": model.inputs, "output": model.outputs}
+    for kind, text in ((kind, text) for kind, names in named.items() for text in names):
+        known, other = seen.setdefault(text if text.isascii() else looks(text), (kind, text))
+        if other != text:
+            raise ModelError(
+                f"{kind} '{text}' looks like another name: {points(text)} is not the {known} "
+                f"{points(other)}, and the eye cannot tell them apart; rename one of them"
+            )
+
+
 def number(who: str, value: Any) -> float:
     """A finite number.
 
@@ -47,12 +67,14 @@ def number(who: str, value: Any) -> float:
     """
     try:
         result = float(value)
-    except (TypeError, ValueError) as problem:
-        raise ModelError(f"{who}: a number is wanted, not {value!r}") from problem
+    except (TypeError, ValueError, RecursionError) as problem:
+        raise ModelError(f"{who}: a number is wanted, not {shown(value)}") from problem
     except OverflowError as problem:
-        raise ModelError(f"{who}: the number is too large for the machine") from problem
+        raise ModelError(
+            f"{who}: the number {shown(value)} is too large for the machine"
+        ) from problem
     if not math.isfinite(result):
-        raise ModelError(f"{who}: must be finite, not {result}")
+        raise ModelError(f"{who}: a number must be finite, not {result} ({shown(value)})")
     return result
 
 
@@ -63,36 +85,111 @@ def is_number(value: Any) -> bool:
     return type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0
 
 
+def is_real(value: Any) -> bool:
+    """True for numbers that a float can be, infinite ones too, and not NaN."""
+    try:
+        return is_number(value) and not math.isnan(float(value))
+    except (TypeError, ValueError, OverflowError):
+        return False
+
+
+def quantity(who: str, value: Any) -> Any:
+    """A number or an expression, as written.
+
+    Raises:
+        ModelError: text, None or another thing that has no value.
+    """
+    if is_number(value) or hasattr(type(value), "free_symbols"):
+        return value
+    text = "the text " if isinstance(value, str) else ""
+    raise ModelError(
+        f"{who}: a number or an expression is wanted, not {text}{shown(value)}; expressions are "
+        "SymPy's, of symbols such as scene.q('elbow') or scene.parameter('m', 1.0)"
+    )
+
+
 def initial(
-    who: str, what: str, value: float | Sequence[float] | None, count: int
+    who: str,
+    what: str,
+    value: float | Sequence[float] | None,
+    count: int,
+    quaternion: int | None = None,
 ) -> tuple[float, ...] | None:
     """Initial values of a joint, one per component.
 
+    Args:
+        who, what: For messages.
+        value: Of the user.
+        count: How many there are.
+        quaternion: Which of them is the scalar part of a unit quaternion, if any.
+
     Raises:
-        ModelError: a wrong number of them.
+        ModelError: a wrong number of them, or a quaternion whose length is not 1.
     """
     if value is None:
         return None
-    entries = (value,) if is_number(value) else tuple(value)  # type: ignore[arg-type]
+    one = is_number(value) or isinstance(value, str) or not hasattr(value, "__len__")
+    entries: tuple[Any, ...] = (value,) if one else tuple(value)  # type: ignore[arg-type]
     if len(entries) != count:
         raise ModelError(f"{who}: {what} has {len(entries)} entries, but {count} are wanted")
-    return tuple(number(f"{who}: {what}", entry) for entry in entries)
+    found = tuple(number(f"{who}: {what}", entry) for entry in entries)
+    if quaternion is not None:
+        length = math.hypot(*found[quaternion : quaternion + 4])
+        if abs(length - 1) > UNIT:
+            raise ModelError(
+                f"{who}: the quaternion in {what} has length {length:.9g}: a rotation has length "
+                "1. Divide its four components by that"
+            )
+    return found
 
 
-def mass(body: str, value: Any, inertia: Sequence[Any]) -> None:
+def mass(body: str, value: Any, inertia: Sequence[Any], robot: bool = False) -> None:
     """Mass and inertia given as numbers can be those of a body.
 
+    Args:
+        body, value, inertia: Its name, mass and tensor xx xy xz yy yz zz.
+        robot: Of a file that others wrote, whose negative moments are no more than told: published
+            robot files contain some.
+
     Raises:
-        ModelError: negative or NaN mass, NaN inertia.
+        ModelError: negative or NaN mass, NaN inertia, a negative principal moment.
     """
     if value is not None and is_number(value) and number(f"body '{body}': mass", value) < 0:
         raise ModelError(f"body '{body}': mass is {value} kg; it must not be negative")
     if all(is_number(entry) for entry in inertia):
         numbers = [number(f"body '{body}': inertia", entry) for entry in inertia]
         if any(numbers):
-            problem = unphysical(numbers)
-            if problem:
-                warnings.warn(f"body '{body}': {problem}", stacklevel=4)
+            least = smallest_moment(numbers)
+            said = (
+                f"its inertia has the negative principal moment {least:.6g} kg m^2, which no body "
+                "has; check the entries and their signs"
+            )
+            if least < 0 and not robot:
+                raise ModelError(f"body '{body}': {said}")
+            problem = said if least < 0 else unphysical(numbers)
+            # one moment alone: whether a motion feels the others shows when joints are known
+            if problem and (least < 0 or lone_moment(numbers) is None):
+                warn(f"body '{body}': {problem}", ImpossibleWarning)
+
+
+def lone_moment(inertia: Sequence[float]) -> int | None:
+    """The axis 0, 1, 2 about which xx xy xz yy yz zz has its only entry; None where it has others.
+
+    Of a body that turns about that axis alone the others are left out, as nothing feels them.
+    """
+    entries = [k for k, entry in enumerate(inertia) if entry]
+    return {0: 0, 3: 1, 5: 2}.get(entries[0]) if len(entries) == 1 else None
+
+
+def smallest_moment(inertia: Sequence[float]) -> float:
+    """The least principal moment of xx xy xz yy yz zz; 0 where rounding made it negative."""
+    import numpy as np
+
+    xx, xy, xz, yy, yz, zz = inertia
+    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    least = float(moments[0])
+    # files are rounded: so much that it could be 0 is no sign
+    return 0.0 if abs(least) <= ROUNDED * float(np.abs(moments).max()) else least
 
 
 def unphysical(inertia: Sequence[float]) -> str:

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from ..arguments import kinds_of, read
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Reversed
-from ..errors import ModelError, near
+from ..errors import ModelError, ModelWarning, near, outside, shown, warn
 from . import checks
 from .beam import Beam
 from .body import Body
@@ -79,7 +79,7 @@ def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) ->
     if isinstance(kind, type) and issubclass(kind, JointElement):
         kind = _plain(name, kind)
     if not isinstance(kind, JointElement):
-        raise ModelError(f"joint '{name}': {kind!r} is no joint kind such as Revolute('y')")
+        raise ModelError(f"joint '{name}': {shown(kind)} is not a joint kind such as Revolute('y')")
     if isinstance(kind, Reversed):
         raise ModelError(
             f"joint '{name}' ({kind.kind}): give the kind itself, and exchange parent and child"
@@ -116,6 +116,14 @@ def by_names(element: Element) -> Element:
     """An element that keeps the names of the joints and beams it was given."""
     given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
     names = {key: value.name for key, value in given.items() if isinstance(value, Joint | Beam)}
+    for field in dataclasses.fields(element):  # type: ignore[arg-type]
+        value = names.get(field.name, given[field.name])
+        if field.type == "JointName" and not isinstance(value, str):
+            raise ModelError(
+                f"{element.kind}: {field.name} is {shown(value)}; give a joint or its name"
+            )
+        if field.type == "bool":
+            read(element.kind, field.name, value, kinds_of(field.type))
     return dataclasses.replace(element, **names) if names else element  # type: ignore[type-var]
 
 
@@ -129,20 +137,29 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
         return (None, None, None, None)
     names = ("lower", "upper", "speed", "effort")
     if not isinstance(limits, Mapping):
-        if isinstance(limits, str) or not 2 <= len(limits) <= 4:
-            raise ModelError(f"{who}: limits are (lower, upper) or a mapping, not {limits!r}")
+        rows = isinstance(limits, list | tuple) or getattr(limits, "ndim", 0) == 1
+        if not rows or not 2 <= len(limits) <= 4:
+            raise ModelError(f"{who}: limits are (lower, upper) or a mapping, not {shown(limits)}")
         limits = dict(zip(names, limits, strict=False))
     for key in limits:
         if key not in names:
             raise ModelError(f"{who}: limits have no entry '{key}'." + near(key, names))
     values = [limits.get(key) for key in names]
     for key, value in zip(names, values, strict=True):
-        if value is not None and (not checks.is_number(value) or math.isnan(value)):
-            raise ModelError(f"{who}: limit '{key}' is not a number")
+        if value is not None and (not checks.is_real(value)):
+            raise ModelError(f"{who}: limits: limit '{key}' is not a number but {shown(value)}")
     lower, upper, speed, effort = (None if v is None else float(v) for v in values)
     if lower is not None and upper is not None and lower > upper:
         raise ModelError(f"{who}: the lower limit {lower} is above the upper limit {upper}")
     return lower, upper, speed, effort
+
+
+def check_start(joint: Joint) -> None:
+    """Warn of a start outside the limits, where a joint has one coordinate."""
+    if joint.q0 is not None and len(joint.q0) == 1:
+        problem = outside(joint.q0[0], *joint.limits[:2], joint.kind.coordinates[0].unit)
+        if problem:
+            warn(f"joint '{joint.name}': q0: {problem}", ModelWarning)
 
 
 def check_cut(who: str, cut: Any, moved: bool) -> None:
@@ -152,7 +169,7 @@ def check_cut(who: str, cut: Any, moved: bool) -> None:
         ModelError: neither True nor False, or a joint that something moves.
     """
     if not isinstance(cut, bool):
-        raise ModelError(f"{who}: cut is True or False, not {cut!r}")
+        raise ModelError(f"{who}: cut is True or False, not {shown(cut)}")
     if cut and moved:
         raise ModelError(
             f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
@@ -168,7 +185,7 @@ def couple_of(who: str, kind: JointElement, couple: tuple[Any, ...] | None) -> C
     """
     if couple is not None and kind.follows is not None:
         raise ModelError(f"{who}: it follows '{kind.follows[0]}' already; leave out couple=")
-    couple = couple or kind.follows
+    couple = kind.follows if couple is None else couple
     if couple is None:
         return None
     leader = couple[0] if isinstance(couple, tuple) and len(couple) in (2, 3) else None

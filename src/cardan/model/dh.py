@@ -15,12 +15,13 @@ from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
+from ..arguments import checked
 from ..elements.forces.damping import Damping
 from ..elements.forces.drive import Drive
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..elements.written import is_expression
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 from .checks import is_number
 from .files.angles import snap as quarter
 from .model import Model
@@ -67,6 +68,7 @@ class Row:
 KEYS = tuple(Row.__dataclass_fields__)
 
 
+@checked
 def from_dh(
     rows: Iterable[Mapping[str, Any] | Sequence[Any]],
     convention: str = "standard",
@@ -114,8 +116,9 @@ def add_dh(
         raise ModelError(
             f"dh: convention '{convention}' does not exist.{near(convention, CONVENTIONS)}"
         )
-    if isinstance(rows, str | bytes | Mapping) or not isinstance(rows, Iterable):
-        raise ModelError(f"dh: {rows!r} is no table; give a list of rows")
+    # an array of no dimension has the method, but no entries
+    if isinstance(rows, str | bytes | Mapping) or not hasattr(rows, "__iter__") or _single(rows):
+        raise ModelError(f"dh: rows={shown(rows)} is no table; give a list of rows")
     table = [_row(k, row) for k, row in enumerate(rows, 1)]
     inner = scene.ground if parent is None else parent
     for k, row in enumerate(table, 1):
@@ -125,21 +128,23 @@ def add_dh(
         inner = _add(scene, joint, link, row, convention, inner)
 
 
+def _single(rows: Any) -> bool:
+    return getattr(rows, "shape", None) == ()
+
+
 def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
     """A checked row."""
     who = f"dh: row {k}"
     if not isinstance(given, Mapping):
         if not isinstance(given, Sequence) or isinstance(given, str | bytes):
-            raise ModelError(f"{who}: {given!r}; give (a, alpha, d, theta) or a mapping")
+            raise ModelError(f"{who}: {shown(given)}; give (a, alpha, d, theta) or a mapping")
         values = list(given)
         if len(values) != len(GEOMETRY):
             raise ModelError(f"{who}: {len(values)} values; give (a, alpha, d, theta) or a mapping")
         given = dict(zip(GEOMETRY, values, strict=True))
     for key in given:
         if key not in Row.__dataclass_fields__:
-            raise ModelError(
-                f"{who}: '{key}' does not exist.{near(str(key), Row.__dataclass_fields__)}"
-            )
+            raise ModelError(f"{who}: '{key}' does not exist.{near(key, Row.__dataclass_fields__)}")
     row = Row(**given)
     for key in ("type", "name", "link"):
         if not isinstance(getattr(row, key), str):
@@ -147,7 +152,7 @@ def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
     for key in GEOMETRY:
         value = getattr(row, key)
         if isinstance(value, bool) or not (is_number(value) or is_expression(value)):
-            raise ModelError(f"{who}: {key} is {value!r}; give a number or an expression")
+            raise ModelError(f"{who}: {key} is {shown(value)}; give a number or an expression")
         if is_number(value) and not isfinite(value):
             raise ModelError(f"{who}: {key} is {value}; give a finite number or an expression")
     if row.type not in KINDS:

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
-from ..errors import ModelError
+from ..arguments import checked
+from ..errors import ModelError, shown
+from .checks import quantity
 
 if TYPE_CHECKING:
     from .body import Body
@@ -32,6 +34,7 @@ class Located:
         symbols = self.body.model.placeholders(self, quantity, rows * columns, others)
         return sympy.ImmutableMatrix(rows, columns, symbols)
 
+    @checked
     def position(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Position of the origin (3, 1) [m], against ``wrt``, in the axes of ``in_``.
 
@@ -41,18 +44,22 @@ class Located:
         """
         return self._atoms("position", 3, 1, wrt, in_)
 
+    @checked
     def velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Velocity of the origin (3, 1) [m/s] as seen from ``wrt``, in the axes of ``in_``."""
         return self._atoms("velocity", 3, 1, wrt, in_)
 
+    @checked
     def acceleration(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Acceleration of the origin (3, 1) [m/s^2] as seen from ``wrt``, in axes of ``in_``."""
         return self._atoms("acceleration", 3, 1, wrt, in_)
 
+    @checked
     def angular_velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
         """Angular velocity (3, 1) [rad/s] against ``wrt``, in the axes of ``in_``."""
         return self._atoms("angular_velocity", 3, 1, wrt, in_)
 
+    @checked
     def rotation(self, wrt: Place | None = None) -> Any:
         """R (3, 3): coordinates in these axes to coordinates in those of ``wrt`` (the ground)."""
         return self._atoms("rotation", 3, 3, wrt, None)
@@ -93,7 +100,10 @@ def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
     Raises:
         ModelError: there are not three.
     """
-    entries = tuple(value) if isinstance(value, Sequence) or hasattr(value, "__iter__") else ()
+    try:
+        entries = tuple(value)
+    except TypeError:
+        entries = ()
     if len(entries) != 3:
-        raise ModelError(f"{what}: three entries are wanted, not {value!r}")
-    return entries
+        raise ModelError(f"{what}: three entries are wanted, not {shown(value)}")
+    return tuple(quantity(what, entry) for entry in entries)

@@ -11,11 +11,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..errors import ModelError
+from ..arguments import checked
+from ..errors import ModelError, shown
+from .checks import is_number, quantity
 
+LARGEST = 1e100  # whose square is a number too
 Moments = tuple[Any, Any, Any]
 
 
+@checked
 def rod(mass: Any, length: Any, axis: str = "z") -> Moments:
     """A thin rod: m l^2 / 12 across, 0 along.
 
@@ -24,32 +28,56 @@ def rod(mass: Any, length: Any, axis: str = "z") -> Moments:
         length: [m].
         axis: Along which it lies: x, y or z.
     """
+    mass, length = _numbers("rod", mass=mass, length=length)
     return _around(axis, 0, mass * _square(length) / 12)
 
 
+@checked
 def cylinder(mass: Any, radius: Any, length: Any, axis: str = "z") -> Moments:
     """A solid cylinder: m r^2 / 2 along, m (3 r^2 + l^2) / 12 across."""
+    mass, radius, length = _numbers("cylinder", mass=mass, radius=radius, length=length)
     return _around(
         axis, mass * _square(radius) / 2, mass * (3 * _square(radius) + _square(length)) / 12
     )
 
 
+@checked
 def tube(mass: Any, outer: Any, inner: Any, length: Any, axis: str = "z") -> Moments:
     """A hollow cylinder with outer and inner radius."""
+    mass, outer, inner, length = _numbers(
+        "tube", mass=mass, outer=outer, inner=inner, length=length
+    )
     squares = _square(outer) + _square(inner)
     return _around(axis, mass * squares / 2, mass * (3 * squares + _square(length)) / 12)
 
 
+@checked
 def sphere(mass: Any, radius: Any) -> Moments:
     """A solid sphere: 2/5 m r^2."""
+    mass, radius = _numbers("sphere", mass=mass, radius=radius)
     moment = 2 * mass * _square(radius) / 5
     return moment, moment, moment
 
 
+@checked
 def box(mass: Any, x: Any, y: Any, z: Any) -> Moments:
     """A solid box with edges x, y, z [m] along the axes."""
+    mass, x, y, z = _numbers("box", mass=mass, x=x, y=y, z=z)
     xx, yy, zz = _square(x), _square(y), _square(z)
     return mass * (yy + zz) / 12, mass * (xx + zz) / 12, mass * (xx + yy) / 12
+
+
+def _numbers(solid: str, **given: Any) -> list[Any]:
+    """Numbers of sane size, or expressions, as given.
+
+    Raises:
+        ModelError: something else.
+    """
+    for name, value in given.items():
+        quantity(f"inertia.{solid}: {name}", value)
+        if is_number(value) and not abs(value) < LARGEST:
+            raise ModelError(f"inertia.{solid}: {name} is {shown(value)}; give a smaller number")
+    return list(given.values())
 
 
 def _square(length: Any) -> Any:
@@ -59,6 +87,6 @@ def _square(length: Any) -> Any:
 
 def _around(axis: str, along: Any, across: Any) -> Moments:
     if axis not in ("x", "y", "z"):
-        raise ModelError(f"axis of an inertia must be 'x', 'y' or 'z', not {axis!r}")
+        raise ModelError(f"axis of an inertia must be 'x', 'y' or 'z', not {shown(axis)}")
     x, y, z = (along if axis == name else across for name in "xyz")
     return x, y, z

@@ -7,18 +7,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
-from ..errors import ModelError, near
+from ..errors import ModelError, counted, near, shown
 from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
-from .body import Body, placed, tensor
+from .body import Body, placed, shapes_of, tensor
 from .connections import (
     Force,
     Joint,
     by_names,
     check_cut,
+    check_start,
     couple_of,
     element_of,
     limits_of,
@@ -52,6 +54,7 @@ class Model(Vocabulary):
         nodes: By name; start, end and :meth:`Beam.at` of the beams. Where an end is joined to a
             frame, that frame.
         parameters, inputs, outputs, constraints: By name.
+        of_robot: Read from a file that describes a robot: impossible numbers are warned of there.
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
         values: Numbers by dotted name that replace those written, such as ``upper.mass``.
@@ -74,6 +77,7 @@ class Model(Vocabulary):
         self.outputs: dict[str, Output] = {}
         self.constraints: dict[str, Constraint] = {}
         self.atoms: dict[str, Placeholder] = {}
+        self.of_robot = False
         self.notes: list[str] = []
         self.snaps: list[str] = []
         self.values: dict[str, float] = {}
@@ -84,7 +88,8 @@ class Model(Vocabulary):
         return summary(self)
 
     def __repr__(self) -> str:
-        return f"Model({self.name!r}, {len(self.bodies)} bodies, {len(self.joints)} joints)"
+        bodies = counted(len(self.bodies), "body", "bodies")
+        return f"Model({self.name!r}, {bodies}, {counted(len(self.joints), 'joint')})"
 
     def _repr_html_(self) -> str:
         """Tables and the drawn graph in notebooks."""
@@ -122,8 +127,12 @@ class Model(Vocabulary):
         self.new_place("body", name)
         center = triple(com, f"body '{name}': com")
         entries = tensor(inertia, name)
-        checks.mass(name, mass, entries)
-        shapes = (shape,) if isinstance(shape, Shape) else tuple(shape or ())
+        checks.mass(name, mass, entries, self.of_robot)
+        shapes = shapes_of(name, shape)
+        if mass is not None:
+            checks.quantity(f"body '{name}': mass", mass)
+        for entry in entries:
+            checks.quantity(f"body '{name}': inertia", entry)
         made = Body(self, name, 0 if mass is None else mass, center, entries, None, shapes)
         made = dataclasses.replace(made, pose=placed(pose, name))
         self.bodies[name] = made
@@ -168,15 +177,16 @@ class Model(Vocabulary):
                     f"not to '{self.name}'; include that model"
                 )
             return place
-        if place == "ground":
+        if isinstance(place, str) and place == "ground":
             return self.ground
         found = None
         for named in (self.bodies, self.frames, self.nodes) if isinstance(place, str) else ():
             found = found or named.get(str(place))
         if found is None:
             known = ["ground", *self.bodies, *self.nodes]
-            listed = near(str(place), known).replace(" Known:", " Bodies:")
-            raise ModelError(f"{who}: {role} '{place}' does not exist.{listed}")
+            listed = near(place, known).replace(" Known:", " Bodies:")
+            given = f"'{place}'" if isinstance(place, str) else shown(place)
+            raise ModelError(f"{who}: {role} {given} does not exist.{listed}")
         return found
 
     # joints and forces
@@ -232,6 +242,8 @@ class Model(Vocabulary):
             rest = {"q0": q0, "u0": u0, "limits": limits, "at": at, "couple": couple}
             return chain(self, name, element, (parent, child), motion, rest | {"cut": cut or None})
         who = f"joint '{name}' ({element.kind})"
+        if motion is not None:
+            checks.quantity(f"{who}: motion", motion)
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
             raise ModelError(f"{who}: parent and child are the same body '{inboard.body.name}'")
@@ -249,13 +261,14 @@ class Model(Vocabulary):
             inboard,
             outboard,
             motion,
-            checks.initial(who, "q0", q0, len(element.coordinates)),
+            checks.initial(who, "q0", q0, len(element.coordinates), element.quaternion),
             checks.initial(who, "u0", u0, len(element.speeds)),
             limits_of(who, limits),
             None if at is None else triple(at, f"{who}: at"),
             follows,
             cut=cut,
         )
+        check_start(made)
         self.joints[name] = made
         return made
 
@@ -267,7 +280,7 @@ class Model(Vocabulary):
         """
         checks.new("force", name, self.forces)
         if not isinstance(element, ForceElement):
-            raise ModelError(f"force '{name}': {element!r} is no force element")
+            raise ModelError(f"force '{name}': {shown(element)} is not a force element")
         beam = getattr(element, "beam", None)
         if isinstance(beam, Beam) and beam.model is not self:
             raise ModelError(
@@ -344,6 +357,7 @@ class Model(Vocabulary):
             prestrain,
         )
 
+    @checked
     def include(self, other: Model, prefix: str, at: Place | str | None = None) -> Included:
         """Add a copy of another model as a subsystem; its ground becomes a body of this one.
 
@@ -362,6 +376,7 @@ class Model(Vocabulary):
         place = self.ground if at is None else self.place(f"include '{prefix}'", at)
         return include(self, other, checks.name("prefix", prefix), place)
 
+    @checked
     def save(self, path: str | Path) -> None:
         """Write the model as a scene file, which :func:`cardan.load` reads; whole or not at all.
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ..arguments import checked
 from ..elements.joints.fixed import Fixed
 from ..elements.joints.revolute import Revolute
 from ..elements.written import is_expression, positive
-from .frame import Frame, Place
+from ..errors import ModelError, shown
+from .frame import Frame, Located, Place
 
 if TYPE_CHECKING:
     from .model import Model
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 LOCAL = ((0, 0, -1), (1, 0, 0), (0, -1, 0))
 
 
+@checked
 def circular(
     scene: Model,
     name: str,
@@ -77,6 +80,9 @@ def axes(body: Place, center: Place | None = None) -> Any:
     """
     import sympy
 
+    for name, place in (("body", body), ("center", center or body)):
+        if not isinstance(place, Located):
+            raise ModelError(f"orbit: {name} is {shown(place)}; give a body or a frame")
     r, v = body.position(wrt=center), body.velocity()
     if center is not None:
         v = v - center.velocity()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..errors import ModelError
+from ..errors import ModelError, shown
 
 Rows = list[list[float]]
 QUARTER = math.pi / 2
@@ -20,7 +20,7 @@ def check_axes(axes: str, who: str) -> None:
     if len(axes) != 3 or axes.lower().strip("xyz") or not (axes.islower() or axes.isupper()):
         raise ModelError(
             f"'{who}': a sequence is three letters of XYZ (body-fixed) or xyz (fixed axes), "
-            f"not {axes!r}"
+            f"not {shown(axes)}"
         )
 
 

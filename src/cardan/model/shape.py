@@ -6,6 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ..arguments import checked
+from ..errors import ModelError
+from .frame import triple
+
 
 @dataclass(frozen=True)
 class Shape:
@@ -26,6 +30,7 @@ class Shape:
     color: tuple[float, float, float, float] | None = None
 
 
+@checked
 def cylinder(
     radius: Any,
     length: Any,
@@ -40,6 +45,7 @@ def cylinder(
     return _shape("cylinder", size, position, rotation, color)
 
 
+@checked
 def capsule(
     radius: Any,
     length: Any,
@@ -54,6 +60,7 @@ def capsule(
     return _shape("capsule", size, position, rotation, color)
 
 
+@checked
 def box(
     x: Any,
     y: Any,
@@ -67,6 +74,7 @@ def box(
     return _shape("box", (("x", x), ("y", y), ("z", z)), position, rotation, color)
 
 
+@checked
 def sphere(
     radius: Any, *, position: Sequence[Any] = (0, 0, 0), color: Sequence[float] | None = None
 ) -> Shape:
@@ -74,6 +82,7 @@ def sphere(
     return _shape("sphere", (("radius", radius),), position, None, color)
 
 
+@checked
 def mesh(
     file: str,
     *,
@@ -93,9 +102,14 @@ def _shape(
     rotation: Any,
     color: Sequence[float] | None,
 ) -> Shape:
-    x, y, z = position
+    x, y, z = triple(position, f"shape.{kind}: position")
     paint = None
     if color is not None:
+        if len(color) not in (3, 4):
+            raise ModelError(
+                f"shape.{kind}: color has {len(color)} entries; give red, green, blue, 0 to 1, and "
+                "the opacity behind them if you like"
+            )
         red, green, blue, *rest = (float(c) for c in color)
         paint = (red, green, blue, rest[0] if rest else 1.0)
     return Shape(kind, size, (x, y, z), rotation, paint)

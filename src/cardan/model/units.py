@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 
 # exponents of kg, m, s, A, K
 Dimension = tuple[float, float, float, float, float]
@@ -84,7 +84,6 @@ UNITS: dict[str, Unit] = {
 }
 
 
-@lru_cache(maxsize=256)
 def unit(text: str) -> Unit:
     """The unit a text names, such as ``"mm"``, ``"kg m^2"``, ``"N*m/rad"``, ``"kg·m²"``.
 
@@ -94,7 +93,12 @@ def unit(text: str) -> Unit:
         ModelError: no text, or a part of it is unknown.
     """
     if not isinstance(text, str):
-        raise ModelError(f"unit {text!r}: a unit is text such as 'kg m^2'")
+        raise ModelError(f"unit {shown(text)}: a unit is text such as 'kg m^2'")
+    return _unit(text)
+
+
+@lru_cache(maxsize=256)
+def _unit(text: str) -> Unit:
     parts = re.split(r"\s*([*/·]|\s)\s*", text.strip().replace("**", "^")) if text.strip() else []
     factor, dimension, sign = 1.0, NONE, 1
     names: list[str] = []
@@ -117,10 +121,10 @@ def _factor(part: str, text: str) -> tuple[Unit, int]:
     match = re.fullmatch(r"([A-Za-z]+|1)(?:\^?(-?\d+)|([²³]))?", part)
     name = match.group(1) if match else part
     if match is None or name not in UNITS:
-        raise ModelError(f"unit {text!r}: '{name}' is unknown." + near(name, UNITS))
+        raise ModelError(f"unit {shown(text)}: '{name}' is unknown." + near(name, UNITS))
     power = int(match.group(2) or {"²": 2, "³": 3}.get(match.group(3) or "", 1))
     if abs(power) > 12:
-        raise ModelError(f"unit {text!r}: powers go up to 12")
+        raise ModelError(f"unit {shown(text)}: powers go up to 12")
     return UNITS[name], power
 
 

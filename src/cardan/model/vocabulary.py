@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
+from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.revolute import Revolute
@@ -75,7 +76,7 @@ class Vocabulary(ABC):
             raise ModelError(f"{what} 't': t is the time; choose another name")
         if name in self.parameters or name in self.inputs:
             raise ModelError(f"{what} '{name}': the name is taken by a parameter or an input")
-        measured = unit_of(unit or "")
+        measured = unit_of("" if unit is None else unit)
         number = checks.number(f"{what} '{name}'", value) * measured.factor
         where[name] = Declared(name, number, measured.si, unit is not None)
 
@@ -90,6 +91,7 @@ class Vocabulary(ABC):
             ModelError: the name is taken or the unit unknown.
         """
         checks.new("output", name, self.outputs)
+        checks.quantity(f"output '{name}'", expression)
         self.outputs[name] = Output(name, expression, unit_of(unit).si)
 
     def constraint(self, name: str, expression: Any, unit: str = "") -> None:
@@ -118,8 +120,10 @@ class Vocabulary(ABC):
                 f"constraint '{name}': an expression that is kept at 0 is wanted, not the "
                 f"condition {expression}; write left side - right side"
             )
+        checks.quantity(f"constraint '{name}'", expression)
         self.constraints[name] = Constraint(name, expression, unit_of(unit).si)
 
+    @checked
     def q(self, coordinate: str) -> Any:
         """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several.
 
@@ -127,6 +131,7 @@ class Vocabulary(ABC):
         """
         return self._coordinate("q", coordinate, coordinate)
 
+    @checked
     def u(self, speed: str) -> Any:
         """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
         joint, _, component = speed.partition(".")
@@ -134,6 +139,7 @@ class Vocabulary(ABC):
             joint, component = speed, ""
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 
+    @checked
     def state(self, name: str) -> Any:
         """Symbol of a state that a force element keeps itself, such as ``"motor.force"``.
 
@@ -176,7 +182,7 @@ class Vocabulary(ABC):
         self, place: Located, quantity: str, count: int, others: Sequence[Any]
     ) -> list[Any]:
         """Symbols that stand for the motion of a frame, see :class:`Located`."""
-        names = [self.place(f"{place.name}.{quantity}", o) if o else "" for o in others]
+        names = [self.place(f"{place.name}.{quantity}", o) if o is not None else "" for o in others]
         suffix = "".join(f"@{n}" if n else "" for n in names)
         if names[1] and not names[0]:
             suffix = "@" + suffix

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from numpy.typing import ArrayLike
 
+from ..arguments import checked
 from .calling import Array
 from .evaluation import State
 from .identified import Identified
@@ -47,7 +48,7 @@ class Analyzed(Identified):
         if joint in self._doubted:
             return
         self._doubted.add(joint)
-        if self.manifest["multipliers"] and "constraint_jacobian" in self.manifest["available"]:
+        if self.manifest["multipliers"] or self.manifest.get("cuts"):
             from ..analyses.redundancy import doubt
 
             doubt(self._itself, joint, q, t, r)
@@ -229,6 +230,7 @@ class Analyzed(Identified):
 
         return campbell(self._itself, swept, **options)
 
+    @checked
     def sensitivity(self, parameters: Any, about: Any = None) -> Sensitivity:
         """Derivatives of eigenvalues by parameters, the motion moving along with them.
 
@@ -264,6 +266,7 @@ class Analyzed(Identified):
 
         return stiffness(self._itself, x, t, **options)
 
+    @checked
     def beam(self, name: str, q: State) -> BeamStress:
         """Forces, moments and strains along a beam, in axes of the section.
 
@@ -278,7 +281,8 @@ class Analyzed(Identified):
 
         return beam_stress(self._itself, name, q)
 
-    def partition(self, q: ArrayLike, *, t: float = 0.0, r: Any = None) -> Partition:
+    @checked
+    def partition(self, q: ArrayLike, *, t: float = 0.0, r: State | None = None) -> Partition:
         """Independent coordinates and speeds, chosen at a position: the minimal form.
 
         Args:
@@ -293,6 +297,7 @@ class Analyzed(Identified):
 
         return Partition(self._itself, q, t, r)
 
+    @checked
     def reduced_rhs(self, t: float, y: ArrayLike, partition: Partition) -> Array:
         """Derivative (n,) of y = [independent coordinates, independent speeds] (n,).
 
@@ -327,13 +332,14 @@ class Analyzed(Identified):
 
         return residual(self._itself, t, q, u, udot, lam, qdot=qdot, index=index, **options)
 
-    def ensemble(self, t: ArrayLike, **options: Any) -> Ensemble:
+    def ensemble(self, t: ArrayLike | None = None, **options: Any) -> Ensemble:
         """Many runs that differ by start, parameters or inputs, in SIMD lanes and threads.
 
         Args:
             t: End, ``(start, end)`` or output times [s].
-            options: ``vary`` (a plan of ``cd.sample``), ``x0``, ``q``, ``u``, ``parameters``,
-                ``inputs``, ``runs``, ``seed``, ``reduce``, ``method``, ``rtol``, ``atol``,
+            options: ``t_eval``, ``vary`` (a plan of ``cd.sample``), ``x0``, ``q``, ``u``,
+                ``parameters``, ``inputs``, ``runs``, ``seed``, ``reduce``, ``method``, ``rtol``,
+                ``atol``,
                 ``step``, ``max_step``, ``threads``, ``lanes``, ``client``, ``checkpoint``,
                 ``check``, ``progress``; see :func:`cardan.analyses.ensembles.ensemble`.
         """

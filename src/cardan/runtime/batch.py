@@ -11,7 +11,6 @@ from __future__ import annotations
 import os
 import threading
 import time
-import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -20,7 +19,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import BuildError, BuildWarning
+from ..errors import BuildError, BuildWarning, warn
 from .lanes import Answer, Lanes, Recipe, States, width
 from .slots import ORDER, SLOT
 
@@ -193,11 +192,10 @@ class Batch:
             self.build(own, one, states)
         except BuildError as error:
             self._spent[own] = -np.inf
-            warnings.warn(
+            warn(
                 f"{self.name}: no build for several states at once, they are done one by one. "
                 f"{error}",
                 BuildWarning,
-                stacklevel=6,
             )
             return None
         return self.found(own, states)

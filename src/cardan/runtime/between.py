@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import ModelError
+from ..errors import ArgumentError, ModelError
 from .calling import Array
 from .closing import project
 
@@ -19,12 +19,19 @@ def states_at(motion: Trajectory, times: Array) -> Array:
 
     Raises:
         ModelError: a time outside the run, or the run kept only its output times.
+        ArgumentError: more times than fit into memory.
     """
+    try:
+        return _states_at(motion, times)
+    except MemoryError:
+        raise ArgumentError(
+            f"{len(times)} times do not fit into memory. Give fewer at once"
+        ) from None
+
+
+def _states_at(motion: Trajectory, times: Array) -> Array:
     if motion.dense is None:
-        raise ModelError(
-            "the run was asked for output times only and kept nothing between them. "
-            "Simulate with t as an end or (start, end)"
-        )
+        return _kept(motion, times)
     low, high = sorted((float(motion.t[0]), float(motion.t[-1])))
     outside = times[~((times >= low) & (times <= high))]
     if len(outside):
@@ -37,6 +44,25 @@ def states_at(motion: Trajectory, times: Array) -> Array:
         x = project(motion.model, times, values[:, :nx], r, modes, motion.ledger)
         values[:, :nx] = x
     return values
+
+
+def _kept(motion: Trajectory, times: Array) -> Array:
+    """Rows (m, nx + sources) of a run that kept nothing between its output times.
+
+    Raises:
+        ModelError: a time that is none of them.
+    """
+    order = np.argsort(motion.t, kind="stable")
+    # of two rows of one time the later one counts, which is what came of it
+    last = np.searchsorted(motion.t[order], times, side="right") - 1
+    rows = order[np.maximum(last, 0)]
+    missing = times[motion.t[rows] != times]
+    if len(missing):
+        raise ModelError(
+            f"t={missing[0]:g} s is not an output time of the run, which kept nothing between "
+            "them. Simulate with t as an end or (start, end)"
+        )
+    return np.concatenate([motion.x[rows], motion.given[rows]], axis=1)
 
 
 def inputs_at(motion: Trajectory, times: Array) -> Array:

@@ -26,6 +26,7 @@ from pathlib import Path
 from ..errors import BuildError
 from . import folder
 from .toolchain import Compiler, compile_shared, find_compiler, processor
+from .trust import exposed, own
 
 DIGEST = 32
 VERSION = "3"
@@ -57,6 +58,12 @@ class Object:
             BuildError: the loader refuses it.
         """
         try:
+            way = exposed(self.path.parent)
+            if way:
+                raise BuildError(
+                    f"compiled code is not loaded from {self.path.parent}: {way} now. Set "
+                    "CARDAN_CACHE to a folder of your own"
+                )
             return ctypes.CDLL(str(self.path))
         except OSError as error:
             raise BuildError(
@@ -192,7 +199,7 @@ def compiled(
     try:
         return _made(cache / name, sources, include, by, reproducible, words)
     except OSError as error:
-        elsewhere = folder.instead(cache, f"{error.strerror or error}. {_ROOM}")
+        elsewhere = folder.instead(cache, f"{error.strerror or error}. {folder.cure(error)}")
     try:
         return _made(elsewhere / name, sources, include, by, reproducible, words)
     except OSError as error:
@@ -250,11 +257,10 @@ def _there(name: str) -> Object | None:
     return None
 
 
-_ROOM = "Make room with: cardan doctor --prune, or set CARDAN_CACHE to another folder"
-
-
 def _unwritable(place: Path, error: OSError) -> BuildError:
-    return BuildError(f"{place} cannot be written to ({error.strerror or error}). {_ROOM}")
+    return BuildError(
+        f"{place} cannot be written to ({error.strerror or error}). {folder.cure(error)}"
+    )
 
 
 def _made(
@@ -309,9 +315,14 @@ def _abandoned(path: Path) -> bool:
 
 
 def intact(path: Path) -> bool:
-    """Whether the file is there and is what the linker wrote."""
+    """Whether the file is there, this user's alone, and is what the linker wrote."""
     try:
-        content = path.read_bytes()
+        # no link: what it leads to lies somewhere else
+        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        with open(handle, "rb") as file:
+            if not own(os.fstat(handle)):
+                return False
+            content = file.read()
     except OSError:
         return False
     return hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:]

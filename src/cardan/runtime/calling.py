@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near
+from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
 from . import abi
 from .batch import Batch
 from .interpreted import Interpreted
@@ -240,10 +239,9 @@ class Caller:
         code = f" (status {status})" if status else ""
         if single:
             raise SolveError(f"{what}{code}: {why}")
-        warnings.warn(
+        warn(
             f"{what}{code} at state {first}; {len(rows)} of {len(result)} states failed: {why}",
             SolveWarning,
-            stacklevel=4,
         )
 
     def _deliver(self, result: Array, out: Array | None) -> Array:

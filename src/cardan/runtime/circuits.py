@@ -159,7 +159,8 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     for slip in circuits.slips:
         velocity = _slipping(slip.told, joints[slip.joint], speeds[slip.joint])
         rates.append(velocity[..., list(slip.rows)])
-    return _joined(missed), _joined(rates)
+    lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1])
+    return _joined(missed, lead), _joined(rates, lead)
 
 
 def _apart(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, Array, Array]:
@@ -177,9 +178,9 @@ def _apart(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, 
     return _rotation_vector(turned), times(back, away), times(axes, spin), times(back, drift)
 
 
-def _joined(rows: Sequence[Array]) -> Array:
+def _joined(rows: Sequence[Array], lead: tuple[int, ...]) -> Array:
     if not rows:
-        return np.zeros(0)
+        return np.zeros((*lead, 0))
     lead = np.broadcast_shapes(*(row.shape[:-1] for row in rows))
     return np.concatenate([np.broadcast_to(r, (*lead, r.shape[-1])) for r in rows], axis=-1)
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from .circuits import STEP, Circuits, circuits_of, conditions, jacobian, kept, rates_of
 from .closing import size_of
-from .joint_motion import KINDS, REVERSED, Array, times
+from .initial import start_of
+from .joint_motion import REVERSED, SPEEDS, Array, times
 from .judged import motion_of
 
 if TYPE_CHECKING:
@@ -70,13 +71,9 @@ def bound(model: CompiledModel) -> bool:
 def unbound(model: CompiledModel) -> str:
     """Why what binds a model cannot be judged; "" if it can."""
     manifest = model.manifest
-    reasons = [
-        f"constraint '{row['name']}' is written by the user"
-        for row in manifest["multipliers"]
-        if row["name"] == row["joint"]
-    ]
+    reasons = []
     for cut, kind in zip(manifest["cuts"], manifest["scene"]["cuts"], strict=True):
-        if kind.removeprefix(REVERSED) not in KINDS:
+        if kind.removeprefix(REVERSED) not in SPEEDS:
             reasons.append(f"joint '{cut['name']}' is {kind}")
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
@@ -126,6 +123,27 @@ def closed_states(
     return _bound(circuits, solved, q[chosen], wide, motion, worst, r[chosen], model.nu)
 
 
+def closers_at(
+    model: CompiledModel, circuits: Circuits, q: Array, t: float, r: Any, motion: Array | None
+) -> tuple[Array, float]:
+    """Coordinates (1, nq) of everything at those of the model (nq,), and what is missed [m, rad].
+
+    Args:
+        model, circuits: Whose.
+        q, t, r: Where the circuits are closed.
+        motion: Of prescribed joints, (1, nb, 3).
+    """
+    whole = _started(model, circuits, q[None])
+    whole[:, : model.nq] = q
+    count = max((first + size for first, size in circuits.scene.q), default=0)
+    if _solved(model):
+        saved = dependents(model, q[None], np.zeros((1, model.nu)), t, np.asarray(r)[None])[0]
+        whole[:, model.nq : max(count, model.nq)] = saved
+    moves = (np.arange(circuits.nu) >= circuits.scene.nu).astype(float)
+    whole, missed = _assembled(circuits, whole, motion, size_of(model), moves)
+    return whole, float(np.abs(missed).max(initial=0.0))
+
+
 def _solved(model: CompiledModel) -> int:
     """Number of circuits in closed form."""
     joints = model.manifest["joints"]
@@ -135,7 +153,7 @@ def _solved(model: CompiledModel) -> int:
 def _started(model: CompiledModel, circuits: Circuits, starts: Array) -> Array:
     """Everything between the initial position and the starts, (n, nq)."""
     part = np.linspace(NEAR, FAR, len(starts))[:, None]
-    first = model.split(model.initial())[0]
+    first = model.split(start_of(model, {}, {})[0])[0]
     q = np.zeros((len(starts), circuits.nq))
     q[:, : model.nq] = first + part * (starts - first)
     for closer in circuits.closers:

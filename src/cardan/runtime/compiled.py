@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError, spelled
+from ..arguments import Count, Seed, checked, kinds_of, read
+from ..errors import ArgumentError, counted, shown
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
@@ -23,7 +24,7 @@ from .parameters import Parameters
 from .states import random_state
 
 if TYPE_CHECKING:
-    from ..analyses.alpha import GeneralizedAlpha
+    from ..analyses.alpha import Alpha, GeneralizedAlpha
     from .report import Report
     from .trajectory import Trajectory
     from .verify import Verification
@@ -58,6 +59,7 @@ class CompiledModel(Analyzed):
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
 
+    @checked
     def __init__(
         self,
         directory: str | Path,
@@ -101,10 +103,13 @@ class CompiledModel(Analyzed):
 
     def __repr__(self) -> str:
         return (
-            f"CompiledModel('{self.name}', {self.manifest['method']}: {len(self.bodies)} bodies, "
-            f"{self.nq} coordinates, {self.nu} speeds, {len(self.parameters)} parameters)"
+            f"CompiledModel('{self.name}', {self.manifest['method']}: "
+            f"{counted(len(self.bodies), 'body', 'bodies')}, "
+            f"{counted(self.nq, 'coordinate')}, {counted(self.nu, 'speed')}, "
+            f"{counted(len(self.parameters), 'parameter')})"
         )
 
+    @checked
     def with_parameters(self, values: Values | None = None, **named: ArrayLike) -> CompiledModel:
         """The same model with other parameter values; nothing is compiled again.
 
@@ -157,6 +162,10 @@ class CompiledModel(Analyzed):
             functions: Such as ``"rhs"`` or ``("pose", "hand")``; all that were written if empty.
             batch: Also for many states side by side, which else happens when it pays.
         """
+        batch = read("prepare", "batch", batch, kinds_of("bool"))
+        for f in functions:
+            if not isinstance(f, str | tuple):
+                raise ArgumentError(f"prepare({shown(f)}): give names, or ('pose', 'hand')")
         keys = [(f, None) if isinstance(f, str) else f for f in functions]
         if not functions:
             keys = self._written()
@@ -167,6 +176,7 @@ class CompiledModel(Analyzed):
             for function in loaded:
                 build(self, function)
 
+    @checked
     def lanes(self, function: str, of: str | None = None) -> int:
         """States that batches of a function do side by side; 1 until that pays, or without vectors.
 
@@ -189,9 +199,8 @@ class CompiledModel(Analyzed):
     def _evaluate_saved(self, name: str, arithmetic: str = "numpy", **values: Any) -> Any:
         """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`."""
         from ..ir.interpreter import evaluate
-        from ..ir.serialize import from_dict
 
-        return evaluate(from_dict(self._objects.saved()[name]), values, arithmetic)
+        return evaluate(self._objects.function(name), values, arithmetic)
 
     def _kernels(self) -> ctypes.CDLL:
         """The library of integrators and loops."""
@@ -200,6 +209,10 @@ class CompiledModel(Analyzed):
     def _evaluate(
         self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
     ) -> Array:
+        of = key[1]
+        if of is not None and not isinstance(of, str):
+            kind = "joint" if key[0] == "reaction" else "frame"
+            raise ArgumentError(f"{key[0]}: {kind}={shown(of)}: give the name of a {kind}")
         if parameters is None:
             result: Array = self._calls[key](out, *values)
             return result
@@ -236,24 +249,35 @@ class CompiledModel(Analyzed):
         nq, end = self.nq, self.nq + self.nu
         return array[..., :nq], array[..., nq:end], array[..., end:]
 
+    @checked
     def initial(
         self, q: Values | None = None, u: Values | None = None, z: Values | None = None
     ) -> Array:
-        """A state x (nx,) from named values; the rest from q0 and u0 of the joints, then 0."""
-        from .initial import start_of
+        """The state x (nx,) in which a run with these named values starts.
 
-        state: Array = start_of(self, q or {}, u or {}, z or {})[0]
-        return state
+        Loops are closed at t = 0 with the defaults of the inputs, as ``simulate`` closes them: what
+        is named is held, the rest is next to q0 and u0 of the joints, then 0.
 
+        Raises:
+            ModelError: an unknown name, or loops that cannot be closed with what is named.
+            ArgumentError: the wrong number of values.
+            SolveError: a value that is not finite, or a quaternion whose length is not 1.
+        """
+        from ..analyses.closed_start import initial
+
+        return initial(self, q or {}, u or {}, z or {})
+
+    @checked
     def random_state(
-        self, rng: np.random.Generator | int | None = None, shape: tuple[int, ...] = ()
+        self, rng: np.random.Generator | Seed | None = None, shape: tuple[int, ...] = ()
     ) -> Array:
         """States x (*shape, nx) inside limits and domains; speeds within +-1."""
         return random_state(self.manifest, np.random.default_rng(rng), shape)
 
     # checks and runs
 
-    def verify(self, states: int = 3, seed: int = 1) -> Verification:
+    @checked
+    def verify(self, states: Count = 3, seed: Seed = 1) -> Verification:
         """Compare the C with an independent NumPy Newton-Euler; see :mod:`.verify`.
 
         Raises:
@@ -263,6 +287,7 @@ class CompiledModel(Analyzed):
 
         return verify(self, states=states, seed=seed)
 
+    @checked
     def report(self, t: float | ArrayLike | None = None, **options: Any) -> Report:
         """Measure every function: operations, time, error against 40 digits; prints a table.
 
@@ -280,19 +305,20 @@ class CompiledModel(Analyzed):
 
         return compare(self, functions, t, **options)
 
-    @spelled
+    @checked
     def simulate(
         self,
-        t: float | ArrayLike,
+        t: float | ArrayLike | None = None,
         *,
+        t_eval: ArrayLike | None = None,
         x0: ArrayLike | None = None,
         q: Any = None,
         u: Any = None,
         z: Any = None,
         events: Mapping[str, Any] | None = None,
-        method: str | GeneralizedAlpha = "auto",
+        method: str | GeneralizedAlpha | Alpha = "auto",
         rtol: float = 1e-6,
-        atol: float = 1e-9,
+        atol: float | None = None,
         step: float | None = None,
         max_step: float | None = None,
         inputs: Mapping[str, Any] | None = None,
@@ -306,6 +332,7 @@ class CompiledModel(Analyzed):
 
         Args:
             t: End, ``(start, end)`` or output times [s].
+            t_eval: Output times [s], two or more, in place of ``t``.
             x0: State (nx,); or q, u, z: arrays or values by name, such as ``{"elbow": 0.3}``.
             events: Name -> ``f(t, x)`` or ``("elbow", value)``: where the run ends, or what is
                 noted.
@@ -316,7 +343,8 @@ class CompiledModel(Analyzed):
         """
         from ..analyses.simulate import simulate
 
-        start: dict[str, Any] = {"x0": x0, "q": q, "u": u, "z": z, "events": events}
+        start: dict[str, Any] = {"t_eval": t_eval, "x0": x0, "q": q, "u": u, "z": z}
+        start |= {"events": events}
         given: dict[str, Any] = {"inputs": inputs, "sample": sample, "progress": progress}
         given |= {"checkpoint": checkpoint, "every": every}
         how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
@@ -328,7 +356,7 @@ class CompiledModel(Analyzed):
 
         return stepper(self, **options)
 
-    @spelled
+    @checked
     def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
         """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
         from ..analyses.stepper import resume

@@ -22,6 +22,7 @@ class Conduct:
         message: The same as a sentence, with time and coordinate.
         reason: Why this method, or what another one would do better.
         statistics: steps, rejections, evaluations, milliseconds.
+        warning: What the run misses far beyond its tolerance, "" where it keeps to it.
     """
 
     method: str
@@ -32,3 +33,4 @@ class Conduct:
     message: str
     statistics: dict[str, float]
     reason: str = ""
+    warning: str = ""

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ArgumentError, ModelError, near
+from ..arguments import checked
+from ..errors import ArgumentError, ModelError, near, shown
 from ..ir.request import Request
 from .calling import Array
 from .constraints import Constraints
@@ -28,6 +29,7 @@ PUSHED = ("forward_dynamics", "inverse_dynamics")
 class Derivatives(Constraints, ABC):
     """Derivatives of all functions above."""
 
+    @checked
     def derivative(
         self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD
     ) -> Derivative:
@@ -55,7 +57,7 @@ class Derivatives(Constraints, ABC):
         if not isinstance(pair, tuple) or len(pair) != 2:
             raise ModelError(
                 f"derivative: a name, or a pair such as ('pose', 'hand'), is wanted, "
-                f"not {function!r}"
+                f"not {shown(function)}"
             )
         name, of = pair
         if name not in SMOOTH:
@@ -68,7 +70,7 @@ class Derivatives(Constraints, ABC):
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
                 "derivative: wrt is a block such as 'q', a parameter or input, or several of "
-                f"them, not {wrt!r}"
+                f"them, not {shown(wrt)}"
             )
         entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
         if wrt is STANDARD:

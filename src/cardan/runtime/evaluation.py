@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError, ModelError, near
 from .calling import Array
-from .layout import FUNCTIONS
+from .layout import FUNCTIONS, NAMED
 from .objects import Key
 
 if TYPE_CHECKING:
@@ -51,6 +51,8 @@ class Evaluation(ABC):
         if name in self.manifest.get("absent", ()):
             raise ModelError(f"{name}: {self.manifest['absent'][name]}")
         kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
+        if name in NAMED and of is None:
+            raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', known)}")
         if name != "derivative" and of is not None and of not in known:
             raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")
 

@@ -1,24 +1,25 @@
 """The folder of the compile cache: this user's alone, or a temporary one.
 
 What lies in it runs as this user, so nobody else may put anything there. A folder that is not ours,
-not private, not a folder or not writable is left alone: objects go to a temporary one then, which
-lives as long as the process.
+not private, not a folder or not writable is left alone, and so is one that others could replace by
+way of a folder above it: objects go to a temporary one then, which lives as long as the process.
 """
 
 from __future__ import annotations
 
 import atexit
+import errno
 import os
 import re
 import shutil
 import stat
 import tempfile
-import warnings
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 
-from ..errors import BuildError, BuildWarning
+from ..errors import BuildError, BuildWarning, warn
+from .trust import exposed
 
 # others may not even list it: it shows what somebody works on
 PRIVATE = 0o700
@@ -33,8 +34,20 @@ def wanted() -> Path:
 
 
 def directory() -> Path:
-    """The cache of this user, mode 0700; a temporary one, said once, where that cannot be used."""
-    return _usable(wanted())
+    """The cache of this user, mode 0700; a temporary one, said once, where that cannot be used.
+
+    One that was removed meanwhile is made again. Who may change it is looked at in every call:
+    what lies in it is about to be loaded.
+    """
+    path = wanted()
+    found = _usable(path)
+    try:
+        reason = exposed(found)
+    except OSError:
+        _usable.cache_clear()
+        found = _usable(path)
+        reason = exposed(found)
+    return instead(path, f"{reason}. {_ELSEWHERE}") if reason else found
 
 
 @lru_cache(maxsize=8)
@@ -63,9 +76,10 @@ def refusal(path: Path) -> str:
     try:
         if stat.S_IMODE(status.st_mode) != PRIVATE:
             path.chmod(PRIVATE)
+        way = exposed(path)
     except OSError as error:
         return f"it cannot be made private ({error.strerror}). {_ELSEWHERE}"
-    return ""
+    return f"{way}, on the way to it. {_ELSEWHERE}" if way else ""
 
 
 def _foreign(path: Path) -> str:
@@ -78,6 +92,19 @@ def _foreign(path: Path) -> str:
 
 
 _ELSEWHERE = "Set CARDAN_CACHE to a folder of your own"
+_ROOM = "Make room with: cardan doctor --prune, or set CARDAN_CACHE to another folder"
+# by what the system says; of everything else the place is at fault
+_CURES = {
+    errno.ENOENT: "It was removed while this process ran: do the same again, it is made anew",
+    errno.EISDIR: "A folder stands where a file belongs: run cardan doctor --prune --all",
+    errno.ENOSPC: _ROOM,
+    errno.EDQUOT: _ROOM,
+}
+
+
+def cure(error: OSError) -> str:
+    """What to do where the cache cannot be written to."""
+    return _CURES.get(error.errno or 0, "Set CARDAN_CACHE to another folder")
 
 
 def used(path: Path) -> None:
@@ -99,11 +126,10 @@ def instead(path: Path, reason: str) -> Path:
 @lru_cache(maxsize=8)
 def _temporary(path: Path, reason: str, process: int) -> Path:
     made = scratch(process)
-    warnings.warn(
+    warn(
         f"the compile cache {path} cannot be used: {reason}. What is compiled now is lost when "
         "this process ends",
         BuildWarning,
-        stacklevel=2,
     )
     return made
 

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError, ModelError, SolveError, near
+from ..errors import ArgumentError, ModelError, SolveError, near, shown
 from ..ir.rows import column, having
 from .calling import Array
+from .named_rotations import check_units, component, refuse_components
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -47,14 +48,15 @@ def initial_state(
         z: Internal states by their names.
 
     Returns:
-        x (nx,) with quaternions of unit length, and the names of the entries that were not given:
-        they come from q0 and u0 of their joints, else they are those of the reference position;
-        internal states start as their elements say.
+        x (nx,) with quaternions of unit length to rounding, and the names of the entries that
+        were not given: they come from q0 and u0 of their joints, else they are those of the
+        reference position; internal states start as their elements say.
 
     Raises:
-        ModelError: an unknown name, a joint without coordinates of its own, a value given twice.
+        ModelError: an unknown name, a joint without coordinates of its own, a value given twice,
+            single components of a quaternion.
         ArgumentError: the wrong number of values.
-        SolveError: a value that is not finite, or a quaternion of length 0.
+        SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
     joints: Rows = manifest["joints"]
     values, given = [], []
@@ -110,6 +112,9 @@ def _fill(
             )
         block[place] = _numbers(where, value, entries)
         covered[place] = [True] * len(entries)
+    if letter == "q":
+        named_here = {k for k, known in enumerate(covered) if known}
+        refuse_components(manifest, "q=", named_here)
     return covered
 
 
@@ -131,6 +136,25 @@ def entries(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
     return _places(letter, rows, manifest["joints"])
 
 
+def followers(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
+    """Joints and entries that follow from loops -> their places among all that follow.
+
+    Args:
+        manifest: Of the model.
+        letter: ``"q"`` or ``"u"``.
+    """
+    found: dict[str, slice] = {}
+    at = 0
+    for joint in manifest["joints"]:
+        own = (joint.get("solved") or {}).get(letter, ())
+        if own:
+            found[joint["name"]] = slice(at, at + len(own))
+        for name in own:
+            found.setdefault(name, slice(at, at + 1))
+            at += 1
+    return found
+
+
 def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
     """Why there is no such entry of q or u, in words."""
     return _unknown(letter, name, manifest)
@@ -139,6 +163,9 @@ def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
 def _unknown(letter: str, name: str, manifest: Mapping[str, Any]) -> str:
     if letter == "z":
         return f"there is no internal state '{name}'."
+    part = component(manifest, name) if letter == "q" else ""
+    if part:
+        return part
     what = {"q": "coordinate", "u": "speed"}[letter]
     joint = next((j for j in manifest["joints"] if j["name"] == name), None)
     if joint is None and name in (row["name"] for row in manifest.get("cuts", [])):
@@ -163,7 +190,7 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
     """The values of some entries, checked."""
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where}: {value!r} is not a number")
+        raise ArgumentError(f"{where}: {shown(value)} is not a number")
     array = np.atleast_1d(array.astype(np.float64))
     if array.shape != (len(entries),):
         raise ArgumentError(
@@ -176,13 +203,7 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
 
 
 def _normalize(q: Array, manifest: Mapping[str, Any]) -> None:
+    check_units(manifest, q)
     starts = np.array(manifest["quaternions"], dtype=np.intp)
     entries = starts[:, None] + np.arange(4)
-    norms = np.linalg.norm(q[entries], axis=1)
-    for start, norm in zip(starts[norms < 1e-6], norms[norms < 1e-6], strict=True):
-        name = manifest["coordinates"][int(start)]["name"]
-        raise SolveError(
-            f"the quaternion at '{name}' has length {norm:g} and stands for no rotation. "
-            "No rotation is (1, 0, 0, 0)"
-        )
-    q[entries] /= norms[:, None]
+    q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]

@@ -5,7 +5,6 @@ The same results up to rounding, some hundred times slower.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -14,7 +13,7 @@ import numpy as np
 from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
-from ..errors import BuildWarning, SolveError
+from ..errors import BuildWarning, SolveError, warn
 from .slots import SLOT
 
 if TYPE_CHECKING:
@@ -29,10 +28,9 @@ CURE = "pip install 'cardan[compiler]' makes it some hundred times faster"
 @lru_cache(maxsize=1)
 def announce() -> None:
     """Say once per process that there is no compiler, and what to do about it."""
-    warnings.warn(
+    warn(
         f"no C compiler here: functions are evaluated in NumPy, with the same results. {CURE}",
         BuildWarning,
-        stacklevel=2,
     )
 
 

@@ -15,46 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .circle_means import ROUND, Pose, means_of, settled
+from .joint_curve import Curve
 from .rotations import PARAMETERS, about, quaternion
 
 Array = NDArray[Any]
 # before the kind of a joint whose child carries its parent
 REVERSED = "reversed "
-
-
-@dataclass(frozen=True)
-class Curve:
-    """A piecewise polynomial in space.
-
-    Attributes:
-        breaks: Ends of the pieces, (n + 1,).
-        coefficients: Highest power of the distance from the left end first, by component and
-            piece, (3, n, k).
-        period: After which it comes round again, 0 where it does not.
-    """
-
-    breaks: Array
-    coefficients: Array
-    period: float = 0.0
-
-    def at(self, s: Array, order: int) -> Array:
-        """Derivative by s, (..., 3)."""
-        if self.period:
-            s = s - self.period * np.floor(s.real / self.period)
-        piece = np.clip(np.searchsorted(self.breaks, s.real) - 1, 0, len(self.breaks) - 2)
-        step = s - self.breaks[piece]
-        rows = [np.moveaxis(row[piece], -1, 0) for row in self.coefficients]
-        for _ in range(order):
-            powers = np.arange(len(rows[0]) - 1, 0, -1)
-            rows = [row[:-1] * powers.reshape(-1, *([1] * s.ndim)) for row in rows]
-        return np.stack([_horner(row, step) for row in rows], axis=-1)
-
-
-def _horner(coefficients: Array, x: Array) -> Array:
-    total = np.zeros_like(x)
-    for c in coefficients:
-        total = total * x + c
-    return total
+CUSTOM = "custom"
 
 
 @dataclass(frozen=True)
@@ -68,6 +36,7 @@ class Told:
         pitch: Displacement per angle.
         sizes: Lengths of the kind (2,): of a rod, or radius and crown of a wheel.
         curve: Of a point on a curve.
+        pose: Of a joint of the user's own.
     """
 
     kind: str
@@ -77,6 +46,7 @@ class Told:
     pitch: float
     sizes: Array
     curve: Curve | None = None
+    pose: Pose | None = None
 
 
 @dataclass(frozen=True)
@@ -324,6 +294,59 @@ def _fixed(told: Told, q: Array, u: Array) -> JointMotion:
     return _motion(q, np.zeros((3, 0)), np.zeros((3, 0)))
 
 
+# imaginary parts below are a complex step
+ASIDE = 1e-9
+
+
+def _custom(told: Told, q: Array, u: Array) -> JointMotion:
+    """By the pose alone: derivatives are means over circles, as Cauchy has them."""
+    pose = told.pose
+    if pose is None:
+        raise ValueError("a joint of the user's own needs its pose")
+    if np.iscomplexobj(q) and (step := float(np.abs(q.imag).max(initial=0.0))) < ASIDE:
+        return _stepped(told, q, u, step)
+    lead, n = np.broadcast_shapes(q.shape[:-1], u.shape[:-1]), q.shape[-1]
+    q, u = (np.broadcast_to(x, (*lead, n)) for x in (q, u))
+    ways = np.concatenate([np.broadcast_to(np.eye(n), (*lead, n, n)), u[..., None, :]], axis=-2)
+    turned, placed = pose(q.reshape(-1, n).astype(complex))
+    R, p = turned.reshape(*lead, 3, 3), placed.reshape(*lead, 3)
+    slopes = settled(lambda radius: means_of(pose, q, ways, radius), lead)
+    first, second = np.moveaxis(slopes.reshape(*lead, 2, n + 1, 12), -3, 0)
+    if not np.iscomplexobj(q):
+        R, p, first, second = R.real, p.real, first.real, second.real
+    back = np.swapaxes(R, -1, -2)
+    turns = first[..., :n, :9].reshape(*lead, n, 3, 3)
+    turn = np.moveaxis(_axial(back[..., None, :, :] @ turns), -2, -1)
+    bend = _axial(back @ second[..., n, :9].reshape(*lead, 3, 3))
+    shift = np.moveaxis(first[..., :n, 9:], -2, -1)
+    return _motion(q, turn, shift, R, p, bend, second[..., n, 9:])
+
+
+def _stepped(told: Told, q: Array, u: Array, step: float) -> JointMotion:
+    """As :func:`_custom` a complex step aside, which the rounding of means would drown."""
+    still = vars(_custom(told, q.real, u))
+    if step == 0:
+        return JointMotion(**still)
+    # none of its points is a small step aside again
+    circle = [c.real if abs(c.imag) < ASIDE else c for c in ROUND]
+
+    def means(radius: float) -> tuple[Array, Array]:
+        around = [vars(_custom(told, q.real + radius * c * (q.imag / step), u)) for c in circle]
+        flat = [np.concatenate([found[name].ravel() for name in still]) for found in around]
+        parts = np.real(np.array(flat) / ROUND[:, None])
+        return parts.mean(axis=0) / radius, parts[::2].mean(axis=0) / radius
+
+    slopes, ends = settled(means, ()), np.cumsum([x.size for x in still.values()])
+    pairs = zip(still.items(), np.split(slopes, ends[:-1]), strict=True)
+    return JointMotion(**{k: x + 1j * step * part.reshape(x.shape) for (k, x), part in pairs})
+
+
+def _axial(m: Array) -> Array:
+    """What a matrix turns with: of its skew part."""
+    pairs = ((2, 1), (0, 2), (1, 0))
+    return np.asarray(np.stack([m[..., i, j] - m[..., j, i] for i, j in pairs], axis=-1) / 2)
+
+
 MOTIONS: Mapping[str, Callable[[Told, Array, Array], JointMotion]] = {
     "fixed": _fixed,
     "revolute": _revolute,
@@ -341,6 +364,7 @@ MOTIONS: Mapping[str, Callable[[Told, Array, Array], JointMotion]] = {
     "distance": _distance,
     "wheel": _rolling,
     "rolling_disk": _rolling,
+    CUSTOM: _custom,
 }
 KINDS: Sequence[str] = tuple(MOTIONS)
 # kinds that turn freely about a guided point, described by any parametrization of rotations

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .joint_motion import KINDS, REVERSED, Curve
+from .circle_means import Pose
+from .joint_curve import Curve
+from .joint_motion import CUSTOM, KINDS, REVERSED
 from .newton_euler import Scene
 from .rotations import PARAMETERS
 
@@ -24,7 +28,7 @@ def unknown(model: CompiledModel) -> str:
     for joint, kind, rotation in zip(
         manifest["joints"], scene["kinds"], scene["rotations"], strict=True
     ):
-        if kind.removeprefix(REVERSED) not in KINDS:
+        if kind.removeprefix(REVERSED) not in KINDS or not _posed(model, joint["name"], kind):
             reasons.append(f"joint '{joint['name']}' is {kind}")
         elif rotation is not None and rotation not in PARAMETERS:
             reasons.append(f"joint '{joint['name']}' is described by {rotation}")
@@ -36,17 +40,58 @@ def unknown(model: CompiledModel) -> str:
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
 
+def unjudged(model: CompiledModel) -> str:
+    """Why nothing but its own expressions speaks for a model; "" where something does."""
+    scene = model.manifest.get("scene") or {}
+    if "mesh" in model.manifest or scene.get("samples"):
+        return ""
+    from .closed_states import bound, unbound
+
+    return unknown(model) or (unbound(model) if bound(model) else "")
+
+
+POSE = "scene_pose_"
+
+
+def _posed(model: CompiledModel, name: str, kind: str) -> bool:
+    """Whether the pose of a joint is known: it is saved where the user wrote it."""
+    number = [joint["name"] for joint in model.manifest["joints"]].index(name)
+    return kind.removeprefix(REVERSED) != CUSTOM or f"{POSE}{number}" in model.saved
+
+
+def _pose(model: CompiledModel, number: int) -> Pose:
+    """The pose of a joint of the user's own, as it was written."""
+    function, p = f"{POSE}{number}", model.parameters.vector
+
+    def pose(q: Any) -> tuple[Any, Any]:
+        found = model._evaluate_saved(function, q=q, p=p)
+        n, turned, placed = len(q), found["rotation"], found["position"]
+        return (
+            np.broadcast_to(turned, (n, *turned.shape[-2:])).reshape(n, 3, 3),
+            np.broadcast_to(placed, (n, *placed.shape[-1:])).reshape(n, 3),
+        )
+
+    return pose
+
+
 def scene_of(model: CompiledModel) -> Scene:
-    """The flat scene of a model with its parameter values.
+    """The flat scene of a model with its parameter values, as :func:`scene_from` says it."""
+    numbers = model._evaluate_saved("scene", p=model.parameters.vector)
+    kinds = enumerate(model.manifest["scene"]["kinds"])
+    own = [i for i, kind in kinds if kind.removeprefix(REVERSED) == CUSTOM]
+    return replace(scene_from(model.manifest, numbers), poses={i: _pose(model, i) for i in own})
+
+
+def scene_from(manifest: Mapping[str, Any], given: Mapping[str, Any]) -> Scene:
+    """The flat scene of a manifest with these numbers.
 
     Joints that circuits determine have their coordinates and speeds behind those of the model.
     """
-    joints, scene = model.manifest["joints"], model.manifest["scene"]
+    joints, scene = manifest["joints"], manifest["scene"]
     place = {joint["name"]: i for i, joint in enumerate(joints)}
-    given = model._evaluate_saved("scene", p=model.parameters.vector)
     numbers = {"axis2": np.zeros((len(joints), 3)), **given}
     leaders = [place[j["coupled"]["leader"]] if j["coupled"] else -1 for j in joints]
-    ends = {"q": model.nq, "u": model.nu}
+    ends = {"q": len(manifest["coordinates"]), "u": len(manifest["speeds"])}
     slots: dict[str, list[tuple[int, int]]] = {"q": [], "u": []}
     for joint in joints:
         for block, rows in slots.items():

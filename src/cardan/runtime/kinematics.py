@@ -8,7 +8,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError
+from ..errors import ArgumentError, shown
 from .calling import Array
 from .evaluation import Evaluation, State, Values, into
 from .objects import Key
@@ -79,7 +79,7 @@ class Kinematics(Evaluation, ABC):
             in_: Axes of the result, ``"ground"`` or ``"frame"``.
         """
         key, values = ("velocity", frame), (t, q, u, r)
-        if in_ == "ground":
+        if isinstance(in_, str) and in_ == "ground":
             return self._evaluate(key, values, parameters, out)
         return into(self._turned(key, values, in_, parameters), out)
 
@@ -101,7 +101,7 @@ class Kinematics(Evaluation, ABC):
         Gravity is not in it: a body at rest has 0. Axes as for :meth:`velocity`.
         """
         key, values = ("acceleration", frame), (t, q, u, udot, r)
-        if in_ == "ground":
+        if isinstance(in_, str) and in_ == "ground":
             return self._evaluate(key, values, parameters, out)
         return into(self._turned(key, values, in_, parameters), out)
 
@@ -109,8 +109,8 @@ class Kinematics(Evaluation, ABC):
         self, key: Key, values: tuple[Any, ...], in_: str, parameters: Values | None
     ) -> Array:
         """A 6-vector of a frame, or columns of them, in its own axes."""
-        if in_ != "frame":
-            raise ArgumentError(f"in_ must be 'ground' or 'frame', not {in_!r}")
+        if not isinstance(in_, str) or in_ != "frame":
+            raise ArgumentError(f"in_ must be 'ground' or 'frame', not {shown(in_)}")
         ground = self._evaluate(key, values, parameters, None)
         t, q, r = values[0], values[1], values[-1]
         axes = self._evaluate(("pose", key[1]), (t, q, r), parameters, None)[..., :3, :3]
@@ -136,7 +136,7 @@ class Kinematics(Evaluation, ABC):
         :meth:`velocity`.
         """
         key, values = ("frame_jacobian", frame), (t, q, r)
-        if in_ == "ground":
+        if isinstance(in_, str) and in_ == "ground":
             return self._evaluate(key, values, parameters, out)
         return into(self._turned(key, values, in_, parameters), out)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from math import prod
 from typing import Any
@@ -71,6 +72,7 @@ def prepare(code: Code, p: Array) -> Array:
     if code.function is not None:
         # expressions read the parameters themselves
         return np.ascontiguousarray(p, dtype=np.float64)
+    code.take({"p": p.shape[-1]})
     lead, size = p.shape[:-1], int(code.entry["prepared_size"])
     rows = np.ascontiguousarray(p, dtype=np.float64).reshape(prod(lead), p.shape[-1])
     w = np.empty((prod(lead), size))
@@ -89,14 +91,20 @@ def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
     """
     entry = code.entry
     sizes = [0] * len(ORDER)
-    for argument in arguments:
-        ends = [first for _, first in argument.blocks[1:]] + [argument.size]
-        for (slot, first), end in zip(argument.blocks, ends, strict=True):
-            sizes[slot] = end - first if ORDER[slot] in entry["inputs"] else 0
+    for slot, size in _sized(arguments):
+        sizes[slot] = size if ORDER[slot] in entry["inputs"] else 0
     sizes[SLOT["w"]] = int(entry["prepared_size"])
     work = int(entry["work_size"])
     recipe = code.recipe if max(entry["lanes"]) > 1 else None
     return Batch(code.symbol, recipe, code.address, sizes, work, threads)
+
+
+def _sized(arguments: list[Argument]) -> Iterator[tuple[int, int]]:
+    """Slot and size of every block of arguments."""
+    for argument in arguments:
+        ends = [first for _, first in argument.blocks[1:]] + [argument.size]
+        for (slot, first), end in zip(argument.blocks, ends, strict=True):
+            yield slot, end - first
 
 
 def assemble(
@@ -111,6 +119,7 @@ def assemble(
     unknown = [block for block in code.entry["inputs"] if block not in given]
     if unknown:
         raise BuildError(f"{code.symbol} reads {', '.join(unknown)}, which {name} does not take")
+    code.take({ORDER[slot]: size for slot, size in _sized(arguments)})
     outputs = code.entry["outputs"]
     # one result keeps its shape; several are handed on as one flat row
     shape = tuple(outputs[0]["shape"]) if len(outputs) == 1 else (int(code.entry["output_size"]),)

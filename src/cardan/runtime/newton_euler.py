@@ -9,11 +9,13 @@ Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 6.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from .joint_motion import Array, Curve, Told, cross, joint_motion
+from .circle_means import Pose
+from .joint_curve import Curve
+from .joint_motion import Array, Told, cross, joint_motion
 from .joint_motion import times as _times
 
 
@@ -31,6 +33,7 @@ class Scene:
             (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,); rotor
             (nb,) and sizes (nb, 2) where there are any.
         curves: Of points on curves, by body; () without any.
+        poses: Of joints of the user's own, by body.
     """
 
     parents: tuple[int, ...]
@@ -43,6 +46,7 @@ class Scene:
     numbers: Mapping[str, Array]
     nu: int
     curves: tuple[Curve | None, ...] = ()
+    poses: Mapping[int, Pose] = field(default_factory=dict)
 
     def told(self, i: int) -> Told:
         """What is known about joint i."""
@@ -55,7 +59,11 @@ class Scene:
             float(n["pitch"][i]),
             n["sizes"][i] if "sizes" in n else np.zeros(2),
             self.curves[i] if self.curves else None,
+            self.poses.get(i),
         )
+
+
+EMPTY = Scene((), (), (), (), (), (), (), {}, 0)
 
 
 def own(
@@ -75,6 +83,79 @@ def own(
     return (q[..., start : start + size], *(row[..., begin : begin + length] for row in rows))
 
 
+@dataclass(frozen=True)
+class Moving:
+    """How the bodies of a tree move, in ground axes; the ground is entry 0 of every list.
+
+    Attributes:
+        turned, place: Rotation (..., 3, 3) and origin (..., 3) of every body.
+        omega, velocity: Angular velocity and velocity of its origin.
+        alpha, accel: Their rates; ``accel`` with gravity taken off.
+        arms: From the origin of the parent to that of the body, by joint.
+        axes: Angular velocity and velocity of the body per speed of its joint, by joint.
+        rotors: Rate of the momentum of rotors along the joints, and that momentum, by joint.
+    """
+
+    turned: list[Array]
+    place: list[Array]
+    omega: list[Array]
+    velocity: list[Array]
+    alpha: list[Array]
+    accel: list[Array]
+    arms: list[Array]
+    axes: list[tuple[Array, Array]]
+    rotors: list[tuple[Array, Array]]
+
+
+def moving(
+    scene: Scene, q: Array, u: Array, udot: Array, motion: Array | None = None, pull: float = 1.0
+) -> Moving:
+    """The motion of all bodies; arguments as of :func:`inverse_dynamics`."""
+    n, numbers = len(scene.parents), scene.numbers
+    lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1], udot.shape[:-1])
+    q, u, udot = (np.broadcast_to(x, (*lead, x.shape[-1])) for x in (q, u, udot))
+    rotor, none = numbers.get("rotor", np.zeros(n)), np.zeros((*lead, 3))
+    upright = np.broadcast_to(np.eye(3), (*lead, 3, 3))
+    still = np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))
+    m = Moving([upright], [none], [none], [none], [none], [still], [], [], [])
+    for i in range(n):
+        k = scene.parents[i] + 1
+        qi, ui, udoti = own(scene, i, q, (u, udot), motion)
+        joint = joint_motion(scene.told(i), qi, ui)
+        side = m.turned[k] @ numbers["rotation"][i]
+        body = side @ joint.rotation
+        arm = _times(m.turned[k], numbers["position"][i]) + _times(side, joint.position)
+        # relative motion, then the sum with the motion of the parent
+        spin = _times(body, _times(joint.turn, ui))
+        drift = _times(side, _times(joint.shift, ui))
+        spin_up = _times(body, _times(joint.turn, udoti) + joint.turn_rate)
+        w = m.omega[k]
+        m.omega.append(w + spin)
+        m.velocity.append(m.velocity[k] + cross(w, arm) + drift)
+        m.alpha.append(m.alpha[k] + spin_up + cross(w, spin))
+        carried = cross(m.alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
+        push = _times(joint.shift, udoti) + joint.shift_rate
+        m.accel.append(m.accel[k] + carried + _times(side, push))
+        m.turned.append(body)
+        m.place.append(m.place[k] + arm)
+        m.arms.append(arm)
+        m.axes.append((body @ joint.turn, side @ joint.shift))
+        m.rotors.append((rotor[i] * udoti, rotor[i] * ui))
+    return m
+
+
+def poses(scene: Scene, q: Array) -> tuple[list[Array], list[Array]]:
+    """Rotations (..., 3, 3) to ground axes and origins (..., 3) of all bodies.
+
+    Args:
+        scene: The tree, without prescribed joints.
+        q: (..., nq).
+    """
+    still = np.zeros(scene.nu)
+    found = moving(scene, q, still, still, pull=0.0)
+    return found.turned[1:], found.place[1:]
+
+
 def inverse_dynamics(
     scene: Scene, q: Array, u: Array, udot: Array, motion: Array | None = None, pull: float = 1.0
 ) -> Array:
@@ -85,42 +166,33 @@ def inverse_dynamics(
         motion: Value, rate and acceleration of prescribed joints, (..., nb, 3).
         pull: Factor on gravity.
     """
-    n, numbers = len(scene.parents), scene.numbers
-    lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1], udot.shape[:-1])
-    q, u, udot = (np.broadcast_to(x, (*lead, x.shape[-1])) for x in (q, u, udot))
-    rotor = numbers.get("rotor", np.zeros(n))
-    turned = [np.broadcast_to(np.eye(3), (*lead, 3, 3))]
-    omega, alpha = [np.zeros((*lead, 3))], [np.zeros((*lead, 3))]
-    accel = [np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))]
-    arms, axes, moments, forces, rotors = [], [], [], [], []
-    for i in range(n):
-        k = scene.parents[i] + 1
-        qi, ui, udoti = own(scene, i, q, (u, udot), motion)
-        joint = joint_motion(scene.told(i), qi, ui)
-        side = turned[k] @ numbers["rotation"][i]
-        body = side @ joint.rotation
-        arm = turned[k] @ numbers["position"][i] + _times(side, joint.position)
-        # relative motion, then the sum with the motion of the parent
-        spin = _times(body, _times(joint.turn, ui))
-        drift = _times(side, _times(joint.shift, ui))
-        spin_up = _times(body, _times(joint.turn, udoti) + joint.turn_rate)
-        w = omega[k]
-        omega.append(w + spin)
-        alpha.append(alpha[k] + spin_up + cross(w, spin))
-        carried = cross(alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
-        push = _times(joint.shift, udoti) + joint.shift_rate
-        accel.append(accel[k] + carried + _times(side, push))
-        turned.append(body)
-        arms.append(arm)
-        axes.append((body @ joint.turn, side @ joint.shift))
-        moment, force = _rates_of_momentum(numbers, i, body, omega[-1], alpha[-1], accel[-1])
-        moments.append(moment)
-        forces.append(force)
-        rotors.append(rotor[i] * udoti)
-    return _backward(scene, lead, arms, axes, moments, forces, rotors)
+    m = moving(scene, q, u, udot, motion, pull)
+    pairs = [
+        rates_of_momentum(scene.numbers, i, m.turned[i + 1], m.omega[i + 1], a, b)
+        for i, (a, b) in enumerate(zip(m.alpha[1:], m.accel[1:], strict=True))
+    ]
+    moments, forces = [moment for moment, _ in pairs], [force for _, force in pairs]
+    return along_joints(scene, m, moments, forces, [rate for rate, _ in m.rotors])
 
 
-def _rates_of_momentum(
+def momenta_of_bodies(scene: Scene, m: Moving) -> tuple[list[Array], list[Array]]:
+    """Angular momentum about its origin and momentum of every body."""
+    numbers, spins, pushes = scene.numbers, [], []
+    for i in range(len(scene.parents)):
+        body, w, v = m.turned[i + 1], m.omega[i + 1], m.velocity[i + 1]
+        s = _times(body, numbers["first_moment"][i])
+        inertia = body @ numbers["inertia"][i] @ np.swapaxes(body, -1, -2)
+        spins.append(_times(inertia, w) + cross(s, v))
+        pushes.append(numbers["mass"][i] * v + cross(w, s))
+    return spins, pushes
+
+
+def momenta(scene: Scene, m: Moving) -> Array:
+    """p (..., nu): derivative of the kinetic energy by the speeds of the tree."""
+    return along_joints(scene, m, *momenta_of_bodies(scene, m), [own for _, own in m.rotors])
+
+
+def rates_of_momentum(
     numbers: Mapping[str, Array], i: int, body: Array, w: Array, alpha: Array, a: Array
 ) -> tuple[Array, Array]:
     """Moment about the origin and force that move body i."""
@@ -131,19 +203,28 @@ def _rates_of_momentum(
     return moment, force
 
 
-def _backward(
-    scene: Scene,
-    lead: tuple[int, ...],
-    arms: list[Array],
-    axes: list[tuple[Array, Array]],
-    moments: list[Array],
-    forces: list[Array],
-    rotors: list[Array],
+def along_joints(
+    scene: Scene, m: Moving, moments: list[Array], forces: list[Array], rotors: list[Array]
 ) -> Array:
-    """Joint by joint from the tips: the part of the transmitted wrench along the joint."""
-    tau = np.zeros((*lead, scene.nu))
+    """Joint by joint from the tips: the part of the transmitted wrench along the joint (..., nu).
+
+    Args:
+        scene, m: The tree and its motion.
+        moments, forces: On every body, the moment about its origin.
+        rotors: Along every joint.
+    """
+    return transmitted(scene, m, moments, forces, rotors)[0]
+
+
+def transmitted(
+    scene: Scene, m: Moving, moments: list[Array], forces: list[Array], rotors: list[Array]
+) -> tuple[Array, list[Array], list[Array]]:
+    """As :func:`along_joints`; and moment and force that every joint hands on to its body."""
+    moments, forces = [*moments], [*forces]
+    lead = m.omega[0].shape[:-1]
+    tau = np.zeros((*lead, scene.nu), dtype=np.result_type(*moments, float))
     for i in range(len(scene.parents) - 1, -1, -1):
-        turn, shift = axes[i]
+        turn, shift = m.axes[i]
         along = _times(np.swapaxes(turn, -1, -2), moments[i])
         along = along + _times(np.swapaxes(shift, -1, -2), forces[i]) + rotors[i]
         j = i
@@ -154,9 +235,9 @@ def _backward(
             tau[..., start : start + size] += along
         k = scene.parents[i]
         if k >= 0:
-            moments[k] = moments[k] + moments[i] + cross(arms[i], forces[i])
+            moments[k] = moments[k] + moments[i] + cross(m.arms[i], forces[i])
             forces[k] = forces[k] + forces[i]
-    return tau
+    return tau, moments, forces
 
 
 def mass_matrix(scene: Scene, q: Array, motion: Array | None = None) -> Array:

@@ -6,16 +6,19 @@ import ctypes
 import hashlib
 import json
 import threading
-from collections.abc import Callable, Iterable, Sequence
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
-from ..ir.rows import opened
+from ..ir.seal import unsealed
 from . import cache, interpreted, schema
 from .lanes import Recipe
+from .slots import ORDER
 from .together import together
 
 if TYPE_CHECKING:
@@ -39,6 +42,7 @@ class Code:
         library: Keeps it loaded.
         function: What is evaluated instead where there is no compiler.
         recipe: What its lane builds are made of, None without a compiler.
+        blocks: Numbers of each input block that the C reads, as its object says.
     """
 
     symbol: str
@@ -50,6 +54,20 @@ class Code:
     library: ctypes.CDLL | None = field(default=None, repr=False)
     function: Function | None = field(default=None, repr=False)
     recipe: Recipe | None = field(default=None, repr=False)
+    blocks: dict[str, int] = field(default_factory=dict, repr=False)
+
+    def take(self, blocks: Mapping[str, int]) -> None:
+        """Make sure that blocks of these sizes are what the C reads.
+
+        Raises:
+            BuildError: it reads more or less.
+        """
+        for name, size in blocks.items():
+            if self.blocks.get(name, 0) not in (0, size):
+                raise BuildError(
+                    f"{self.symbol} reads {self.blocks[name]} numbers of '{name}', its manifest "
+                    f"gives {size}. Compile or export the model again"
+                )
 
     def discard(self) -> None:
         """Nobody finds its object in the cache."""
@@ -60,6 +78,34 @@ class Code:
         """The same after its check: its object goes into the cache."""
         built = None if self.built is None else replace(self.built.published(), fresh=False)
         return replace(self, fresh=False, built=built)
+
+
+# looks at two files that others write one after the other, and seconds between them
+ATTEMPTS, PAUSE = 4, 0.05
+# asks the text for its sizes
+LOADED = ("-DCARDAN_LOADED",)
+SIZES = ("output_size", "work_size", "prepared_size")
+
+
+def _blocks(library: ctypes.CDLL, symbol: str, entry: Mapping[str, Any]) -> dict[str, int]:
+    """Sizes of the blocks that a function reads, from its object.
+
+    Raises:
+        ValueError: those of its results differ from the manifest, or other blocks are read.
+    """
+    kind = ctypes.c_int * (len(SIZES) + len(ORDER))
+    try:
+        numbers = list(kind.in_dll(library, f"{symbol}_sizes"))
+    except ValueError:
+        raise ValueError(f"the sizes of {symbol} do not stand in it") from None
+    for name, size in zip(SIZES, numbers, strict=False):
+        if entry[name] != size:
+            raise ValueError(f"{name} of {symbol} is {size}, not {entry[name]}")
+    blocks = dict(zip(ORDER, numbers[len(SIZES) :], strict=True))
+    unsaid = [name for name, size in blocks.items() if size and name not in (*entry["inputs"], "p")]
+    if unsaid:
+        raise ValueError(f"{symbol} reads {', '.join(unsaid)} too")
+    return blocks
 
 
 class Objects:
@@ -86,23 +132,30 @@ class Objects:
         self.batches: dict[str, Batch] = {}
         self.tables: Any = None  # of elements: what no parameter changes
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
+        self.truth: tuple[tuple[Any, ...], Any] | None = None  # of the last judgement, and for what
         self._provide = provide
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
+        self._parsed: dict[str, tuple[Any, Any]] = {}
         self.manifest: dict[str, Any] = self._read()
 
     def _read(self) -> dict[str, Any]:
         path = self.directory / "manifest.json"
         try:
-            manifest: dict[str, Any] = opened(json.loads(path.read_text(encoding="utf-8")))
+            manifest: dict[str, Any] = unsealed(regular_file.content(path))
         except FileNotFoundError:
             raise ModelError(
                 f"{self.directory} holds no compiled model: {path} is missing"
             ) from None
         except ValueError as error:
-            raise ModelError(f"{path} is not a manifest: {error}") from None
+            raise ModelError(
+                f"{path} is not a manifest, or is damaged: {error}. Compile or export the model "
+                "again"
+            ) from None
+        except OSError as error:
+            raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
         schema.check(manifest, str(path))
         return manifest
 
@@ -114,13 +167,47 @@ class Objects:
             mark = (status.st_mtime_ns, status.st_size)
             # the file grows with every function that is written: read it when it has changed
             if mark != self._saved_mark:
-                self._saved = json.loads(path.read_text(encoding="utf-8"))
+                self._saved = self._stated(path)
                 self._saved_mark = mark
         except FileNotFoundError:
             return {}
-        except ValueError as error:
-            raise ModelError(f"{path} does not hold saved functions: {error}") from None
+        except (ValueError, RecursionError) as error:
+            raise ModelError(
+                f"{path} does not hold saved functions: {error}. Compile or export the model again"
+            ) from None
+        except OSError as error:
+            raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
         return self._saved
+
+    def _stated(self, path: Path) -> dict[str, Any]:
+        """The content of ``functions.json``, which is what the manifest says.
+
+        Raises:
+            ValueError: it is something else.
+        """
+        for attempt in range(ATTEMPTS):
+            content = regular_file.content(path)
+            stated = self.manifest["sha256"].get(path.name)
+            if stated is None or hashlib.sha256(content).hexdigest() == stated:
+                found = json.loads(content)
+                if not isinstance(found, dict):
+                    raise ValueError("it holds no functions by their names")
+                return found
+            # another process writes both, one after the other
+            time.sleep(PAUSE * attempt)
+            self.manifest = self._read()
+        raise ValueError("it is not the file its manifest speaks of")
+
+    def function(self, name: str) -> Any:
+        """A saved Function by its C name, made of plain data once."""
+        from ..ir.serialize import from_dict
+
+        data = self.saved()[name]
+        known = self._parsed.get(name)
+        if known is None or known[0] is not data:
+            # the data themselves say whether the file was read again
+            known = self._parsed[name] = data, from_dict(data)
+        return known[1]
 
     def symbol(self, name: str, of: str | None = None) -> str:
         """C name of a function; makes sure that its text and manifest entry exist.
@@ -191,21 +278,30 @@ class Objects:
         """A function as C, or as expressions where there is no compiler."""
         path, entry = self.text_path(symbol), self.manifest["functions"][symbol]
         try:
-            built = cache.compiled([path], [self.directory], self.reproducible)
+            built = cache.compiled([path], [self.directory], self.reproducible, words=LOADED)
         except CompilerMissing as missing:
             return Code(symbol, entry, True, function=self._expressions(symbol, missing))
         try:
             library = built.load()
-            address = ctypes.cast(library[symbol], ctypes.c_void_p).value or 0
-            prepare = ctypes.cast(library[f"prepare_{symbol}"], ctypes.c_void_p).value or 0
-        except AttributeError as error:
+            # exports may have a prefix before all names
+            before = str(self.manifest.get("prefix", ""))
+            address = ctypes.cast(library[f"{before}{symbol}"], ctypes.c_void_p).value or 0
+            shared = library[f"{before}prepare_{symbol}"]
+            prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
+            blocks = _blocks(library, f"{before}{symbol}", entry)
+        except (AttributeError, ValueError) as error:
             built.discard()
-            raise BuildError(f"{path} does not hold what its manifest says: {error}") from None
+            raise BuildError(
+                f"{path} does not hold what its manifest says: {error}. Compile or export the "
+                "model again"
+            ) from None
         except BaseException:
             built.discard()
             raise
-        recipe = Recipe(symbol, path, self.directory, self.reproducible)
-        return Code(symbol, entry, built.fresh, address, prepare, built, library, recipe=recipe)
+        recipe = Recipe(f"{before}{symbol}", path, self.directory, self.reproducible)
+        return Code(
+            symbol, entry, built.fresh, address, prepare, built, library, None, recipe, blocks
+        )
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol; says once what to do about the compiler.
@@ -236,13 +332,13 @@ class Objects:
         if path.parent != self.directory:
             raise BuildError(f"the manifest of {self.directory} names a file outside: {path}")
         try:
-            content = path.read_bytes()
+            content = regular_file.content(path)
         except OSError as error:
             raise BuildError(f"{path} cannot be read: {error.strerror}") from error
         stated = entry.get("sha256") or self.manifest["sha256"].get(entry["file"])
         if stated and hashlib.sha256(content).hexdigest() != stated:
             raise BuildError(
                 f"{path} is not the text its manifest speaks of: it was changed by hand or only "
-                "half copied. Compile the model again, or correct its sha256 in the manifest"
+                "half copied. Compile or export the model again"
             )
         return path

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ModelError, near
+from ..errors import ModelError, named, near
 from .calling import Array, common, numbers
 
 
@@ -58,7 +58,8 @@ class Parameters(Mapping[str, float]):
             ModelError: unknown or structural name; a value that is not finite, or that an element
                 cannot have; a negative mass.
         """
-        read = {name: self.checked(name, value) for name, value in values.items()}
+        given = named("parameters", values, "'mass': 1.0")
+        read = {name: self.checked(name, value) for name, value in given.items()}
         lead = common("parameters", {name: value.shape for name, value in read.items()})
         result = np.broadcast_to(self._values, (*lead, len(self))).copy()
         for name, value in read.items():

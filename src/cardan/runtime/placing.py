@@ -1,41 +1,100 @@
-"""Where frames are along a motion whose model is not at hand."""
+"""Where frames are along a motion, whether its model is at hand or not."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import ModelError, near
+from . import judged, newton_euler
+from .absolute import frames
 from .absolute.standing import Plane
 from .calling import Array
+from .joint_motion import CUSTOM, KINDS, REVERSED
+from .rotations import PARAMETERS
 
 if TYPE_CHECKING:
+    from .compiled import CompiledModel
     from .trajectory import Trajectory
 
+ABSOLUTE = "absolute"  # the method of models whose coordinates are those of nodes
+# joints whose poses follow from numbers; those of the user's own are in no file
+POSED = frozenset(KINDS) - {CUSTOM}
 
-def rigid_pose(motion: Trajectory, frame: str) -> Array:
-    """Poses (nt, 4, 4) of a frame from the stored ones of another frame of its body.
+
+def numbers(model: CompiledModel) -> Mapping[str, Array]:
+    """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""
+    if "mesh" in model.manifest:
+        return frames.numbers(model)
+    found: Mapping[str, Array] = model._evaluate_saved("scene", p=model.parameters.vector)
+    return found
+
+
+def pose(motion: Trajectory, frame: str) -> Array:
+    """Poses (nt, 4, 4) of a frame of a run without its model.
+
+    They follow from the stored ones of another frame of its body, else from the coordinates.
 
     Raises:
-        ModelError: no such frame, or nothing is stored of its body.
+        ModelError: no such frame, or the file does not say how its body moves.
     """
     rows = motion.manifest["frames"]
-    body = next((row["body"] for row in rows if row["name"] == frame), None)
-    if body is None:
+    own = next((row for row in rows if row["name"] == frame), None)
+    if own is None:
         raise ModelError(
             f"frame '{frame}' does not exist.{near(frame, [row['name'] for row in rows])}"
         )
-    place = placed(motion, frame)
-    if body == "ground":
+    place, body = placed(motion, frame), own["body"]
+    # nodes of their own, such as those that joints of the user's carry, belong to no body
+    if body == "ground" and not own.get("node"):
         return np.broadcast_to(place, (len(motion), 4, 4)).copy()
-    for row in rows:
+    for row in rows if body != "ground" else ():
         history = motion.stored.get(f"pose {row['name']}")
         if row["body"] == body and history is not None:
-            pose: Array = history @ np.linalg.inv(placed(motion, row["name"])) @ place
-            return pose
-    motion._model(f"the pose of '{frame}'")
-    raise ModelError(f"the file holds no pose of body '{body}'")
+            found: Array = history @ inverse(placed(motion, row["name"])) @ place
+            return found
+    if not told(motion):
+        motion._model(f"the pose of '{frame}'")
+    if motion.manifest["method"] == ABSOLUTE:
+        parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
+        return frames.Frames(rows, *parts).pose(frame, motion.q)
+    bodies = [row["name"] for row in motion.manifest["bodies"]]
+    scene = judged.scene_from(motion.manifest, motion.scene)
+    try:
+        rotations, origins = newton_euler.poses(scene, motion.q)
+    except (IndexError, ValueError) as problem:
+        raise ModelError(
+            f"the file does not say how '{frame}' moves: its joints have other numbers of "
+            "coordinates or speeds than their kinds"
+        ) from problem
+    k, T = bodies.index(body), np.tile(np.eye(4), (len(motion), 1, 1))
+    T[:, :3, :3], T[:, :3, 3] = rotations[k], origins[k]
+    return T @ place
+
+
+def inverse(pose: Array) -> Array:
+    """The inverse (4, 4) of a rigid transform: also of a damaged one, which may have none."""
+    back = np.eye(4)
+    back[:3, :3] = pose[:3, :3].T
+    back[:3, 3] = -pose[:3, :3].T @ pose[:3, 3]
+    return back
+
+
+def told(motion: Trajectory) -> bool:
+    """Whether a run without its model tells poses by its coordinates alone."""
+    manifest = motion.manifest
+    if manifest["method"] == ABSOLUTE:
+        return "frame_rotation" in motion.scene
+    scene = manifest.get("scene") or {}
+    known = all(
+        kind.removeprefix(REVERSED) in POSED and (rotation is None or rotation in PARAMETERS)
+        for kind, rotation in zip(scene.get("kinds", ()), scene.get("rotations", ()), strict=True)
+    )
+    joints = manifest["joints"]
+    given = any(joint["prescribed"] or joint.get("solved") for joint in joints)
+    return bool(scene) and "position" in motion.scene and known and not given
 
 
 def placed(motion: Trajectory, frame: str) -> Array:
@@ -45,6 +104,8 @@ def placed(motion: Trajectory, frame: str) -> Array:
         ModelError: the file does not say.
     """
     names = [row["name"] for row in motion.manifest["frames"]]
+    if frame not in names:
+        raise ModelError(f"frame '{frame}' does not exist.{near(frame, names)}")
     if "frame_rotation" not in motion.scene:
         raise ModelError("the file does not say where frames sit in their bodies")
     k, place = names.index(frame), np.eye(4)

@@ -112,7 +112,7 @@ def _compiler() -> str:
 def _measure(function: LoadedFunction, values: dict[str, Array], error: float | None) -> Row:
     caller = function.caller
     one = [_first(values[a.name], a) for a in caller.arguments]
-    many = samples.states(function, values)
+    many = samples.states(function, values, BATCH)
     # the batch as it is once it pays, in this thread
     lanes = caller.batch.build(False, caller.call, many)
     way = caller.batch.found(False, many) or one_by_one(caller.call, many)

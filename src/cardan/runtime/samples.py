@@ -37,18 +37,21 @@ def values(
     return made
 
 
-def states(function: LoadedFunction, values: dict[str, Array], own: bool = False) -> States:
-    """The arguments as blocks, with room for the results.
+def states(
+    function: LoadedFunction, values: dict[str, Array], count: int, own: bool = False
+) -> States:
+    """The arguments as blocks, with room for the results of each of ``count`` states.
 
     Args:
+        function: What is called.
+        values: Arguments (count, ...) by name; a function of parameters alone has none.
+        count: States.
         own: Every state has parameters of its own; they are equal.
     """
     blocks: list[Array | None] = [None] * len(ORDER)
     strides = [0] * len(ORDER)
-    count = 1
     for argument in function.caller.arguments:
         array = values[argument.name]
-        count = len(array)
         for slot, first in argument.blocks:
             blocks[slot] = np.ascontiguousarray(array).reshape(-1)[first:]
             strides[slot] = argument.size
@@ -67,4 +70,4 @@ def build(model: CompiledModel, function: LoadedFunction, own: bool = False) -> 
     """
     made = values(model, function, np.random.default_rng(SEED), STATES)
     caller = function.caller
-    return caller.batch.build(own, caller.call, states(function, made, own))
+    return caller.batch.build(own, caller.call, states(function, made, STATES, own))

@@ -9,8 +9,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .. import regular_file
+from ..arguments import checked
 from ..errors import BuildError, ModelError
-from ..ir.rows import opened
+from ..ir.seal import unsealed
 from . import cache, folder, schema
 from .parameters import Parameters
 
@@ -48,6 +50,7 @@ def _content(name: str, text: str) -> bytes:
         return b""
 
 
+@checked
 def load(directory: str | Path) -> CompiledModel:
     """Open a model directory written by ``export`` or found in a cache.
 
@@ -62,9 +65,13 @@ def load(directory: str | Path) -> CompiledModel:
     model = CompiledModel(directory)
     for name, stated in model.manifest.get("sha256", {}).items():
         path = model.directory / name
-        if not path.is_file():
-            raise ModelError(f"model '{model.name}': file {path} is missing")
-        if hashlib.sha256(path.read_bytes()).hexdigest() != stated:
+        try:
+            content = regular_file.content(path)
+        except FileNotFoundError:
+            raise ModelError(f"model '{model.name}': file {path} is missing") from None
+        except OSError as error:
+            raise ModelError(f"model '{model.name}': {path}: {error.strerror}") from error
+        if hashlib.sha256(content).hexdigest() != stated:
             raise ModelError(
                 f"model '{model.name}': {path} is not the file its manifest speaks of. "
                 "Copy or export the model again"
@@ -123,7 +130,7 @@ def _checked(files: Any, stated: Any) -> dict[str, Any]:
     if digest(files) != stated:
         raise _damaged("its texts are not those it was made of")
     try:
-        manifest = opened(json.loads(files.get(MANIFEST, "null")))
+        manifest = unsealed(files.get(MANIFEST, "null").encode())
         saved = json.loads(files.get("functions.json", "{}"))
     except (ValueError, RecursionError) as error:
         raise _damaged(f"a file is no JSON: {error}") from None

@@ -6,22 +6,58 @@ The full description is ``docs/manifest.schema.json``; here stands what memory a
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import prod
 from pathlib import Path
 from typing import Any
 
 from ..errors import ModelError
 from ..ir.rows import Rows
+from . import motion_rows
+from .motion_rows import HAPPENING, Check, count, listed, named_numbers, number, row_of, text
 from .slots import ORDER
 
 ABI = 1
 SCHEMA = 1
 LARGEST = 1 << 40  # numbers of a block, a result or work memory
 NAMED = ("coordinates", "speeds", "inputs", "parameters", "frames", "joints", "outputs")
-ROWS = (*NAMED, "bodies", "multipliers", "quaternions")
+ROWS = (*NAMED, "bodies", "multipliers", "quaternions", "z", "s")
 TABLES = ("functions", "sha256")
 SIZES = ("output_size", "work_size", "prepared_size")
+
+
+def _starts(joint: Mapping[str, Any]) -> Callable[[str], bool]:
+    """Whether a joint starts, if it says so, with one number for each of its coordinates.
+
+    A joint that its circuit solves keeps its start and has no coordinates of its own.
+    """
+
+    def good(letter: str) -> bool:
+        own, start = joint.get(letter), joint.get(f"{letter}0")
+        return start is None or listed(number, None if own is None else own[1])(start)
+
+    return good
+
+
+def _event(row: Any) -> bool:
+    """Whether a row is an event; what it decides stands by the name of the mode."""
+    decides = row.get("decides", {}) if isinstance(row, Mapping) else None
+    return named_numbers(decides) and HAPPENING({**row, "decides": None})
+
+
+# what saved runs do not hold, or hold otherwise
+NUMBERED = row_of(name=text, maybe_default=number, maybe_unit=text, maybe_joint=text)
+OWN: dict[str, Check] = {
+    **dict.fromkeys(("coordinates", "speeds", "inputs", "z", "s"), NUMBERED),
+    "parameters": row_of(name=text, default=number, kind=text, maybe_unit=text),
+    "joints": lambda row: (
+        motion_rows.ROWS["joints"](row)
+        and all(map(_starts(row), "qu"))
+        and isinstance(row.get("limits", {}), dict)
+    ),
+    "events": _event,
+    "ticks": row_of(event=count, period=lambda x: number(x) and x > 0, phase=number),
+}
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z", re.ASCII)
 HASH = re.compile(r"[0-9a-f]{64}\Z")
 
@@ -52,11 +88,34 @@ def check(manifest: Any, where: str) -> None:
         rows = rows.kinds if isinstance(rows, Rows) else rows
         named = all(isinstance(r, dict) and isinstance(r.get("name"), str) for r in rows)
         _require(named, where, f"a row of '{key}' has no name")
+    _rows(manifest, where)
+    _places(manifest, where)
     for name, stated in manifest["sha256"].items():
         good = Path(name).name == name and isinstance(stated, str) and HASH.match(stated)
         _require(bool(good), where, f"{name!r} is no file with its hash")
     for symbol, entry in manifest["functions"].items():
         _function(symbol, entry, f"{where}: function {symbol!r}")
+
+
+def _rows(manifest: Mapping[str, Any], where: str) -> None:
+    """Every row has what is read of it."""
+    checks = {**motion_rows.ROWS, **OWN}
+    for key in checks.keys() & manifest.keys():
+        rows = manifest[key]
+        # of rows that repeat one of a kind
+        some = rows.kinds if isinstance(rows, Rows) else rows
+        good = isinstance(some, list) and all(map(checks[key], some))
+        _require(good, where, f"a row of '{key}' is not one")
+
+
+def _places(manifest: Mapping[str, Any], where: str) -> None:
+    """Places that the kernels take from rows exist."""
+    nq = len(manifest["coordinates"])
+    inside = all(k + 4 <= nq for k in manifest["quaternions"])
+    _require(inside, where, "a quaternion is of no coordinates")
+    events = len(manifest.get("events", ()))
+    due = all(tick["event"] < events for tick in manifest.get("ticks", ()))
+    _require(due, where, "a sample is of no event")
 
 
 def _function(symbol: str, entry: Any, where: str) -> None:
@@ -69,10 +128,12 @@ def _function(symbol: str, entry: Any, where: str) -> None:
         size = entry.get(key)
         _require(type(size) is int and 0 <= size < LARGEST, where, f"{key} is {size!r}")
     inputs, outputs = entry.get("inputs"), entry.get("outputs")
-    _require(isinstance(inputs, list) and set(inputs) <= set(ORDER), where, "its inputs")
+    _require(isinstance(inputs, list) and all(x in ORDER for x in inputs), where, "its inputs")
     _require(isinstance(outputs, list) and all(map(_output, outputs)), where, "its outputs")
     total = sum(prod(output["shape"]) for output in outputs or ())
     _require(total == entry["output_size"], where, f"its outputs hold {total} numbers")
+    lanes = entry.get("lanes")
+    _require(isinstance(lanes, list) and bool(lanes) and all(map(count, lanes)), where, "its lanes")
     counts = entry.get("operations")
     whole = isinstance(counts, dict) and all(type(n) is int and n >= 0 for n in counts.values())
     _require(whole, where, "its operations are not counted")
@@ -86,6 +147,8 @@ def _output(output: Any) -> bool:
         and len(shape) <= 8
         and all(type(n) is int and 0 <= n < LARGEST for n in shape)
         and isinstance(output.get("name"), str)
+        and isinstance(output.get("entries", 0), list | None)
+        and all(isinstance(name, str) for name in output["entries"] or ())
     )
 
 

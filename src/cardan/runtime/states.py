@@ -51,7 +51,10 @@ def _rotations(manifest: dict[str, Any]) -> list[tuple[int, str]]:
     """(first coordinate, parametrization) of every rotation in q."""
     names = manifest.get("scene", {}).get("rotations", [])
     pairs = zip(manifest["joints"], names, strict=False)
-    return [(joint["q"][0], name) for joint, name in pairs if name in PARAMETERS and joint["q"]]
+    found = {joint["q"][0]: name for joint, name in pairs if name in PARAMETERS and joint["q"]}
+    # nodes turn by quaternions too
+    nodes = dict.fromkeys(manifest.get("quaternions", ()), "quaternion")
+    return list({**found, **{k: name for k, name in nodes.items() if k not in found}}.items())
 
 
 def _range(row: dict[str, Any], limits: dict[str, Any]) -> tuple[float, float]:

@@ -1,145 +1,118 @@
-"""Runs as netCDF files, through SciPy alone.
+"""Runs as netCDF files.
 
 Dimensions ``time``, ``coordinate``, ``speed``, ``internal_state``, ``mode``, ``input``, ``source``,
-``step``, ``event``, ``body``, ``constraint``; names of the entries stand in the attribute ``names``
-of every variable, units in ``units``. The manifest (names, units, joints, shapes; no functions) is
-the attribute ``manifest``, as JSON.
+``step``, ``event``, ``constraint``; names of the entries stand in the attribute ``names`` of every
+variable, units in ``units``. The manifest (names, units, joints, shapes; no functions) is the
+attribute ``manifest``, as JSON; ``sha256`` tells whether all of it is what was saved.
 """
 
 from __future__ import annotations
 
 import json
-import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import __version__
-from ..errors import CardanError, ModelError
-from ..ir.rows import dumped, opened
-from . import balance
+from ..arguments import checked
+from ..errors import ModelError
+from ..ir.rows import column, dumped
+from . import balance, motion_schema, netcdf
 from .calling import Array
 from .conduct import Conduct
 from .dense import Dense
 from .events import Happened
 from .ledger import Ledger
+from .netcdf import Contents, Variable
+from .recorded import Pieces, Recorded
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-FORMAT = 1
+VERSIONS = (1, 2)  # the first ones have no hash
+NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
-LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
-ENDINGS = ("", ".nc", ".nc3", ".cdf")
 KEPT = ("kinetic", "potential", "constraints", "multipliers", "losses")
-LEFT_OUT = ("functions", "sha256", "available")
+LEFT_OUT = ("functions", "sha256", "available", "mesh")
 COLUMNS = "largest before projection, when, largest after it, when"
+FEWER = "Simulate with an array of output times to keep fewer of them"
 
 
 def save(motion: Trajectory, path: Path) -> Path:
     """Write a run; a file with its name is replaced in one step.
 
     Raises:
-        ModelError: a variable too large for the format, a directory that does not exist, or the
-            ending of another format.
+        ModelError: a variable too large for the format, the ending of another format, or a file
+            that cannot be written.
     """
-    from scipy.io import netcdf_file
-
-    if path.suffix not in ENDINGS:
-        raise ModelError(
-            f"{path}: runs are written as netCDF, whose files end in .nc; motion.to_xarray() or "
-            "motion.x give the numbers to writers of other formats"
-        )
-
-    if not path.parent.is_dir():
-        raise ModelError(f"{path}: the directory {path.parent} does not exist")
-    variables = _variables(motion)
-    for name, (_, values, _) in variables.items():
-        if values.nbytes > LIMIT:
-            raise ModelError(
-                f"{path}: '{name}' takes {values.nbytes / 1e9:.1f} GB, netCDF-3 holds 2 GB in one "
-                "variable. Simulate with an array of output times to keep fewer of them"
-            )
-    with replaced(path) as new, netcdf_file(new, "w", version=2) as file:
-        _attributes(file, motion)
-        _write(file, variables)
-    return path
+    made = Contents(_variables(motion), _notes(motion))
+    return netcdf.save(path, "run", VERSIONS[-1], made, FEWER)
 
 
-@contextmanager
-def replaced(path: Path) -> Iterator[str]:
-    """A new file that takes the place of another one, or of none, once it is whole."""
-    handle, new = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".nc")
-    os.close(handle)
-    try:
-        yield new
-        os.chmod(new, 0o666 & ~_umask())
-        os.replace(new, path)
-    except BaseException:
-        Path(new).unlink(missing_ok=True)
-        raise
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-Variables = dict[str, tuple[tuple[str, ...], Array, dict[str, str]]]
-
-
-def _variables(motion: Trajectory) -> Variables:
-    """Name -> (dimensions, values, attributes)."""
+def _variables(motion: Trajectory) -> dict[str, Variable]:
+    """Everything that is numbers."""
     manifest = motion.manifest
 
     def listed(key: str) -> dict[str, str]:
-        return {
-            "names": _list(row["name"] for row in manifest[key]),
-            "units": _list(row.get("unit", "") for row in manifest[key]),
-        }
+        rows = manifest[key]
+        return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
-    found: Variables = {
-        "time": (("time",), motion.t, {"units": "s"}),
-        "q": (("time", "coordinate"), motion.q, listed("coordinates")),
-        "u": (("time", "speed"), motion.u, listed("speeds")),
-        "r": (("time", "input"), motion.r, listed("inputs")),
+    found = {
+        "time": Variable(("time",), motion.t, {"units": "s"}),
+        "q": Variable(("time", "coordinate"), motion.q, listed("coordinates")),
+        "u": Variable(("time", "speed"), motion.u, listed("speeds")),
+        "r": Variable(("time", "input"), motion.r, listed("inputs")),
     }
     if manifest["z"]:
-        found["z"] = (("time", "internal_state"), motion.z, listed("z"))
+        found["z"] = Variable(("time", "internal_state"), motion.z, listed("z"))
     if manifest["s"]:
-        found["s"] = (("time", "mode"), motion.s, listed("s"))
+        found["s"] = Variable(("time", "mode"), motion.s, listed("s"))
     if len(motion.happened.log):
         about = {"columns": "when, 1 for every event that happened, x and s before, x and s behind"}
-        found["events"] = (("event", "event_column"), motion.happened.log, about)
+        found["events"] = Variable(("event", "event_column"), motion.happened.log, about)
         losses = balance.losses(motion)
         if len(losses):
-            found["losses"] = (("event",), losses, {"units": "J"})
+            found["losses"] = Variable(("event",), losses, {"units": "J"})
     if motion.sources:
         names = {"names": _list(motion.sources), "units": "J"}
-        found["work"] = (("time", "source"), motion.given, names)
+        found["work"] = Variable(("time", "source"), motion.given, names)
     if motion.dense is not None:
-        found[DENSE[motion.dense.charted]] = (("step", "row", "entry"), motion.dense.spreads, {})
-    available = set(manifest.get("available", ()))
+        axes = ("step", "row", "entry")
+        found[DENSE[motion.dense.charted]] = Variable(axes, motion.dense.spreads)
+    return {**found, **_signals(motion.inputs_at), **_computed(motion)}
+
+
+def _computed(motion: Trajectory) -> dict[str, Variable]:
+    """What follows from the states by the model."""
+    found = {}
+    available = set(motion.manifest.get("available", ()))
     if "kinetic" in motion.stored or "energy" in available:
-        found["kinetic"] = (("time",), motion.energy.kinetic, {"units": "J"})
-        found["potential"] = (("time",), motion.energy.potential, {"units": "J"})
+        found["kinetic"] = Variable(("time",), motion.energy.kinetic, {"units": "J"})
+        found["potential"] = Variable(("time",), motion.energy.potential, {"units": "J"})
     if motion.ledger is not None:
-        found["ledger"] = (("constraint", "column"), motion.ledger.table, {"columns": COLUMNS})
+        table = motion.ledger.table
+        found["ledger"] = Variable(("constraint", "column"), table, {"columns": COLUMNS})
     if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
         residuals = np.stack([*motion.constraints.values()], axis=-1)
-        found["constraints"] = (("time", "position_constraint"), residuals, {})
+        found["constraints"] = Variable(("time", "position_constraint"), residuals)
     if "multipliers" in motion.stored:
-        found["multipliers"] = (("time", "multiplier"), motion.stored["multipliers"], {})
+        forces = motion.stored["multipliers"]
+        found["multipliers"] = Variable(("time", "multiplier"), forces)
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
-        found[f"pose_{k}"] = (("time", "axis", "column"), pose, {"frame": body})
+        found[f"pose_{k}"] = Variable(("time", "axis", "column"), pose, {"frame": json.dumps(body)})
+    return found
+
+
+def _signals(recorded: Recorded | None) -> dict[str, Variable]:
+    """Inputs by pieces."""
+    found = {}
+    for k, piece in enumerate(recorded.pieces if recorded is not None else ()):
+        axes = (f"break_{k}", f"piece_{k}", "power")
+        found[f"breaks_{k}"] = Variable(axes[:1], piece.breaks, {"units": "s"})
+        found[f"coefficients_{k}"] = Variable(axes[1:], piece.coefficients)
     return found
 
 
@@ -155,121 +128,112 @@ def _bodies(motion: Trajectory) -> list[str]:
 
 
 def _list(names: Any) -> str:
-    return json.dumps(list(names), ensure_ascii=True)
+    return json.dumps([name or "" for name in names], ensure_ascii=True)
 
 
-def _attributes(file: Any, motion: Trajectory) -> None:
+def _notes(motion: Trajectory) -> dict[str, str]:
     """What the run says about itself."""
-    kept = {k: v for k, v in motion.manifest.items() if k not in LEFT_OUT}
-    file.title = f"motion of {motion.manifest['name']}".encode("ascii", "replace")
-    file.source = f"cardan {__version__}".encode()
-    file.cardan_run = FORMAT
-    file.manifest = dumped(kept).encode("ascii")
-    file.conduct = json.dumps(asdict(motion.conduct)).encode("ascii")
+    kept = {
+        key: value
+        for key, value in motion.manifest.items()
+        if key not in LEFT_OUT and (value or key not in motion_schema.EMPTY)
+    }
     scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
-    file.scene = json.dumps(scene).encode("ascii")
-    file.happenings = json.dumps(motion.happened.rows).encode("ascii")
-    file.sources = json.dumps(motion.sources).encode("ascii")
+    recorded = motion.inputs_at
+    signals = None
+    if recorded is not None:
+        signals = {
+            "constants": recorded.constants.tolist(),
+            "pieces": [piece.input for piece in recorded.pieces],
+            "asked": list(recorded.asked),
+            "held": recorded.held,
+        }
+    return {
+        "title": f"motion of {motion.manifest['name']}".encode("ascii", "replace").decode(),
+        "manifest": dumped(kept),
+        "conduct": json.dumps(asdict(motion.conduct)),
+        "scene": json.dumps(scene),
+        "happenings": json.dumps([dict(row) for row in motion.happened.rows]),
+        "sources": json.dumps(motion.sources),
+        "signals": json.dumps(signals),
+    }
 
 
-def _write(file: Any, variables: Variables) -> None:
-    for name, (dimensions, values, attributes) in variables.items():
-        for dimension, size in zip(dimensions, values.shape, strict=True):
-            # the format reads a length of 0 as "grows"
-            if dimension not in file.dimensions and size:
-                file.createDimension(dimension, size)
-        if 0 in values.shape:
-            continue
-        variable = file.createVariable(name, "f8", dimensions)
-        variable[:] = values
-        for key, text in attributes.items():
-            setattr(variable, key, text.encode("ascii", "backslashreplace"))
-
-
+@checked
 def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
     """Read a run that :meth:`.Trajectory.save` wrote.
+
+    Everything in the file is checked before it is used: nothing in it is ever executed.
 
     Args:
         path: The file.
         model: The compiled model, for what needs it (reactions, outputs, further poses).
 
     Raises:
-        ModelError: not a run of cardan, a newer format, or a model with other coordinates.
+        ModelError: not a run of cardan, a damaged one, a newer format, or a model with other
+            coordinates.
     """
     path = Path(path)
-    values, notes, poses = _read(path)
-    manifest = opened(json.loads(notes["manifest"]))
-    for key in ("available", "z", "s"):
-        manifest.setdefault(key, [])
+    held = netcdf.load(path, "run", VERSIONS, ("title", *NOTES))
+    try:
+        notes, values, poses = motion_schema.checked(held)
+        made = _made(notes, values, model)
+    except (ValueError, MemoryError, RecursionError) as error:
+        if isinstance(error, ModelError):
+            raise
+        raise ModelError(
+            f"{path} is no run that cardan can read: {error or 'it is too large'}. Save the run "
+            "again"
+        ) from None
+    made.stored.update(poses)
     if model is not None:
-        _compare(path, manifest, model)
-        manifest = model.manifest
-    t = values["time"]
+        _compare(path, notes["manifest"], model)
+    return made
 
-    def block(name: str, width: int) -> Array:
-        return values.get(name, np.zeros((len(t), width)))
 
-    q = block("q", len(manifest["coordinates"]))
-    u = block("u", len(manifest["speeds"]))
-    z, s = block("z", len(manifest["z"])), block("s", len(manifest["s"]))
-    states = np.concatenate([q, u, z], axis=1)
-    given = block("work", 0)
-    sources = json.loads(notes["sources"])
+def _made(
+    notes: dict[str, Any], values: dict[str, Array], model: CompiledModel | None
+) -> Trajectory:
+    """The run of a file whose parts fit each other."""
+    manifest = notes["manifest"] if model is None else model.manifest
+    t, s, given = values["time"], values["s"], values["work"]
+    states = np.concatenate([values[name] for name in "quz"], axis=1)
     dense = None
     for charted, name in enumerate(DENSE):
         if name in values:
             rows = np.concatenate([states, given], axis=1)
-            quaternions = tuple(manifest["quaternions"])
+            quaternions = tuple(notes["manifest"]["quaternions"])
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
-    conduct = json.loads(notes["conduct"])
-    conduct["defaulted"] = tuple(conduct["defaulted"])
-    stored = {k: values[k] for k in KEPT if k in values}
-    ledger = Ledger.of(manifest["multipliers"], values["ledger"]) if "ledger" in values else None
-    happenings = tuple(json.loads(notes["happenings"]))
-    nothing = np.zeros((0, 1 + len(happenings) + 2 * (states.shape[1] + s.shape[1])))
+    rows = notes["manifest"]["multipliers"]
     return Trajectory(
         t=t,
         x=states,
-        r=block("r", len(manifest["inputs"])),
+        r=values["r"],
         given=given,
-        sources=None if sources is None else tuple(sources),
+        sources=notes["sources"],
         manifest=manifest,
-        conduct=Conduct(**conduct),
+        conduct=Conduct(**notes["conduct"]),
         model=model,
         dense=dense,
-        stored=stored | poses,
-        numbers={k: np.array(v) for k, v in json.loads(notes["scene"]).items()},
-        ledger=ledger,
-        happened=Happened(s, happenings, values.get("events", nothing)),
+        inputs_at=_recorded(notes["signals"], values),
+        stored={k: values[k] for k in KEPT if k in values},
+        numbers=notes["scene"],
+        ledger=Ledger.of([*rows], values["ledger"]) if "ledger" in values else None,
+        happened=Happened(s, notes["happenings"], values["events"]),
     )
 
 
-def _read(path: Path) -> tuple[dict[str, Array], dict[str, bytes], dict[str, Array]]:
-    """Variables, attributes and poses of a file."""
-    from scipy.io import netcdf_file
-
-    try:
-        with netcdf_file(str(path), "r", mmap=False) as file:
-            if getattr(file, "cardan_run", None) != FORMAT:
-                raise ModelError(f"{path} is no run of cardan, or of a newer one than this")
-            notes = {k: getattr(file, k) for k in ("manifest", "conduct", "scene", "sources")}
-            notes["happenings"] = getattr(file, "happenings", b"[]")
-            values, poses = {}, {}
-            for name, variable in file.variables.items():
-                numbers = np.array(variable[:], dtype=np.float64)
-                if name.startswith("pose_"):
-                    last = np.broadcast_to([0.0, 0.0, 0.0, 1.0], (len(numbers), 1, 4))
-                    key = f"pose {variable.frame.decode('ascii')}"
-                    poses[key] = np.concatenate([numbers, last], axis=1)
-                else:
-                    values[name] = numbers
-    except FileNotFoundError:
-        raise ModelError(f"{path}: there is no such file") from None
-    except (OSError, TypeError, ValueError, AttributeError, KeyError, IndexError) as error:
-        if isinstance(error, CardanError):
-            raise
-        raise ModelError(f"{path} is no run that cardan can read: {error}") from error
-    return values, notes, poses
+def _recorded(told: dict[str, Any] | None, values: dict[str, Array]) -> Recorded | None:
+    """The inputs of a run."""
+    if told is None:
+        return None
+    pieces = tuple(
+        Pieces(number, values[f"breaks_{k}"], values[f"coefficients_{k}"])
+        for k, number in enumerate(told["pieces"])
+    )
+    constants = np.array(told["constants"], dtype=np.float64)
+    asked, held = tuple(told["asked"]), told["held"]
+    return Recorded(constants, pieces, asked, held, values["time"], values["r"])
 
 
 def _compare(path: Path, manifest: dict[str, Any], model: CompiledModel) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import CardanError
+from ..errors import CardanError, counted
 from .events import Event, told
 
 if TYPE_CHECKING:
@@ -34,10 +34,9 @@ def summary(motion: Trajectory) -> str:
         f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
         f"{count['milliseconds']:.3g} ms",
     ]
-    if conduct.reason:
-        lines[2:2] = wrap(
-            conduct.reason, 100, initial_indent="  note      ", subsequent_indent=" " * 12
-        )
+    for word, text in (("note", conduct.reason), ("warning", conduct.warning)):
+        head = f"  {word:<10}"
+        lines[2:2] = wrap(text, 100, initial_indent=head, subsequent_indent=" " * 12)
     defaulted = set(conduct.defaulted)
     given = {n: v for n, v in conduct.initial.items() if n not in defaulted}
     if count.get("passed"):
@@ -85,8 +84,8 @@ def _factors(count: Mapping[str, float]) -> str:
 
 def _own(motion: Trajectory) -> str:
     """How many states elements keep, where they do."""
-    counts = ((motion.z.shape[1], "internal states"), (motion.s.shape[1], "modes"))
-    return "".join(f", {count} {what}" for count, what in counts if count)
+    counts = ((motion.z.shape[1], "internal state"), (motion.s.shape[1], "mode"))
+    return "".join(f", {counted(count, what)}" for count, what in counts if count)
 
 
 def _events(motion: Trajectory) -> list[str]:

@@ -6,6 +6,7 @@ import errno
 import importlib.util
 import os
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -27,6 +28,10 @@ COMMON_FLAGS = (
     "-fno-tree-vectorize",
     "-fno-math-errno",
 )
+# Tunings such as znver3 avoid chains of fused multiply-adds in scalars and narrow vectors only: a
+# scalar build would get other bits than a build for wide lanes. gcc 8 was the first to do so.
+ALL_CHAINS = "--param=avoid-fma-max-bits=0"
+FIRST_TO_AVOID = 8
 SHARED_FLAGS = ("-shared", "-fPIC", "-pipe")
 SHOWN = 8
 
@@ -58,8 +63,22 @@ class Compiler:
         Args:
             reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         """
-        contract = "off" if reproducible else {"gcc": "fast", "clang": "on"}[self.family]
-        return (*self.options, f"-ffp-contract={contract}", *SHARED_FLAGS)
+        return (*self.options, *self.contraction(reproducible), *SHARED_FLAGS)
+
+    def contraction(self, reproducible: bool = False) -> tuple[str, ...]:
+        """Flags that say which sums of products become one fused operation.
+
+        Args:
+            reproducible: None of them: every compiler of IEEE arithmetic gives equal bits.
+        """
+        if reproducible:
+            return ("-ffp-contract=off",)
+        if self.family == "clang":
+            return ("-ffp-contract=on",)
+        release = re.search(r"\b(\d+)\.\d+", self.identity.partition("\n")[0])
+        if release and int(release[1]) < FIRST_TO_AVOID:
+            return ("-ffp-contract=fast",)
+        return ("-ffp-contract=fast", ALL_CHAINS)
 
 
 class Candidate(NamedTuple):

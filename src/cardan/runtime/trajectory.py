@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike
 
+from ..arguments import Times, checked
 from ..errors import ModelError, near
 from . import binding, followers
 from .balance import Balance, balance, impacts
@@ -21,7 +21,8 @@ from .dense import Dense
 from .events import Event, Happened
 from .kinematics import Energy
 from .ledger import Drift, Ledger
-from .placing import line, placed, rigid_pose
+from .placing import line, numbers, placed, pose
+from .recorded import Recorded
 
 if TYPE_CHECKING:
     from .absolute.beams import BeamStress
@@ -62,7 +63,7 @@ class Trajectory:
     conduct: Conduct
     model: CompiledModel | None = None
     dense: Dense | None = None
-    inputs_at: Callable[[Array], Array] | None = None
+    inputs_at: Recorded | None = None
     stored: dict[str, Array] = field(default_factory=dict)
     numbers: Mapping[str, Array] = field(default_factory=dict)
     ledger: Ledger | None = None
@@ -219,17 +220,19 @@ class Trajectory:
             )
         return self.model
 
-    def at(self, t: ArrayLike) -> Array:
+    @checked
+    def at(self, t: Times) -> Array:
         """State between the steps, (nx,) for one time, (m, nx) for m times.
 
         Raises:
-            ModelError: a time outside the run, or the run kept only its output times.
+            ModelError: a time outside the run, or none of those that are all a run kept.
         """
         times = np.asarray(t, dtype=np.float64)
         values = states_at(self, np.atleast_1d(times))[:, : self.x.shape[1]]
         return values[0] if times.ndim == 0 else values
 
-    def resample(self, times: ArrayLike) -> Trajectory:
+    @checked
+    def resample(self, times: Times) -> Trajectory:
         """The same motion at other times, from the dense output.
 
         Raises:
@@ -294,17 +297,20 @@ class Trajectory:
 
     # what a model shows along the motion
 
+    @checked
     def pose(self, frame: str) -> Array:
         """Transforms (nt, 4, 4) from frame axes to ground axes."""
         key = f"pose {frame}"
         if key not in self.stored and self.model is not None:
             self.stored[key] = self.model.pose(frame, self.q, t=self.t, r=self._r)
-        return self.stored[key] if key in self.stored else rigid_pose(self, frame)
+        return self.stored[key] if key in self.stored else pose(self, frame)
 
+    @checked
     def line(self, beam: str) -> Array:
         """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
         return line(self, beam)
 
+    @checked
     def beam(self, name: str) -> BeamStress:
         """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
         return self._model(f"what beam '{name}' carries").beam(name, self.q)
@@ -314,23 +320,22 @@ class Trajectory:
         """Numbers of the scene at the parameters of the run, constant in body axes.
 
         mass, first_moment (by body), position, rotation (of the inboard joint frame in the parent
-        body), frame_rotation, frame_position (by frame) and more.
+        body), frame_rotation, frame_position (by frame) and more. In absolute coordinates
+        frame_rotation and frame_position alone, on the node that carries a frame.
         """
-        if self.model is None:
-            return self.numbers
-        numbers: Mapping[str, Array] = self.model._evaluate_saved(
-            "scene", p=self.model.parameters.vector
-        )
-        return numbers
+        return self.numbers if self.model is None else numbers(self.model)
 
+    @checked
     def placed(self, frame: str) -> Array:
         """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
         return placed(self, frame)
 
+    @checked
     def torques(self, **options: Any) -> Any:
         """Forces that actuators add to make this motion: :meth:`CompiledModel.torques`."""
         return self._model("torques").torques(self, **options)
 
+    @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
         model = self._model(f"the reaction of '{joint}'")
@@ -349,6 +354,7 @@ class Trajectory:
 
         return to_xarray(self)
 
+    @checked
     def save(self, path: str | Path) -> Path:
         """Write the run as netCDF: everything but the model; see :func:`load`.
 
@@ -358,6 +364,7 @@ class Trajectory:
 
         return save(self, Path(path))
 
+    @checked
     def plot(self, path: str | Path | None = None, names: Iterable[str] | None = None) -> Any:
         """Histories over time as a Matplotlib figure, written to ``path`` if given.
 
@@ -373,6 +380,7 @@ class Trajectory:
 
         return plot(self, path, names)
 
+    @checked
     def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
         """Write one self-contained page that plays the motion in any browser. Returns its path.
 

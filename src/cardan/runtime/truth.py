@@ -12,6 +12,8 @@ from .closed_states import Bound, closed_states
 from .joint_motion import Array, times
 from .judged import motion_of
 from .newton_euler import Scene, inverse_dynamics, mass_matrix
+from .verification.pressing import Pressed, pressed
+from .written_bounds import with_written
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -42,12 +44,38 @@ class Truth:
     f: Array | None
     motion: Array | None
     bound: Bound | None = None
+    pressed: Pressed | None = None
+
+    def force(self, udot: Array) -> Array | None:
+        """Generalized forces of the model (n, nu) at accelerations; None where not known."""
+        if self.pressed is None:
+            return self.f
+        return self.pressed.at(self.q, self.u, udot, self.motion)
+
+    def under(self, extra: Array, outside: Any = None) -> Array:
+        """The same with forces (n, nu) and wrenches on bodies beside those of the model."""
+        if self.pressed is None:
+            return np.asarray(self.f)
+        M, given = np.asarray(self.M), extra - self.h
+        return self.pressed.under(M, given, self.q, self.u, self.motion, outside)
 
     def only(self, chosen: NDArray[np.intp]) -> Truth:
         """The same at some of the states."""
         found = {field.name: getattr(self, field.name) for field in fields(self)}
         rows: dict[str, Any] = {k: x[chosen] for k, x in found.items() if isinstance(x, np.ndarray)}
-        return replace(self, **rows, bound=self.bound and self.bound.only(chosen))
+        pressed = self.pressed and self.pressed.only(chosen)
+        return replace(self, **rows, bound=self.bound and self.bound.only(chosen), pressed=pressed)
+
+
+def drawn(model: CompiledModel, states: int, seed: int) -> Truth:
+    """Random states of which nothing is known."""
+    rng = np.random.default_rng(seed)
+    q, u = model.split(model.random_state(rng, (states,)))
+    udot, tau = rng.uniform(-1, 1, (2, states, model.nu))
+    start = model._layout.start("r")
+    r = start + INPUT * np.maximum(1.0, np.abs(start)) * rng.uniform(-1, 1, (states, model.nr))
+    none = np.zeros(states)
+    return Truth(q, u, udot, tau, TIME, r, None, none, none, none, None, None)
 
 
 def truth_of(
@@ -69,6 +97,7 @@ def truth_of(
     # near their defaults; rates and accelerations of inputs start from 0 and must not stay there
     r = start + INPUT * np.maximum(1.0, np.abs(start)) * rng.uniform(-1, 1, (states, model.nr))
     bound = closed_states(model, scene, q, u, TIME, r) if circuits else None
+    bound = bound and with_written(model, bound, TIME)
     if bound is not None:
         states, r = len(bound.q), bound.r
         q, u = bound.q[:, : model.nq], bound.u[:, : model.nu]
@@ -77,16 +106,17 @@ def truth_of(
     if motion is not None:
         motion = np.broadcast_to(motion, (states, *motion.shape[-2:]))
     h, gravity = _biases(scene, q if bound is None else bound.q, u, motion, bound)
-    f = None
+    f, friction = None, None
     if "applied" in model.saved:
         given: dict[str, Any] = {block: model._layout.start(block) for block in ("z", "s")}
         given |= {"t": np.array([TIME]), "q": q, "u": u, "r": r, "p": p}
+        friction = pressed(model, scene, states, given)
         values = model._evaluate_saved("applied", **given)
         f = np.broadcast_to(values["f"], h.shape)
     elif model.manifest["scene"].get("forces") == []:
         f = np.zeros_like(h)
     none = np.zeros(states)
-    return Truth(q, u, udot, tau, TIME, r, None, none, h, gravity, f, motion, bound)
+    return Truth(q, u, udot, tau, TIME, r, None, none, h, gravity, f, motion, bound, friction)
 
 
 def _biases(

@@ -2,42 +2,45 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from ..errors import BuildError, SolveWarning
-from . import verify_circuits
+from ..errors import BuildError, SolveWarning, warn
+from . import verify_constraints
 from .calling import Array
 from .closed_states import bound, unbound
-from .joint_motion import joint_motion
 from .judged import scene_of, unknown
-from .newton_euler import Scene, own
+from .newton_euler import EMPTY, Scene
 from .objects import Key
-from .truth import Truth, finite, largest, masses, push, truth_of
-from .verify_circuits import CHECKS, acceleration_error, borne, moved_masses, relative, unbalanced
+from .truth import Truth, drawn, finite, largest, masses, truth_of
+from .verification.asked import Asked
+from .verification.elements import judged as by_laws
+from .verification.judges import judged
+from .verification.members import STATES, members_of
+from .verification.written import written
+from .verify_circuits import CHECKS, singular
+from .verify_samples import APART, samples_of
 from .verify_samples import error as sampled
-from .verify_samples import samples_of
+from .verify_tree import BOUND, NOWHERE, SINGULAR, Check, check
+from .written_bounds import written as constrained
 
 if TYPE_CHECKING:
+    from .absolute.elements import Elements
     from .compiled import CompiledModel
 
-# Rounding of either side stays below 1e-12 of the largest term even for chains of a hundred bodies;
-# a wrong formula is wrong in the first digits. In between lies the bound.
-BOUND = 1e-9
-SINGULAR = "not checked: the mass matrix is singular"
-# Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
-REGULAR = 1e13
 # Speeds up to which M is written out and its eigenvalues looked at; beyond, its products do.
 WHOLE = 200
+# What the accelerations that constraints of the user ask for follow from.
+RATES = {"constraint_rates", "constraint_jacobian", "qdot"}
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
 DRAWN = 4
-STEP = 1e-30
+LAWS = "quadrature along elements, and the laws of mechanics"
 NEWTON_EULER = "an independent Newton-Euler in NumPy"
 SAMPLES = "the numbers of SymPy"
+DIFFERENCES = "differences of the constraints"
 CHECKED = (
     "mass_matrix",
     "bias",
@@ -51,21 +54,6 @@ CHECKED = (
 )
 # What circuits bind.
 BOUND_BY_CIRCUITS = ("forward_dynamics", "rhs", *CHECKS)
-
-
-@dataclass(frozen=True)
-class Check:
-    """One function against the independent route.
-
-    Attributes:
-        function: Its name.
-        error: Largest difference over the largest term of its equation; NaN if not checked.
-        reason: Why it could not be checked, "" if it was.
-    """
-
-    function: str
-    error: float
-    reason: str = ""
 
 
 @dataclass(frozen=True)
@@ -90,57 +78,183 @@ class Verification:
         return max((c.error for c in self.checks if not c.reason), default=float("nan"))
 
     @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Functions for which nothing speaks but, at most, their own expressions."""
+        return tuple(c.function for c in self.checks if c.reason)
+
+    @property
     def checked(self) -> tuple[str, ...]:
         """Functions that were checked."""
         return tuple(c.function for c in self.checks if not c.reason)
 
     def __str__(self) -> str:
-        lines = [f"'{self.model}' at {self.states} random states against {self.judge}"]
+        missing = ", ".join(self.unchecked)
+        head = f"'{self.model}' at {self.states} random states against {self.judge}"
+        lines = [f"{head}; NOT CHECKED: {missing}" if missing else f"{head}: all are checked"]
         for c in self.checks:
-            lines.append(f"  {c.function:18} {c.reason or f'{c.error:.1e}'}")
+            own = "" if np.isnan(c.written) else f" (its own expressions: {c.written:.1e})"
+            lines.append(f"  {c.function:18} {c.reason + own if c.reason else f'{c.error:.1e}'}")
         return "\n".join(lines)
 
 
 def verify(
-    model: CompiledModel, states: int = 3, seed: int = 1, functions: Iterable[str] | None = None
+    model: CompiledModel,
+    states: int = 3,
+    seed: int = 1,
+    functions: Iterable[str | Key] | None = None,
 ) -> Verification:
     """Compare functions at random states; those that cannot be checked are named with the reason.
 
     Args:
-        functions: Names; by default every one that is compiled or was written.
+        model: Its functions.
+        states, seed: How many states, and what they are drawn from. Kinds of elements (beams,
+            cables and what else has functions of its own) are judged at two states of the scene,
+            whatever ``states`` is.
+        functions: Names, or pairs such as ``("pose", "hand")``; by default every one that is
+            compiled or was written.
 
     Raises:
         BuildError: a function differs by more than 1e-9 of the largest term in its equation.
     """
     if functions is None:
         # a folder of the cache may hold more functions than this model was asked for
-        known = set(model.manifest["functions"]) & set(model.manifest["available"])
-        functions = [name for name in CHECKED if name in known]
-    wanted = [name for name in functions if name in CHECKED]
-    if samples_of(model):
-        found = tuple(Check(name, *sampled(model, name)) for name in wanted)
-        return _approved(model, Verification(model.name, len(samples_of(model)), found, SAMPLES))
+        keys = [key for key in model._written() if key[0] in model.manifest["available"]]
+    else:
+        keys = [(key, None) if isinstance(key, str) else key for key in functions]
+    found = _judged(model, states, seed, keys, functions is None)
+    names = None if functions is None else [name for name, of in keys if of is None]
+    differences = verify_constraints.checks(model, names, states, seed)
+    return _approved(model, _together(found, differences, states))
+
+
+def _together(found: Verification, differences: Mapping[str, float | str], n: int) -> Verification:
+    """What both routes found about n states: the larger error, a reason where there is none."""
+    checks = {check.function: check for check in found.checks}
+    for name, error in differences.items():
+        known = checks.get(name, Check(name, np.nan, "not checked"))
+        if isinstance(error, str):
+            checks[name] = known if not known.reason else replace(known, reason=error)
+        elif known.reason:
+            checks[name] = replace(known, error=error, reason="")
+        else:
+            checks[name] = replace(known, error=max(known.error, error))
+    if not differences or found.checks:
+        return replace(found, checks=tuple(checks.values()))
+    return Verification(found.model, n, tuple(checks.values()), DIFFERENCES)
+
+
+def _judged(
+    model: CompiledModel, states: int, seed: int, keys: Sequence[Key], whole: bool
+) -> Verification:
+    """Every function by the routes that lead to it.
+
+    Args:
+        model, states, seed: As of :func:`verify`.
+        keys: Functions.
+        whole: Whether C is compared with its expressions where something else judges it too.
+    """
+    if "mesh" in model.manifest:
+        return _of_elements(model, model._source.results(model).mesh, seed)  # type: ignore[attr-defined]
+    wanted = [name for name in CHECKED if (name, None) in keys]
+    others = [key for key in keys if key[1] is not None or key[0] not in CHECKED]
     reason = unknown(model)
-    if reason or not wanted:
-        return Verification(model.name, 0, tuple(Check(n, np.nan, reason) for n in wanted))
+    if samples_of(model):
+        found = [Check(name, *sampled(model, name)) for name in wanted]
+        found += _by_text(model, others, states, seed, APART)
+        return Verification(model.name, len(samples_of(model)), tuple(found), SAMPLES)
+    if reason or not keys:
+        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, reason)
+        return Verification(model.name, 0, tuple(checks))
     scene, why = scene_of(model), _unjudged(model)
+    solved = scene.nu > model.nu
+    if why and solved:
+        # without states at which its circuits are closed nothing of it can be compared
+        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, why)
+        return Verification(model.name, 0, tuple(checks))
     truth = _truth(model, scene, states, seed, circuits=not why and bound(model))
     if bound(model) and not why and truth.bound is None:
         why = (
             "not checked: no position was found in which the circuits close to 1e-12 of their "
             "size; redundant conditions of rounded numbers leave more"
         )
-    if why and scene.nu > model.nu:
-        return Verification(model.name, 0, tuple(Check(n, np.nan, why) for n in wanted))
-    checks = tuple(
+    if why and solved and truth.bound is None:
+        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, why)
+        return Verification(model.name, 0, tuple(checks))
+    core = [
         Check(name, np.nan, why)
         if why and name in BOUND_BY_CIRCUITS
-        else _check(model, scene, truth, name)
+        else check(model, scene, truth, name)
         for name in wanted
-    )
-    if any(c.reason == SINGULAR for c in checks):
-        warnings.warn(_singular_words(model, truth.M), SolveWarning, stacklevel=2)
-    return _approved(model, Verification(model.name, len(truth.q), checks))
+    ]
+    if any(c.reason == SINGULAR for c in core):
+        warn(_singular_words(model, truth.M), SolveWarning)
+    core = [_also_by_text(model, truth, c) if whole or c.reason else c for c in core]
+    known = frozenset([*keys, *model._functions])
+    asked = Asked(model, scene, truth, known, why.removeprefix("not checked: "))
+    if not len(truth.q):
+        core += _by_text(model, others, states, seed, NOWHERE)
+    else:
+        core += [_said(key, *found) for key, found in judged(asked, others, whole).items()]
+    return Verification(model.name, len(truth.q), tuple(core))
+
+
+def _of_elements(
+    model: CompiledModel, elements: Elements, seed: int, fresh: Iterable[str] | None = None
+) -> Verification:
+    """Functions of every kind of element, by laws and by quadrature.
+
+    Args:
+        model, elements, seed: Whose, and what states are drawn from.
+        fresh: Kinds that have one of these functions are judged; all by default.
+    """
+    kinds = {group.kind.name: group.kind for group in elements.tables.groups}
+    symbols = [s for kind in kinds.values() for s in kind.functions.values()]
+    if fresh is not None:
+        new = set(fresh)
+        kinds = {n: k for n, k in kinds.items() if new & set(k.functions.values())}
+        loaded = model._objects._loaded
+        symbols = [s for s in symbols if s in loaded]
+    codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
+    checks = []
+    for members in members_of(model, elements, codes, seed):
+        name = members.table.kind.name
+        for form, error, why in by_laws(members) if name in kinds else ():
+            label = f"{name} {form}"
+            own = Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
+            checks.append(own)
+    return Verification(model.name, STATES, tuple(checks), LAWS)
+
+
+def _said(key: Key, error: float, why: str) -> Check:
+    """What a judge found: its error, or that of the text, and why."""
+    name, of = key
+    label = f"{name}({of!r})" if of else name
+    return Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
+
+
+def _by_text(
+    model: CompiledModel, keys: Sequence[Key], states: int, seed: int, reason: str
+) -> list[Check]:
+    """Functions that nothing speaks for but what they were written from."""
+    if not keys:
+        return []
+    truth = drawn(model, states, seed)
+    asked = Asked(model, EMPTY, truth)
+    return [_text(asked, key, reason) for key in keys]
+
+
+def _text(asked: Asked, key: Key, reason: str) -> Check:
+    error = written(asked, *key)
+    label = f"{key[0]}({key[1]!r})" if key[1] else key[0]
+    return Check(label, np.nan, reason, np.nan if isinstance(error, str) else error)
+
+
+def _also_by_text(model: CompiledModel, truth: Truth, check: Check) -> Check:
+    """A check that says too how C and its expressions agree."""
+    if not len(truth.q) or check.reason == SINGULAR:
+        return check
+    error = written(Asked(model, EMPTY, truth), check.function, None)
+    return replace(check, written=np.nan if isinstance(error, str) else error)
 
 
 def _approved(model: CompiledModel, result: Verification) -> Verification:
@@ -149,11 +263,13 @@ def _approved(model: CompiledModel, result: Verification) -> Verification:
     Raises:
         BuildError: one is.
     """
-    wrong = [c for c in result.checks if not c.reason and not c.error <= BOUND]
+    wrong = [c for c in result.checks if c.worst > BOUND or (not c.reason and np.isnan(c.error))]
     if wrong:
+        by_text = not wrong[0].error > BOUND and wrong[0].written > BOUND
         raise BuildError(
             f"model '{model.name}': the compiled {wrong[0].function} differs from "
-            f"{result.judge} by {wrong[0].error:.1e} of its largest term (bound {BOUND:.0e}). This "
+            f"{'its own expressions' if by_text else result.judge} by {wrong[0].worst:.1e} of its "
+            f"largest term (bound {BOUND:.0e}). This "
             f"is a fault of cardan or of the compiler: please report it with {model.directory}. "
             "Until then try another method= or compiler (CC)"
         )
@@ -166,7 +282,25 @@ def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
     Raises:
         BuildError: a function is wrong.
     """
-    verify(model, functions=[name for name, of in fresh if of is None and name in CHECKED])
+    verify(model, functions=list(fresh))
+
+
+def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[str]) -> None:
+    """Check functions of elements that were compiled just now.
+
+    Args:
+        model, elements: Whose.
+        fresh: Names of the functions.
+
+    Raises:
+        BuildError: one is wrong.
+    """
+    new = list(fresh)
+    found = _of_elements(model, elements, 1, new)
+    differences: dict[str, float | str] = {}
+    if model.manifest["multipliers"] and any(verify_constraints.binds(name) for name in new):
+        differences = verify_constraints.said(verify_constraints.of_elements(model, elements, 3, 1))
+    _approved(model, _together(found, differences, STATES))
 
 
 def _unjudged(model: CompiledModel) -> str:
@@ -175,18 +309,32 @@ def _unjudged(model: CompiledModel) -> str:
         return ""
     if model.nu > WHOLE:
         return f"not checked: circuits with more than {WHOLE} speeds"
+    if constrained(model) and RATES - set(model.manifest["available"]):
+        return "not checked: the rates of constraints that the user wrote were not asked for"
     return unbound(model)
 
 
 def _truth(model: CompiledModel, scene: Scene, states: int, seed: int, circuits: bool) -> Truth:
     """What must come out at some states; M is written out if it is not too large."""
+    given = (states, seed, circuits, "applied" in model.saved, model.parameters.vector.tobytes())
+    known = model._objects.truth
+    if known is not None and known[0] == given:
+        # one function after the other is judged at the same states
+        return cast(Truth, known[1])
     large = model.nu > WHOLE
     truth = truth_of(model, scene, DRAWN if large else DRAWN * states, seed, circuits)
     truth = truth.only(finite(truth)[: 1 if large else states])
     if large:
-        return replace(truth, largest=largest(scene, truth))
-    M = masses(scene, truth)
-    return replace(truth, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
+        truth = replace(truth, largest=largest(scene, truth))
+    else:
+        M = masses(scene, truth)
+        truth = replace(truth, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
+        if truth.pressed is not None and not singular(truth):
+            # friction in the model's own motion, where there is one alone
+            truth = replace(truth, f=truth.under(np.zeros_like(truth.h)))
+            truth = truth.only(finite(truth))
+    model._objects.truth = given, truth
+    return truth
 
 
 def _singular_words(model: CompiledModel, M: Array | None) -> str:
@@ -200,121 +348,3 @@ def _singular_words(model: CompiledModel, M: Array | None) -> str:
         f"{', '.join(names[:6])}. forward_dynamics and simulate give no meaningful numbers; give "
         "the bodies that move there a mass or an inertia, or fix a joint"
     )
-
-
-def singular(truth: Truth) -> bool:
-    """Whether nothing resists some motion that constraints allow."""
-    if truth.M is None:
-        return False
-    inertia = truth.M if truth.bound is None else moved_masses(truth.bound, truth.M)
-    values = [np.linalg.eigvalsh(matrix) for matrix in inertia]
-    return any(bool(np.any(v[:1] * REGULAR <= v[-1:])) for v in values)
-
-
-def _check(model: CompiledModel, scene: Scene, truth: Truth, name: str) -> Check:
-    """One function; forces of the model come from its saved Function ``applied``."""
-    reason = _unchecked(model, truth, name)
-    if reason:
-        return Check(name, np.nan, reason)
-    if truth.bound is not None and truth.bound.missed.max() > BOUND:
-        # what the model says about the joints of its circuits does not close them
-        return Check(name, float(truth.bound.missed.max()))
-    if name in CHECKS and truth.bound is not None:
-        return Check(name, verify_circuits.check(model, truth, truth.bound, name))
-    q, u = truth.q, truth.u
-    given: dict[str, Any] = {"t": truth.t, "r": truth.r}
-    if name == "mass_matrix":
-        M = model.mass_matrix(q, **given)
-        if truth.M is not None:
-            return Check(name, relative(M - truth.M, truth.M))
-        pushed = push(scene, truth, truth.udot)
-        return Check(name, relative((M @ truth.udot[..., None])[..., 0] - pushed, pushed))
-    if name in ("bias", "gravity", "coriolis"):
-        known = {"bias": truth.h, "gravity": truth.gravity, "coriolis": truth.h - truth.gravity}
-        states = (q,) if name == "gravity" else (q, u)
-        value = getattr(model, name)(*states, **given)
-        terms = (truth.h, truth.gravity, _inertial(truth))
-        return Check(name, relative(value - known[name], *terms))
-    if name == "qdot":
-        return Check(name, _rates_error(scene, truth, model.qdot(q, u, **given)))
-    if name == "inverse_dynamics":
-        value = model.inverse_dynamics(q, u, truth.udot, **given)
-        return Check(name, _balance(scene, truth, truth.udot, value, free=False))
-    if name == "forward_dynamics":
-        value = model.forward_dynamics(q, u, tau=truth.tau, **given)
-        return Check(name, _balance(scene, truth, value, truth.tau))
-    z = np.broadcast_to(model._layout.start("z"), (len(q), model.nz))
-    xdot = model.rhs(truth.t, np.concatenate([q, u, z], axis=-1), truth.r)
-    qdot, udot = model.split(xdot)
-    error = max(_rates_error(scene, truth, qdot), _balance(scene, truth, udot, np.zeros(model.nu)))
-    return Check(name, error)
-
-
-def _unchecked(model: CompiledModel, truth: Truth, name: str) -> str:
-    """Why a function cannot be checked at some states; "" if it can."""
-    if not len(truth.q):
-        return "not checked: the forces of the model are nowhere finite"
-    solves = name in ("forward_dynamics", "rhs", "multipliers")
-    if solves and singular(truth):
-        return SINGULAR
-    if truth.f is None and (solves or name == "inverse_dynamics"):
-        return "not checked: the forces of the model are not saved"
-    treatment = model.manifest["scene"].get("treatment")
-    if solves and treatment and not treatment["exact"]:
-        return f"not checked: constraints treated by '{treatment['name']}' give way"
-    if name == "multipliers" and ("constraint_jacobian", None) not in model._functions:
-        return "not checked: constraint_jacobian is not compiled"
-    return ""
-
-
-def _balance(scene: Scene, truth: Truth, udot: Array, tau: Array, free: bool = True) -> float:
-    """Residual of M udot + h = f + tau, over the largest product or force in it.
-
-    Where accelerations are free to obey constraints, these bear what they can, and are obeyed.
-    """
-    f = np.zeros_like(truth.h) if truth.f is None else truth.f
-    if truth.M is None:
-        pushed = most = push(scene, truth, udot)
-    else:
-        products = truth.M * udot[:, None, :]
-        pushed, most = products.sum(axis=-1), np.abs(products).max(axis=-1, initial=0.0)
-    residual = pushed + truth.h - f - tau
-    terms = most, truth.h, f, np.broadcast_to(tau, truth.h.shape), _inertial(truth)
-    if truth.bound is None or not free:
-        return relative(residual, *terms)
-    held = borne(truth.bound, residual)
-    error = relative(unbalanced(truth.bound, residual), *terms, held)
-    loose = np.zeros_like(udot)
-    if truth.M is not None:
-        inertia = np.diagonal(truth.M, axis1=-2, axis2=-1)
-        loose = (f + tau - truth.h) / np.where(inertia > 0, inertia, np.inf)
-    return max(error, acceleration_error(truth.bound, udot, loose))
-
-
-def _inertial(truth: Truth) -> Array:
-    """Size of the products of speeds and masses (n, 1): where they cancel, rounding is left."""
-    squares = (truth.u**2).max(axis=-1, initial=0.0)
-    return np.asarray(truth.largest * squares)[:, None]
-
-
-def _rates_error(scene: Scene, truth: Truth, qdot: Array) -> float:
-    """Whether the rates of the coordinates turn and shift every joint as its speeds say.
-
-    A complex step along qdot differentiates the pose of the joint exactly.
-    """
-    worst = 0.0
-    for i in range(len(scene.parents)):
-        solved = scene.q[i][0] >= truth.q.shape[-1]
-        if scene.prescribed[i] or scene.leaders[i] >= 0 or solved:
-            continue
-        qi, ui = own(scene, i, truth.q, (truth.u,), truth.motion)
-        ri = own(scene, i, qdot, (), truth.motion)[0]
-        now, moved = (joint_motion(scene.told(i), x, ui) for x in (qi, qi + 1j * STEP * ri))
-        turning: Any = np.swapaxes(now.rotation, -1, -2) @ (moved.rotation.imag / STEP)
-        spin = (now.turn @ ui[..., None])[..., 0]
-        found = np.stack([turning[..., 2, 1], turning[..., 0, 2], turning[..., 1, 0]], axis=-1)
-        shift = (now.shift @ ui[..., None])[..., 0]
-        path = moved.position.imag / STEP
-        difference = np.concatenate([found - spin, path - shift], axis=-1)
-        worst = max(worst, relative(difference, np.concatenate([spin, shift], axis=-1)))
-    return worst

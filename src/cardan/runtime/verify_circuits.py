@@ -11,16 +11,25 @@ from .closed_states import RANK, Bound, dependents
 from .closing import size_of
 from .joint_motion import Array, times
 from .truth import Truth
+from .written_bounds import written
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
 
+# Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
+REGULAR = 1e13
+
+
 def relative(difference: Array, *terms: Array) -> float:
-    """Largest difference of a state over its largest term, the worst of all states."""
-    worst = _most(difference)
+    """Largest difference of a state over its largest term, the worst of all states.
+
+    A difference that is not a number is wrong without bound: a larger one would hide it. So is one
+    of an infinite term.
+    """
+    worst = _most(np.where(np.isnan(difference), np.inf, difference))
     size = np.max([_most(term) for term in terms], axis=0)
-    return float(np.max(worst / np.where(size > 0, size, 1.0), initial=0.0))
+    return float(np.max(worst / np.where((size > 0) & (size < np.inf), size, 1.0), initial=0.0))
 
 
 def _most(values: Array) -> Array:
@@ -81,6 +90,9 @@ def _residual(name: str) -> Callable[..., float]:
     def error(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]) -> float:
         rates = name == "constraint_rates"
         value = getattr(model, name)(*((truth.q, truth.u) if rates else (truth.q,)), **given)
+        # what the user wrote is judged by differences, at states that need not fulfil it
+        own = [k for k in range(value.shape[-1]) if k not in written(model)]
+        value = value[..., own]
         size = max(1.0, size_of(model), float(np.abs(bound.u).max()) if rates else 0.0)
         return float(np.abs(value).max(initial=0.0)) / size
 
@@ -91,8 +103,10 @@ def _jacobian(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[s
     """Whether the rows of G leave exactly the motions that the joints allow."""
     G, nu = model.constraint_jacobian(truth.q, **given), truth.u.shape[-1]
     G = np.broadcast_to(G, (len(truth.q), *G.shape[-2:]))
+    if not np.isfinite(G).all():
+        return np.inf
     worst = 0.0
-    for rows, allowed in zip(G, _motions(bound, nu), strict=True):
+    for rows, allowed in zip(G, motions_of(bound, nu), strict=True):
         freedoms = np.linalg.matrix_rank(allowed, tol=RANK)
         size = np.abs(rows).max(initial=0.0) or 1.0
         worst = max(worst, float(np.abs(rows @ allowed).max(initial=0.0)) / size)
@@ -111,7 +125,7 @@ def _multipliers(
     force, nu = truth.tau - truth.h + f, truth.u.shape[-1]
     # one acceleration that constraints allow, then along the motions they allow
     udot = -times(np.linalg.pinv(bound.G, rcond=RANK), bound.rest)[:, :nu]
-    for k, Z in enumerate(_motions(bound, nu)):
+    for k, Z in enumerate(motions_of(bound, nu)):
         left = Z.T @ (force[k] - M[k] @ udot[k])
         udot[k] += Z @ np.linalg.lstsq(Z.T @ M[k] @ Z, left, rcond=None)[0]
     products = M * udot[:, None, :]
@@ -121,10 +135,19 @@ def _multipliers(
 
 def moved_masses(bound: Bound, M: Array) -> list[Array]:
     """Inertia along the motions that constraints allow, state by state."""
-    return [Z.T @ m @ Z for Z, m in zip(_motions(bound, M.shape[-1]), M, strict=True)]
+    return [Z.T @ m @ Z for Z, m in zip(motions_of(bound, M.shape[-1]), M, strict=True)]
 
 
-def _motions(bound: Bound, nu: int) -> list[Array]:
+def singular(truth: Truth) -> bool:
+    """Whether nothing resists some motion that constraints allow."""
+    if truth.M is None:
+        return False
+    inertia = truth.M if truth.bound is None else moved_masses(truth.bound, truth.M)
+    values = [np.linalg.eigvalsh(matrix) for matrix in inertia]
+    return any(bool(np.any(v[:1] * REGULAR <= v[-1:])) for v in values)
+
+
+def motions_of(bound: Bound, nu: int) -> list[Array]:
     """Columns of speeds (nu, k) that constraints allow, state by state."""
     found = []
     for whole in bound.G:

@@ -53,7 +53,9 @@ def _given(model: CompiledModel, sample: Sample, *blocks: str) -> dict[str, Any]
 def _relative(difference: Array, *terms: Array) -> float:
     """Largest entry of a difference over that of the terms in it."""
     largest = max((float(np.abs(x).max(initial=0.0)) for x in terms), default=0.0)
-    return float(np.abs(difference).max(initial=0.0)) / max(largest, 1e-300)
+    # a larger number would hide one that is none
+    apart = np.where(np.isnan(difference), np.inf, np.abs(difference))
+    return float(apart.max(initial=0.0)) / max(largest, 1e-300)
 
 
 def _mass_matrix(model: CompiledModel, sample: Sample) -> float:
@@ -68,7 +70,7 @@ def _qdot(model: CompiledModel, sample: Sample) -> float:
 
 def _bias(model: CompiledModel, sample: Sample) -> float:
     """All forces are applied ones."""
-    return float(np.abs(model.bias(**_given(model, sample, "q", "u"))).max(initial=0.0))
+    return _relative(model.bias(**_given(model, sample, "q", "u")), np.ones(1))
 
 
 def _inverse(model: CompiledModel, sample: Sample) -> float:

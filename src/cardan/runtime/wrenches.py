@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError, ModelError, near
+from ..errors import ArgumentError, ModelError, named, near
 from .calling import Array, numbers
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def read_wrenches(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
     """Wrenches as arrays (..., 6), their frames known."""
     result = {}
-    for frame, value in wrenches.items():
+    for frame, value in named("wrenches", wrenches, "'hand': [0, 0, 0, 0, 0, 1]").items():
         if frame not in model.frames:
             raise ModelError(
                 f"wrenches: frame '{frame}' does not exist.{near(frame, model.frames)}"

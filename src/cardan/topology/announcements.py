@@ -3,12 +3,24 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any
 
-from ..model.checks import mass
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ImpossibleWarning
+from ..model.checks import is_number, lone_moment, mass, unphysical
 from ..model.model import Model
+from .assembly import Assembly
+from .circuits import SAMPLES, Numbers
 from .convert import Converter
+from .doubts import tell
 from .system import GROUND, Nodes, System
+
+Array = NDArray[np.float64]
+Moments = Sequence[Any]
+ALONG = 1e-9  # of an axis across another one: it is along it
 
 
 def announce(
@@ -78,19 +90,84 @@ def flying(system: System) -> list[str]:
     return list(names.values())
 
 
-def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> None:
+def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> dict[str, Moments]:
     """Masses and inertias given as expressions are possible ones at the default parameters.
 
     Args:
         written: Name of a body, its mass and the entries xx xy xz yy yz zz of its inertia.
         convert: Knows the defaults.
 
+    Returns:
+        Name of a body -> its inertia at the defaults.
+
     Raises:
         ModelError: a negative mass.
     """
+    found = dict[str, Moments]()
     for name, nodes in written:
         values = convert.defaults(nodes)
         mass(name, values[0], values[1:])
+        found[name] = values[1:]
+    return found
+
+
+def check_lone_moments(model: Model, assembly: Assembly, told: Mapping[str, Moments]) -> None:
+    """Warn of bodies with one moment of inertia alone that turn about other axes as well.
+
+    Args:
+        model: The scene as the user wrote it.
+        assembly: Its bodies and joints.
+        told: Name of a body -> its inertia, of those written as expressions.
+    """
+    home = {body.name: place for body, place in assembly.home.items()}
+    lone = dict[str, int]()
+    for body in model.bodies.values():
+        moments = told.get(body.name, body.inertia)
+        axis = lone_moment(moments) if all(is_number(entry) for entry in moments) else None
+        if axis is not None and body.name in home:
+            lone[body.name] = axis
+    if not lone:
+        return
+    numbers = Numbers(assembly.convert)
+    turning = turnings(assembly, numbers, [home[name][0] for name in lone])
+    for name, axis in lone.items():
+        number, placement = home[name]
+        outer, axes = turning[number]
+        own = outer @ numbers.pose(placement.rotation, placement.position).rotation
+        across = np.delete(axes @ own, axis, axis=1)
+        if np.abs(across).max(initial=0.0) > ALONG:
+            text = (
+                f"body '{name}': {unphysical(told.get(name, model.bodies[name].inertia))}. It "
+                f"turns about other axes than its own {'xyz'[axis]} too: give the other moments"
+            )
+            tell(text, model, ImpossibleWarning)
+
+
+def turnings(
+    assembly: Assembly, numbers: Numbers, wanted: Iterable[int]
+) -> dict[int, tuple[Array, Array]]:
+    """Of rigid bodies: R to the ground with joints at their defaults, and what they turn about.
+
+    Axes (n, 3) are those of the joints from the ground to the body, in ground axes.
+    """
+    needed = set[int]()
+    for number in wanted:
+        while number != GROUND and number not in needed:
+            needed.add(number)
+            number = assembly.bodies[number].parent
+    found = {GROUND: (np.eye(3), np.zeros((0, 3)))}
+    # every body comes after that which carries it
+    for number in sorted(needed):
+        joint = assembly.joints[number]
+        outer, axes = found[assembly.bodies[number].parent]
+        seat = outer @ numbers.pose(joint.rotation, joint.position).rotation
+        moved = []
+        for sample in range(SAMPLES):
+            pose, modes = numbers.motion(joint.element, joint.data, sample)
+            moved.append(seat @ pose.rotation)
+            axes = np.concatenate([axes, (moved[-1] @ modes[:3]).T])
+        found[number] = moved[0], axes
+    return found
 
 
 def massless_tips(system: System) -> list[tuple[str, str]]:

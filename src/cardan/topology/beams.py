@@ -23,6 +23,7 @@ from .segment import Line
 Array = NDArray[np.float64]
 # rounding in products of rotations
 ROUNDING = 4e-16
+FARTHEST = 1e30  # m
 
 
 @dataclass(frozen=True)
@@ -133,6 +134,7 @@ class Beams:
         stops = sorted((s, name) for name, s in beam.stops.items())
         names = (f"{beam.name}.start", *(name for _, name in stops), f"{beam.name}.end")
         where = [0.0, *(s for s, _ in stops), 1.0]
+        _near_enough(ends[0], ends[1], *data.values())
         curve = beam.line.curve(ends[0], ends[1], data)
         return Laid(names, tuple(meshed(curve, beam.elements, where, up)))
 
@@ -174,3 +176,17 @@ def quaternion(rotation: Array) -> tuple[float, ...]:
     row = products[int(np.argmax(np.diag(products)))]
     row = row / np.linalg.norm(row) * (1 if row[0] >= 0 else -1)
     return tuple(float(x) + 0.0 for x in row)
+
+
+def _near_enough(*places: Array) -> None:
+    """Squares of coordinates must be numbers too.
+
+    Raises:
+        ModelError: one is not.
+    """
+    for place in places:
+        farthest = float(np.abs(place).max(initial=0.0))
+        if not farthest <= FARTHEST:
+            raise ModelError(
+                f"a point of its line is {farthest:g} m away; at most {FARTHEST:g} m are taken"
+            )

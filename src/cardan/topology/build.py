@@ -10,10 +10,11 @@ from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
+from ..model import checks
 from ..model.masses import pulled
 from ..model.model import Model
 from ..model.origins import located
-from . import announcements, internals, motion
+from . import announcements, doubts, internals, motion
 from .assembly import Assembly
 from .beamed import with_beams
 from .built_in import BuiltIn
@@ -56,6 +57,7 @@ def build(
     """
     try:
         kept = (independent,) if isinstance(independent, str) else independent or ()
+        checks.apart(model)
         return _build(model, BuiltIn.of(specialize), branches, kept)
     except ZeroDivisionError as problem:
         raise ModelError(
@@ -95,13 +97,14 @@ def _build(
         if frame.named:
             assembly.frame(frame, frame.name)
 
-    announcements.check_masses(assembly.unchecked, convert)
+    told = announcements.check_masses(assembly.unchecked, convert)
     beams = segments(scene, assembly)
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
         placing = assembly.beams.geometry
         names = BuiltIn.with_names(built_in, placing)
         return _build(model, names, branches, independent, placing)
+    announcements.check_lone_moments(model, assembly, told)
 
     # what expressions may speak of, then the expressions
     convert.moving = True
@@ -114,6 +117,10 @@ def _build(
         for one in _forces(model, assembly, name, places[name])
     )
     joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
+    held = (*cuts, *(closure.cut for closure in closures))
+    parents = [rigid.parent for rigid in assembly.bodies]
+    doubts.check_meeting(model, forces, assembly.frames, joints, parents, held, convert)
+    doubts.check_prescribed(model, joints, held)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])

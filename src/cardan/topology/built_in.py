@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 from ..model.checks import is_number
 from .system import Parameter
 
@@ -37,13 +37,16 @@ class BuiltIn:
         names = (asked,) if isinstance(asked, str) else asked
         if not isinstance(names, Iterable) or not all(isinstance(name, str) for name in names):
             raise ModelError(
-                f"specialize: names, numbers by name, or True for all are wanted, not {asked!r}"
+                f"specialize: names, numbers by name, or True for all are wanted, not "
+                f"{shown(asked)}"
             )
         if not isinstance(asked, Mapping):
             return BuiltIn(frozenset(names)) if names else None
         for name, value in asked.items():
             if not is_number(value) or not isfinite(value):
-                raise ModelError(f"specialize: '{name}' must be a finite number, not {value!r}")
+                raise ModelError(
+                    f"specialize: '{name}' must be a finite number, not {shown(value)}"
+                )
         return BuiltIn(frozenset(asked), {name: float(x) for name, x in asked.items()})
 
     @staticmethod

@@ -211,6 +211,15 @@ class Numbers:
         found = self.values(*modes.nodes).reshape(6, modes.columns)
         return self.pose(rotation.nodes, position.nodes), found
 
+    def start(self, joint: Joint) -> Pose:
+        """Of the outer body in axes of the inner one, at the initial values of a joint."""
+        g, given = self.graph, self._data(joint.data)
+        start = joint.q0 or [c.default for c in joint.element.coordinates]
+        q = Matrix(g, len(start), 1, [g.const(float(x)) for x in start])
+        rotation, position = joint.element.pose(q, **given)
+        moved = self.pose(rotation.nodes, position.nodes)
+        return self.pose(joint.rotation, joint.position).then(moved)
+
     def gradient(self, cut: Cut, pose: Pose) -> Array:
         """Of the closing conditions along twists (m, 6)."""
         g = self.graph

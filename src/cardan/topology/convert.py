@@ -9,7 +9,7 @@ from typing import Any
 
 from ..elements.quantity import Quantity, Ready, written_unit
 from ..elements.written import TOO_DEEP
-from ..errors import ModelError, near
+from ..errors import ModelError, near, shown
 from ..ir.function import Function, Output, live
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
 from ..ir.interpreter import evaluate
@@ -127,7 +127,7 @@ class Converter:
         except RecursionError:
             raise ModelError(f"'{name}' {TOO_DEEP}") from None
         if symbols is None:
-            raise ModelError(f"'{name}': a number or an expression is wanted, not {value!r}")
+            raise ModelError(f"'{name}': a number or an expression is wanted, not {shown(value)}")
         if hasattr(value, "shape"):
             raise ModelError(
                 f"'{name}': one expression is wanted, not a matrix of shape {value.shape}; take "
@@ -275,7 +275,7 @@ class Converter:
         if len(rows) != 3 or any(len(row) != 3 for row in rows):
             raise ModelError(
                 f"'{name}': a rotation is 3x3, a SciPy Rotation or like ('XYZ', a, b, c), "
-                f"not {value!r}"
+                f"not {shown(value)}"
             )
         flat = [entry for row in rows for entry in row]
         labels = [i + j for i in "xyz" for j in "xyz"]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
 from .scene import SOLIDS, THICK, link, solid
 
@@ -52,7 +53,7 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
     for body in manifest["bodies"]:
         name, own = str(body["name"]), frames[body["name"]]
         pose = motion.pose(own[0])
-        places = {frame: np.linalg.inv(pose[0]) @ motion.pose(frame)[0] for frame in own}
+        places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in own}
         # a node of beams with nothing on it is drawn with its beams
         bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
         if bare and body["parts"] == [name] and name in nodes:

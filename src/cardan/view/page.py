@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import html
 import json
-import os
 import re
-import tempfile
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime import placing
 from ..runtime.trajectory import Trajectory
+from ..whole_file import folder, written
 from . import meshed, scene
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
@@ -28,6 +29,9 @@ def write_page(
     """Write the page; see :meth:`cardan.runtime.trajectory.Trajectory.animate`.
 
     The file appears complete or not at all.
+
+    Raises:
+        ModelError: a motion without poses, or the file cannot be written.
     """
     absent = motion.manifest.get("absent", {})
     if "pose" in absent:
@@ -36,7 +40,12 @@ def write_page(
     drawn = (meshed if shown.manifest["method"] == "absolute" else scene).drawing(shown)
     data = {"t": np.round(shown.t, 6).tolist(), **drawn}
     # names are the user's: nothing in them may end the script or open a tag
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    try:
+        text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    except ValueError:
+        raise ModelError(
+            f"a page shows bodies at finite places; some of '{motion.manifest['name']}' are not"
+        ) from None
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
     headline = html.escape(str(title if title is not None else motion.manifest["name"]))
@@ -48,36 +57,31 @@ def write_page(
 
 def _resampled(motion: Trajectory, fps: float) -> Trajectory:
     """The motion at equal times, where it knows what lies between its rows."""
+    last = len(motion) - 1
     span = float(motion.t[-1] - motion.t[0])
-    count = int(min(PICTURES, max(2, round(abs(span) * fps) + 1)))
-    if motion.dense is None:
-        step = max(1, len(motion.t) // PICTURES)
-        return motion if step == 1 or motion.model is None else _every(motion, step)
-    return motion.resample(np.linspace(motion.t[0], motion.t[-1], count))
+    count = int(min(PICTURES, max(2.0, abs(span) * fps + 1.5)))
+    times = np.linspace(motion.t[0], motion.t[-1], count)
+    if motion.dense is not None and (motion.model is not None or placing.told(motion)):
+        return motion.resample(times)
+    if motion.dense is None and len(motion) <= PICTURES:
+        return motion
+    # the rows that are there, of which many may be close to each other
+    sign = 1.0 if span >= 0 else -1.0
+    return _some(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
 
 
-def _every(motion: Trajectory, step: int) -> Trajectory:
-    rows = slice(None, None, step)
-    return replace(
-        motion,
-        t=motion.t[rows],
-        x=motion.x[rows],
-        r=motion.r[rows],
-        given=motion.given[rows],
-        stored={},
-    )
+def _some(motion: Trajectory, rows: NDArray[np.intp]) -> Trajectory:
+    """The motion at some of its rows, with what is stored of them."""
+    poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
+    parts = {name: getattr(motion, name)[rows] for name in ("t", "x", "r", "given")}
+    return replace(motion, **parts, dense=None, stored=poses)
 
 
 def publish(path: Path, page: str) -> Path:
-    """Write a page: it appears complete or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".cardan-", suffix=".html")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(page)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-    return path
+    """Write a page, in a directory that is made if need be.
+
+    Raises:
+        ModelError: as :func:`cardan.whole_file.replaced`.
+    """
+    folder(path)
+    return written(path, page)

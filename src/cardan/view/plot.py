@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, listed, near
+from ..errors import ModelError, listed, near, shown
 from ..runtime.trajectory import Trajectory
+from ..whole_file import folder, replaced
 
 POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
@@ -93,9 +94,12 @@ def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: 
     axis = figure.subplots()
     for k, (name, (along, up)) in enumerate(lines.items()):
         axis.plot(along, up, MARKS[k % len(MARKS)] + "-", label=name, linewidth=1.2, markersize=4)
-    axis.set(xscale="log", yscale="log", xlabel=label, ylabel=other)
+    axis.set(xlabel=label, ylabel=other)
     axis.grid(alpha=0.3)
-    axis.legend(fontsize="small", ncols=2)
+    # logarithmic axes need a number to begin with
+    if any(len(along) for along, _ in lines.values()):
+        axis.set(xscale="log", yscale="log")
+        axis.legend(fontsize="small", ncols=2)
     return done(figure, title, path)
 
 
@@ -140,13 +144,16 @@ def done(figure: Any, title: str, path: Any) -> Any:
     if path is None:
         return figure
     if not isinstance(path, str | PathLike):
-        raise ModelError(f"plot({path!r}): the first argument is the picture file; give names=")
+        raise ModelError(
+            f"plot({shown(path)}): the first argument is the picture file; give names="
+        )
     file, known = Path(path), figure.canvas.get_supported_filetypes()
     ending = file.suffix[1:].lower()
     if ending and ending not in known:
         raise ModelError(f"plot: '{file}' has no ending of a picture.{near(ending, known)}")
-    file.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(file, dpi=130)
+    folder(file)
+    with replaced(file) as new:
+        figure.savefig(new, dpi=130, format=ending or None)
     return figure
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -48,7 +49,7 @@ def _bodies(manifest: Mapping[str, Any]) -> list[tuple[int, Mapping[str, Any]]]:
 def _poses(motion: Trajectory, body: str) -> list[list[float]]:
     """Pose of the rigid body (nt, 12): rotation row by row, then position."""
     frame = next(r["name"] for r in motion.manifest["frames"] if r["body"] == body)
-    pose = motion.pose(frame) @ np.linalg.inv(motion.placed(frame))
+    pose = motion.pose(frame) @ inverse(motion.placed(frame))
     flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
     rows: list[list[float]] = np.round(flat, 5).tolist()
     return rows

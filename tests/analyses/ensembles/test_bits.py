@@ -163,9 +163,15 @@ int rhs(const cardan_in *in, real *out, real *work)
 """
 
 
+def written(recipe: dict[str, Any]) -> str:
+    """The equations, and what their object says about itself."""
+    own = pendulum.sizes("rhs", recipe)
+    return f"{RHS}#ifdef CARDAN_LOADED\nconst int rhs_sizes[] = {{{own}}};\n#endif\n"
+
+
 def test_a_status_stays_in_its_lane(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text, entry = pendulum.text, pendulum.entry
-    monkeypatch.setattr(pendulum, "text", lambda n, r: RHS if n == "rhs" else text(n, r))
+    monkeypatch.setattr(pendulum, "text", lambda n, r: written(r) if n == "rhs" else text(n, r))
     monkeypatch.setattr(pendulum, "entry", lambda *a: entry(*a) | {"lanes": [1, 2, 4, 8]})
     model = cd.CompiledModel(pendulum.write(tmp_path / "model"))
     speeds = np.linspace(-3, 4, 24)

@@ -13,6 +13,7 @@ from benchmarks.motion.contest import Outcome
 from benchmarks.motion.figures import Measured
 from benchmarks.motion.programs import PEERS, PROGRAMS
 from benchmarks.page import markdown
+from benchmarks.provenance import signed
 from cardan.peers.processor import name as processor
 from cardan.runtime import cache
 
@@ -124,4 +125,4 @@ def write(found: Measured, rows: Sequence[Figure], folder: Path) -> None:
     if notes:
         text += ["", "## Left out", "", *(f"- {note}" for note in notes)]
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "runs.md").write_text("\n".join(text) + "\n", "utf-8")
+    (folder / "runs.md").write_text(signed("\n".join(text)), "utf-8")

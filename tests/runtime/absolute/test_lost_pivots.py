@@ -77,6 +77,43 @@ def solved(by: Solver, numbers: NDArray[np.float64], b: NDArray[np.float64]) -> 
     return solution(by, b)
 
 
+ROWS = ((1.0, 0.0, 0.0), (1.0, 1e-5, 0.0)), ((0.0, 1.0, 0.0), (0.3, 0.4, 0.0))
+
+
+def beside(rows: NDArray[np.float64]) -> tuple[Plan, NDArray[np.float64]]:
+    """A node with rows on it, the first two of which stand at an angle of 1e-5."""
+    drawn = plan([3, 2, len(rows) - 2], [[[0, 1]], [[0, 2]]], multiplier=[False, True, True])
+    a = np.zeros((3 + len(rows),) * 2)
+    a[:3, :3] = np.diag([1.0, 2.0, 3.0])
+    a[:3, 3:], a[3:, :3] = rows.T, rows
+    return drawn, a
+
+
+def test_rows_that_are_kept_stand_at_large_angles() -> None:
+    """Redundant rows were kept as they stood: multipliers grew by the angle between two of them."""
+    drawn, a = beside(np.concatenate(ROWS))
+    wanted = np.array([0.5, -0.3, 0.2, 1.0, 0.0, -0.7, 0.4])
+    by = solver(drawn)
+    by.factor(values(drawn, a))
+    x = by.solve(a @ wanted)
+    assert len(by.weak) == 2
+    assert np.abs(x[:3] - wanted[:3]).max() < 1e-13
+    assert np.abs(x).max() < 10
+    assert np.abs(a @ (x - wanted)).max() < 1e-13
+
+
+def test_columns_change_places_both_ways() -> None:
+    """What is solved, turned and counted with columns exchanged is what the matrix is."""
+    drawn, a = beside(np.concatenate([ROWS[0], [[0.2, 0.4, 1.0]]]))
+    by, b = solver(drawn), np.arange(1.0, 7.0)
+    by.factor(values(drawn, a))
+    assert not len(by.weak)
+    np.testing.assert_allclose(by.solve(b), np.linalg.solve(a, b), rtol=1e-5)
+    np.testing.assert_allclose(by.solve(b, transposed=True), np.linalg.solve(a.T, b), rtol=1e-5)
+    sign, size = np.linalg.slogdet(a)
+    np.testing.assert_allclose(by.determinant(), (sign, size), rtol=1e-5)
+
+
 def test_a_mechanism_without_mass_is_named(way: type[Solver]) -> None:
     structure = Structure(5, [], bars(5), mass=0)
     drawn = structure.plan()

@@ -7,7 +7,6 @@ lanes, one by one, in threads or elsewhere with the same build.
 from __future__ import annotations
 
 import time
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing, nullcontext
 from dataclasses import replace
@@ -15,8 +14,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ...errors import CardanError, ModelError, SolveError, SolveWarning, spelled
+from ...arguments import Count, Seed, checked
+from ...errors import CardanError, ModelError, SolveError, SolveWarning, shown, warn
 from ...runtime.batch import threads as threads_of
 from ...runtime.compiled import CompiledModel
 from ..choice import Limited
@@ -24,7 +25,7 @@ from ..growing import build_key, digest, model_key
 from ..happenings import happenings
 from ..progress import showing
 from ..sample import Plan
-from ..settings import settings
+from ..settings import settings, watched
 from ..simulate import case_of, chosen
 from ..times import Span, span
 from .checkpoint import Checkpoint
@@ -35,6 +36,7 @@ from .job import Job, histories_of
 from .reductions import reductions
 from .result import Ensemble
 from .single import motion
+from .unaccounted import unaccounted
 from .varied import varied
 
 __all__ = ["Ensemble", "ensemble"]
@@ -48,11 +50,12 @@ AGAIN = "and the same call goes on from there"
 CURE = f"checkpoint= (--checkpoint FILE) keeps finished runs in a file, {AGAIN}"
 
 
-@spelled
+@checked
 def ensemble(
     model: CompiledModel,
-    t: Any,
+    t: float | ArrayLike | None = None,
     *,
+    t_eval: ArrayLike | None = None,
     vary: Plan | Mapping[str, Any] | None = None,
     x0: Any = None,
     q: Any = None,
@@ -62,12 +65,12 @@ def ensemble(
     inputs: Mapping[str, Any] | None = None,
     sample: float | None = None,
     events: Mapping[str, Any] | None = None,
-    runs: int | None = None,
-    seed: int = 0,
+    runs: Count | None = None,
+    seed: Seed = 0,
     reduce: str | Sequence[str] | Mapping[str, Any] | None = None,
     method: str = "auto",
     rtol: float = 1e-6,
-    atol: float = 1e-9,
+    atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
     threads: int | None = None,
@@ -81,7 +84,7 @@ def ensemble(
 
     Args:
         model: The compiled model.
-        t: End, ``(start, end)`` or output times [s].
+        t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
         vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
             names of coordinates, speeds, parameters or inputs.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
@@ -102,8 +105,7 @@ def ensemble(
         lanes: 1: no lanes. By default as many as vectors have, once they pay.
         client: Computes instead of threads: of ``dask.distributed``, or an executor.
         checkpoint: A file that keeps finished blocks of runs. The same call goes on from there.
-        check: Raise where a run does not reach its end, instead of a warning.
-        progress: As of ``simulate``.
+        check, progress: As of ``simulate``.
 
     Returns:
         Last states, status and reductions; after Ctrl-C of what was computed.
@@ -115,7 +117,7 @@ def ensemble(
             the checkpoint; a run that failed, with ``check``.
         BuildError: a client whose machine builds other bits.
     """
-    over, may = span(t), happenings(model, events)
+    over, may = span(t, t_eval), happenings(model, events)
     may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
     kept = reductions(reduce, histories_of(model), over.times is not None)
@@ -125,10 +127,10 @@ def ensemble(
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
     hands, file = _hands(client, threads), _file(checkpoint)
-    job = Job(model, how, given, may, over, made, kept)
+    job = Job(model, watched(how, given, over.length, max_step), given, may, over, made, kept)
     job = _settled(job, rtol) if method == "auto" else job
     job = replace(job, width=_width(job, lanes), build=build_key(model))
-    return _judged(_computed(job, hands, file, progress), check)
+    return _judged(*_computed(job, hands, file, progress), check)
 
 
 def _hands(client: Any, threads: Any) -> Threads | Client:
@@ -140,7 +142,8 @@ def _hands(client: Any, threads: Any) -> Threads | Client:
     whole = isinstance(threads, int | np.integer) and not isinstance(threads, bool)
     if threads is not None and (not whole or threads < 1):
         raise ModelError(
-            f"threads={threads!r} is no number of threads: 1, 2, ..., or leave it out for all cores"
+            f"threads={shown(threads)} is no number of threads: 1, 2, ..., or leave "
+            "it out for all cores"
         )
     return Client(client) if client is not None else Threads(threads_of(threads))
 
@@ -149,7 +152,7 @@ def _file(checkpoint: Any) -> Path | None:
     """Where finished runs are kept."""
     if checkpoint is None or isinstance(checkpoint, str | Path):
         return None if checkpoint is None else Path(checkpoint)
-    raise ModelError(f"checkpoint={checkpoint!r}: name a file, such as 'runs.part'")
+    raise ModelError(f"checkpoint={shown(checkpoint)}: name a file, such as 'runs.part'")
 
 
 def _observed(over: Span, kept: bool) -> Span:
@@ -224,13 +227,13 @@ def _told(reduction: Any) -> str:
 
 def _computed(
     job: Job, hands: Threads | Client, checkpoint: Path | None, progress: Any
-) -> Ensemble:
-    """All blocks, those of the checkpoint first."""
+) -> tuple[Ensemble, dict[int, str]]:
+    """All blocks, those of the checkpoint first; what finished runs in lanes miss."""
     gathered, left = Gathered(job), blocks(job)
     clock = time.perf_counter()
     file = Checkpoint(checkpoint, whose(job)) if checkpoint is not None else None
     with closing(file) if file else nullcontext(), interruptible() as stop:
-        for piece in file.pieces() if file else ():
+        for piece in file.pieces(job, left) if file else ():
             gathered.add(piece)
             left.remove((piece.first, piece.last))
         restored = gathered.done
@@ -240,22 +243,39 @@ def _computed(
                     file.add(piece)
                 gathered.add(piece)
                 show(gathered.done / job.varied.runs)
+    missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
+    gathered.tell(missed)
     kept = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
-    return Ensemble.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
+    found = Ensemble.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
+    return found, missed
 
 
-def _judged(result: Ensemble, check: bool) -> Ensemble:
-    """The result; with a warning of runs that did not reach their end."""
+def _judged(result: Ensemble, missed: Mapping[int, str], check: bool) -> Ensemble:
+    """The result; with warnings of runs that did not reach their end, or cannot account for it.
+
+    Args:
+        result: Of all runs, with as many messages as are kept.
+        missed: What finished runs miss, whether it is kept or not.
+        check: Whether to raise instead.
+    """
     failed = len(result) - int(result.finished.sum())
-    if not failed:
-        return result
-    first = int(np.argmin(result.finished))
-    if result.interrupted:
-        text = f"interrupted when {result.done} of {len(result)} runs were done; {result.kept}"
-    else:
+    kept = {k: text for k, text in result.messages.items() if result.finished[k]}
+    missing = {**kept, **missed}
+    said = []
+    if failed and result.interrupted:
+        said += [f"interrupted when {result.done} of {len(result)} runs were done; {result.kept}"]
+    elif failed:
+        first = int(np.argmin(result.finished))
         why = result.message(first)
-        text = f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"
-    if check:
-        raise SolveError(text)
-    warnings.warn(text, SolveWarning, stacklevel=5)
+        said += [f"{failed} of {len(result)} runs did not reach their end; run {first}: {why}"]
+    if missing:
+        first = min(missing)
+        said += [
+            f"at least {len(missing)} of {len(result)} runs miss far more than their tolerance is "
+            f"worth; run {first}: {missing[first]}"
+        ]
+    if said and check:
+        raise SolveError("; ".join(said))
+    for text in said:
+        warn(text, SolveWarning)
     return result

@@ -20,6 +20,7 @@ from ...runtime.compiled import CompiledModel
 from ...runtime.samples import build
 from .. import record as abi
 from ..happenings import Happenings
+from ..jumps import FUNCTION
 from ..outcome import explain
 from ..run import Runner
 from ..settings import Settings
@@ -44,7 +45,8 @@ class Ends:
         rows: At the output times (count, nt, 1 + nx + nr + ns or more): t, x, r, s; NaN where a run
             had ended before.
         status: Words, (count,).
-        messages: Of the runs that did not reach their end, by index in the block.
+        messages: Of the runs that did not reach their end, or miss far more than their tolerance is
+            worth, by index in the block.
         numbers: (count, 4), of :data:`NUMBERS`: where it ended [s], ...
     """
 
@@ -58,6 +60,8 @@ class Ends:
 def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) -> bool:
     """Whether the loop in C can do the runs: trees with a compiler, no Python on the way."""
     if given.functions or may.watches or may.ticks or Closing.of(model).rows:
+        return False
+    if FUNCTION in model.saved:
         return False
     # what a method makes of itself for a model is asked for every run
     if how.method.suited is not None:

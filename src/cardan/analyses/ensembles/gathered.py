@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ModelError
+from ...errors import ArgumentError, ModelError
 from .crew import NUMBERS
 from .job import Job, Piece
 from .reductions import Parts, States
@@ -17,6 +18,7 @@ from .reductions import Parts, States
 Array = NDArray[np.float64]
 MESSAGES = 1000  # that are kept as text; the others are told by run(i)
 UNFINISHED = ("not_run", "interrupted")
+LESS = "Keep less: reduce='max of ...', 'mean of ...', or fewer runs at once"
 SHARE = 0.5  # of the memory of the machine that states may take
 
 
@@ -35,7 +37,7 @@ class Gathered:
         runs = job.varied.runs
         self.job, self.done = job, 0
         _refuse_too_much(job)
-        self.x = np.full((runs, job.model.nx), np.nan)
+        self.x = _room((runs, job.model.nx))
         self.words = ["not_run", "finished"]
         self.codes = np.zeros(runs, dtype=np.int8)
         self.numbers = np.zeros((runs, len(NUMBERS)))
@@ -55,9 +57,7 @@ class Gathered:
             if word not in self.words:
                 self.words.append(word)
             self.codes[here][piece.status == word] = self.words.index(word)
-        for k, text in piece.messages.items():
-            if len(self.messages) < MESSAGES:
-                self.messages[k] = text
+        self.tell(piece.messages)
         self.done += int(np.isin(piece.status, UNFINISHED, invert=True).sum())
         rest: dict[str, Parts] = {}
         for name, reduction in self.job.kept.items():
@@ -68,11 +68,28 @@ class Gathered:
             value = parts["value"]
             if name not in self.per_run:
                 shape = (self.job.varied.runs, *value.shape[1:])
-                self.per_run[name] = np.full(shape, np.nan)
+                self.per_run[name] = _room(shape)
+            if value.shape[1:] != self.per_run[name].shape[1:]:
+                raise ArgumentError(
+                    f"reduce: '{name}' has shape {value.shape[1:]} for run {piece.first}, "
+                    f"{self.per_run[name].shape[1:]} for others; it must be the same for all"
+                )
             self.per_run[name][here] = value
         self._early[piece.first] = piece.last, rest
         while self._next in self._early:
             self._merge(self._next)
+
+    @property
+    def finished(self) -> NDArray[np.bool_]:
+        """Which runs reached their end (runs,)."""
+        done: NDArray[np.bool_] = self.codes == self.words.index("finished")
+        return done
+
+    def tell(self, messages: Mapping[int, str]) -> None:
+        """Keep what is to be said of runs, by their numbers."""
+        for k, text in messages.items():
+            if len(self.messages) < MESSAGES:
+                self.messages[k] = text
 
     def _merge(self, first: int) -> None:
         self._next, parts = self._early.pop(first)
@@ -95,6 +112,21 @@ class Gathered:
         return found
 
 
+def _room(shape: tuple[int, ...]) -> Array:
+    """Room for values of all runs, NaN as long as there are none.
+
+    Raises:
+        ModelError: this process may not have so much memory.
+    """
+    try:
+        return np.full(shape, np.nan)
+    except MemoryError:
+        raise ModelError(
+            f"what is kept of {shape[0]} runs takes {8 * math.prod(shape) / 1e9:.3g} GB, which "
+            f"this process has no memory for. {LESS}"
+        ) from None
+
+
 def _refuse_too_much(job: Job) -> None:
     """Refuse to keep more states than the memory can hold, before anything is computed."""
     times = 0 if job.over.times is None else len(job.over.times)
@@ -104,6 +136,5 @@ def _refuse_too_much(job: Job) -> None:
     if size > SHARE * memory:
         raise ModelError(
             f"the states of {job.varied.runs} runs at {times + 1} times take {size / 1e9:.3g} GB, "
-            f"this machine has {memory / 1e9:.3g} GB. Keep less: reduce='max of ...', 'mean of "
-            "...', or fewer runs at once"
+            f"this machine has {memory / 1e9:.3g} GB. {LESS}"
         )

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import ArgumentError, BuildError, CardanError, SolveError
+from ...errors import ArgumentError, BuildError, CardanError, SolveError, shown
 from ...runtime.compiled import CompiledModel
 from ...runtime.saved import restore
 from ..growing import build_key
@@ -124,7 +124,7 @@ class Client:
     def __init__(self, client: Any) -> None:
         if not callable(getattr(client, "submit", None)):
             raise ArgumentError(
-                f"client={client!r} has no submit: give a client of dask.distributed, or an "
+                f"client={shown(client)} has no submit: give a client of dask.distributed, or an "
                 "executor of concurrent.futures"
             )
         self.client = client

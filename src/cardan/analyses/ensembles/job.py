@@ -73,7 +73,8 @@ class Piece:
         x: Where they end (count, nx).
         status: Words (count,).
         numbers: (count, 4): where it ended [s], steps, rejections, evaluations.
-        messages: Of runs that did not reach their end, by number of the run.
+        messages: Of runs that did not reach their end, or miss far more than their tolerance is
+            worth, by number of the run.
         parts: Of every reduction.
     """
 

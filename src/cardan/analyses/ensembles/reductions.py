@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ArgumentError, FunctionError, ModelError, near
+from ...errors import ArgumentError, FunctionError, ModelError, near, shown
 
 Array = NDArray[np.float64]
 Parts = dict[str, Array]
+FREE = -1  # in a shape: any axes from here on
 
 OVER_TIME: dict[str, Callable[[Array], Array]] = {
     "max": lambda y: y.max(axis=1),
@@ -64,14 +65,20 @@ class Histories:
 class Reduction(ABC):
     """One thing that is kept.
 
-    Attributes of members: ``per_run``: whether it has a value for every run.
+    Attributes of members: ``per_run``: whether it has a value for every run; ``axes``: names of
+    the axes of the result, ``run``, ``time``, ``entry`` or ``bin``; others follow those.
     """
 
     per_run: bool
+    axes: tuple[str, ...]
 
     @abstractmethod
     def part(self, block: Histories) -> Parts:
         """What a block gives."""
+
+    @abstractmethod
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """Shapes of the arrays of a part of so many runs; those behind ``FREE`` are free."""
 
     def merged(self, one: Parts, other: Parts) -> Parts:
         """Two parts as one; the blocks of the second follow those of the first."""
@@ -87,6 +94,11 @@ class States(Reduction):
     """The histories themselves (runs, nt, nx)."""
 
     per_run = True
+    axes = ("run", "time", "entry")
+
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """As :meth:`Reduction.shapes`."""
+        return {"value": (runs, times, nx)}
 
     def part(self, block: Histories) -> Parts:
         """States."""
@@ -100,6 +112,11 @@ class OverTime(Reduction):
     kind: str
     name: str
     per_run = True
+    axes = ("run",)
+
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """As :meth:`Reduction.shapes`."""
+        return {"value": (runs,)}
 
     def part(self, block: Histories) -> Parts:
         """NaN for a run that broke down; of one that an event ended: up to there."""
@@ -118,6 +135,11 @@ class Own(Reduction):
     name: str
     function: Callable[[Array, Array], Any]
     per_run = True
+    axes = ("run",)
+
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """As :meth:`Reduction.shapes`."""
+        return {"value": (runs, FREE)}
 
     def part(self, block: Histories) -> Parts:
         """Values of the function.
@@ -147,6 +169,11 @@ class OverRuns(Reduction):
     kind: str
     name: str
     per_run = False
+    axes = ("time",)
+
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """As :meth:`Reduction.shapes`."""
+        return {"count": (1,), **dict.fromkeys(("mean", "squares", "min", "max"), (times,))}
 
     def part(self, block: Histories) -> Parts:
         """Number of runs, mean, sum of squares about it, least and largest value."""
@@ -209,6 +236,11 @@ class Histogram(Reduction):
     high: float
     bins: int
     per_run = False
+    axes = ("bin",)
+
+    def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
+        """As :meth:`Reduction.shapes`."""
+        return {"value": (self.bins + 2,)}
 
     def part(self, block: Histories) -> Parts:
         """Counts."""
@@ -246,14 +278,14 @@ def reductions(
     if isinstance(asked, str):
         asked = [asked]
     if not isinstance(asked, Iterable):
-        raise ArgumentError(f"reduce={asked!r}: it may be {FORMS}")
+        raise ArgumentError(f"reduce={shown(asked)}: it may be {FORMS}")
     rows = asked if isinstance(asked, Mapping) else {str(word): word for word in asked}
     found: dict[str, Reduction] = {}
     for name, what in rows.items():
         if callable(what):
             found[name] = Own(name, what)
         elif not isinstance(what, str):
-            raise ArgumentError(f"reduce: '{name}' is {what!r}; it may be {FORMS}")
+            raise ArgumentError(f"reduce: '{name}' is {shown(what)}; it may be {FORMS}")
         elif what != "final":
             # the last states are kept anyway
             found[name] = _read(what, known)

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ArgumentError, ModelError, near
+from ...arguments import checked
+from ...errors import ArgumentError, ModelError, counted, near
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
 from .crew import NUMBERS
@@ -22,24 +22,85 @@ from .job import Job, entries
 Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class Asked:
+    """What an ensemble was asked for, as a file tells it.
+
+    Attributes:
+        model: Its name.
+        entries: Names of the entries of a state.
+        counts: How many of them are coordinates, and how many speeds; None where an older file
+            does not say.
+        start, end: Of every run [s].
+        times: Output times (nt,) [s].
+        names: What was varied.
+        method, settings, reason: The integrator, its tolerances in words, and why it.
+        lanes: Side by side.
+        varied: Name -> values (runs,) or (runs, n): what the runs differ by.
+        axes: Reduction -> names of its axes, as :attr:`.Reduction.axes` says them.
+    """
+
+    model: str
+    entries: tuple[str, ...]
+    counts: tuple[int, int] | None
+    start: float
+    end: float
+    times: Array = field(repr=False)
+    names: tuple[str, ...]
+    method: str
+    settings: str
+    reason: str
+    lanes: int
+    varied: Mapping[str, Array] = field(repr=False)
+    axes: Mapping[str, tuple[str, ...]]
+
+    @classmethod
+    def of(cls, job: Job) -> Asked:
+        """What a job asks for."""
+        model, times = job.model, job.over.times
+        columns = [c for c in job.varied.columns if len(c.values) == job.varied.runs]
+        varied: dict[str, Array] = {}
+        for c in columns:
+            # a joint may have both its coordinates and its speeds varied
+            name = c.name if c.name not in varied else f"{c.name}.{c.block}"
+            varied[name] = c.values[:, 0] if c.values.shape[1] == 1 else c.values
+        return cls(
+            model=model.name,
+            entries=entries(model),
+            counts=(model.nq, model.nu),
+            start=job.over.start,
+            end=job.over.end,
+            times=np.empty(0) if times is None else times,
+            names=job.varied.names,
+            method=job.how.method.name,
+            settings=job.how.words,
+            reason=job.how.reason,
+            lanes=job.width,
+            varied=varied,
+            axes={name: one.axes for name, one in job.kept.items()},
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Ensemble:
     """Many runs of one model. ``print(ensemble)`` tells how they went.
 
     Attributes:
-        job: What was asked for.
+        asked: What was asked for.
         final: State at the end of every run (runs, nx); where one broke down, its last good state.
         results: Reductions by name: (runs, ...) per run, (nt,) over runs, or bins.
         codes, words: Status of every run as an index in words; see ``status``.
         numbers: (runs, 4): end time [s], steps, rejections, evaluations.
-        messages: What happened to the first thousand runs that did not reach their end.
+        messages: What happened to the first thousand runs that did not reach their end, or that
+            miss far more than their tolerance is worth.
         seconds: What it took.
         hands: Who computed it.
         restored: How many runs came from a checkpoint.
         kept: What is kept of an interrupted one, in words.
+        source: What runs are computed again from; None for an ensemble of a file.
     """
 
-    job: Job = field(repr=False)
+    asked: Asked = field(repr=False)
     final: Array = field(repr=False)
     results: Mapping[str, Any] = field(repr=False)
     codes: NDArray[np.int8] = field(repr=False)
@@ -50,6 +111,7 @@ class Ensemble:
     hands: str
     restored: int = 0
     kept: str = field(default="", repr=False)
+    source: Job | None = field(default=None, repr=False)
 
     @classmethod
     def of(
@@ -59,7 +121,7 @@ class Ensemble:
         g = gathered
         messages = dict(sorted(g.messages.items()))
         return cls(
-            job=g.job,
+            asked=Asked.of(g.job),
             final=g.x,
             results=g.results(),
             codes=g.codes,
@@ -70,6 +132,7 @@ class Ensemble:
             hands=hands,
             restored=restored,
             kept=kept,
+            source=g.job,
         )
 
     def __len__(self) -> int:
@@ -77,6 +140,20 @@ class Ensemble:
 
     def __repr__(self) -> str:
         return _summary(self)
+
+    @property
+    def job(self) -> Job:
+        """What was asked for, with the model.
+
+        Raises:
+            ModelError: the ensemble comes from a file, which holds no model.
+        """
+        if self.source is None:
+            raise ModelError(
+                "an ensemble of a file has no model to compute a run again: call model.ensemble "
+                "with what it was made with"
+            )
+        return self.source
 
     def __getitem__(self, name: str) -> Any:
         """A reduction by its name, or last values of a coordinate or speed (runs,).
@@ -86,7 +163,7 @@ class Ensemble:
         """
         if name in self.results:
             return self.results[name]
-        names = entries(self.job.model)
+        names = self.asked.entries
         if name not in names:
             known = [*self.results, *names]
             raise ModelError(f"ensemble['{name}']: it was not kept.{near(name, known)}")
@@ -95,19 +172,28 @@ class Ensemble:
     @property
     def t(self) -> Array:
         """Output times (nt,) [s]."""
-        times = self.job.over.times
-        return np.empty(0) if times is None else times
+        return self.asked.times
 
     @property
     def q(self) -> Array:
         """Last coordinates (runs, nq)."""
-        return self.final[:, : self.job.model.nq]
+        return self.final[:, : self._counts[0]]
 
     @property
     def u(self) -> Array:
         """Last speeds (runs, nu)."""
-        nq, nu = self.job.model.nq, self.job.model.nu
+        nq, nu = self._counts
         return self.final[:, nq : nq + nu]
+
+    @property
+    def _counts(self) -> tuple[int, int]:
+        """Numbers of coordinates and speeds."""
+        if self.asked.counts is None:
+            raise ModelError(
+                "this older file does not say which entries are coordinates: ensemble['elbow'] "
+                "and ensemble.final have them by name and place"
+            )
+        return self.asked.counts
 
     @property
     def status(self) -> NDArray[np.str_]:
@@ -134,18 +220,18 @@ class Ensemble:
         """Whether Ctrl-C came before all runs were done."""
         return self.done < len(self)
 
-    @cached_property
-    def varied(self) -> dict[str, Array]:
+    @property
+    def varied(self) -> Mapping[str, Array]:
         """Name -> values (runs,), or (runs, n) for several entries: what the runs differ by."""
-        columns = [c for c in self.job.varied.columns if len(c.values) == len(self)]
-        return {c.name: c.values[:, 0] if c.values.shape[1] == 1 else c.values for c in columns}
+        return self.asked.varied
 
     @property
     def statistics(self) -> dict[str, Array]:
         """Per run (runs,): end time ``t`` [s], ``steps``, ``rejections``, ``evaluations``."""
         return {name: self.numbers[:, k] for k, name in enumerate(NUMBERS)}
 
-    def run(self, i: int, times: Any = None) -> Trajectory:
+    @checked
+    def run(self, i: int, times: Sequence[float] | None = None) -> Trajectory:
         """One run again, with everything between its steps: the same bits, as a motion.
 
         Args:
@@ -153,19 +239,27 @@ class Ensemble:
             times: Output times instead [s].
 
         Raises:
-            ArgumentError: there is no such run.
+            ArgumentError: there is no such run. ModelError: the ensemble comes from a file.
         """
         if not -len(self) <= i < len(self):
             raise ArgumentError(f"run({i}): there are runs 0 to {len(self) - 1}")
         return self.job.motion(i % len(self), None if times is None else np.asarray(times, float))
 
+    @checked
     def message(self, i: int) -> str:
-        """What happened to a run, as a sentence."""
+        """What happened to a run, as a sentence.
+
+        Raises:
+            ModelError: the ensemble comes from a file, which has no sentence about that run.
+        """
         known = self.messages.get(i % len(self))
         return known or str(self.run(i).message)
 
     def to_xarray(self) -> Any:
-        """Data set with the dimensions run, entry, time.
+        """Data set with the dimensions run, entry, time; names have _ for blanks.
+
+        Entries of states are labeled by name, ``status`` is text; the attribute ``name`` of a
+        variable is its name here.
 
         Raises:
             ModuleNotFoundError: xarray is missing.
@@ -174,11 +268,14 @@ class Ensemble:
 
         return to_xarray(self)
 
+    @checked
     def save(self, path: str | Path) -> Path:
-        """Write everything but the model as netCDF, through SciPy alone.
+        """Write everything but the model as netCDF; :func:`cardan.load_ensemble` reads it.
+
+        The file appears complete or not at all. Returns its path.
 
         Raises:
-            ModelError: a variable too large for the format, or a directory that does not exist.
+            ModelError: a variable too large for the format, or a file that cannot be written.
         """
         from .stored import save
 
@@ -187,16 +284,16 @@ class Ensemble:
 
 def _summary(ensemble: Ensemble) -> str:
     """How the runs went."""
-    job = ensemble.job
+    asked = ensemble.asked
     counts = Counter(dict(enumerate(np.bincount(ensemble.codes).tolist())))
-    names = ", ".join(job.varied.names) or "nothing"
-    lanes = f", {job.width} lanes" if job.width > 1 else ""
+    names = ", ".join(asked.names) or "nothing"
+    lanes = f", {asked.lanes} lanes" if asked.lanes > 1 else ""
     lines = [
-        f"ensemble of {job.model.name}: {len(ensemble)} runs from {job.over.start:g} s to "
-        f"{job.over.end:g} s",
+        f"ensemble of {asked.model}: {counted(len(ensemble), 'run')} from {asked.start:g} s to "
+        f"{asked.end:g} s",
         f"  varied: {names}",
-        f"  {job.how.method.name}, {job.how.words}; {ensemble.hands}{lanes}",
-        *([f"  auto: {job.how.reason}"] if job.how.reason else []),
+        f"  {asked.method}, {asked.settings}; {ensemble.hands}{lanes}",
+        *([f"  auto: {asked.reason}"] if asked.reason else []),
     ]
     width = max(map(len, ensemble.words))
     for code, count in counts.most_common():

@@ -23,6 +23,7 @@ from .crew import NUMBERS, Ends
 from .varied import Varied
 
 Array = NDArray[np.float64]
+PARTS = (0.0, 0.13, 0.29, 0.41, 0.57, 0.71, 0.86, 1.0)
 
 
 def motion(
@@ -57,6 +58,13 @@ def motion(
     return driven(runner, over, begin, False, case), runner
 
 
+def on_the_way(over: Span) -> Array:
+    """Some times of a run, both ends among them, at no even distances."""
+    times = over.start + (over.end - over.start) * np.array(PARTS)
+    times[-1] = over.end
+    return times
+
+
 class Single:
     """Used as a :class:`.crew.Crew` is."""
 
@@ -74,7 +82,8 @@ class Single:
         """All runs of a block."""
         count, nx, nr, ns = part.runs, self.model.nx, self.model.nr, self.model.ns
         times = np.empty(0) if self.over.times is None else self.over.times
-        over = Span(self.over.start, self.over.end, np.array([self.over.start, self.over.end]))
+        # some rows on the way say what energy there is to account for
+        over = Span(self.over.start, self.over.end, on_the_way(self.over))
         over = self.over if self.over.times is not None else over
         ends = Ends(
             np.full((count, nx), np.nan),
@@ -105,8 +114,10 @@ class Single:
         nx, reached = self.model.nx, len(made)
         ends.x[k] = runner.views["y"][:nx]
         ends.status[k] = made.status
-        if not made.success:
-            ends.messages[k] = made.message
+        if not made.success or made.conduct.warning:
+            said = [made.message] if not made.success else []
+            said += [made.conduct.warning] if made.conduct.warning else []
+            ends.messages[k] = "; ".join(said)
         ends.numbers[k] = runner.record.t, *(made.statistics[name] for name in NUMBERS[1:])
         if ends.rows.shape[1]:
             parts = [made.t[:, None], made.x, made.r, made.s]

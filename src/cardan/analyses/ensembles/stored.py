@@ -1,55 +1,72 @@
-"""An ensemble as netCDF, and as an xarray data set."""
+"""An ensemble as netCDF, read again, and as an xarray data set."""
 
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ... import __version__
 from ...errors import ModelError
-from ...runtime.storage import ENDINGS, LIMIT, replaced
-from .job import entries
+from ...runtime import netcdf
+from ...runtime.netcdf import Contents, Variable
+from .crew import NUMBERS
 from .reductions import Bins
+from .stored_schema import NOTES, VERSIONS, Read, checked
 
 if TYPE_CHECKING:
-    from .result import Ensemble
+    from .result import Asked, Ensemble
 
-Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]
+Array = NDArray[np.float64]
+FEWER = "Keep reductions instead of states"
+# what a name in a file may have beside letters of ASCII and digits
+OTHER = re.compile(r"[^A-Za-z0-9_.]")
 
 
-def variables(ensemble: Ensemble) -> Variables:
-    """Name -> (dimensions, values, attributes)."""
-    model, t = ensemble.job.model, ensemble.t
-    names = json.dumps(entries(model))
-    found: Variables = {
-        "final": (("run", "entry"), ensemble.final, {"names": names}),
-        "status": (("run",), ensemble.codes.astype(float), {"words": json.dumps(ensemble.words)}),
-    }
+def variables(ensemble: Ensemble) -> dict[str, Variable]:
+    """Name -> array. The attribute ``kind`` says what it is, ``name`` what it is called here."""
+    asked, found = ensemble.asked, dict[str, Variable]()
+
+    def add(name: str, kind: str, own: str, axes: Sequence[str], values: Any, **more: str) -> None:
+        safe = _safe(name, found)
+        shape = np.shape(values)
+        known = [a if a in ("run", "time", "entry") else f"{safe}_{a}" for a in axes]
+        known += [f"{safe}_axis_{k}" for k in range(len(known), len(shape))]
+        told = {"kind": kind, "name": json.dumps(own), **more}
+        array = np.asarray(values, dtype=np.float64)
+        found[safe] = Variable(tuple(known), array, told)
+
+    add("final", "final", "final", ("run", "entry"), ensemble.final)
     for name, values in ensemble.statistics.items():
-        found[name] = (("run",), values, {"units": "s"} if name == "t" else {})
+        units = {"units": "s"} if name == "t" else {}
+        add(name, "statistic", name, ("run",), values, **units)
+    if len(asked.times):
+        add("time", "time", "time", ("time",), asked.times, units="s")
     for name, values in ensemble.varied.items():
-        found[f"varied {name}"] = _shaped(f"varied {name}", values, len(ensemble), len(t))
-    if len(t):
-        found["time"] = (("time",), t, {"units": "s"})
+        add(f"varied {name}", "varied", name, ("run",), values)
     for name, value in ensemble.results.items():
         if isinstance(value, Bins):
-            found[name] = ((f"bins of {name}",), value.counts.astype(float), {})
-            found[f"edges of {name}"] = ((f"edges of {name}",), value.edges, {})
+            outside = json.dumps([value.below, value.above])
+            add(name, "bins", name, ("bin",), value.counts, below_and_above=outside)
+            add(f"edges of {name}", "edges", name, ("edge",), value.edges)
         else:
-            found[name] = _shaped(name, np.asarray(value), len(ensemble), len(t))
+            add(name, "reduction", name, asked.axes.get(name, ()), value)
     return found
 
 
-def _shaped(name: str, values: Any, runs: int, times: int) -> tuple[tuple[str, ...], Any, Any]:
-    """Values with names for their axes: runs first, then times, as far as lengths say so."""
-    dimensions: list[str] = []
-    for k, size in enumerate(values.shape):
-        known = "run" if k == 0 and size == runs else "time" if size == times else ""
-        dimensions.append(known if known not in dimensions[-1:] and known else f"{name} axis {k}")
-    return tuple(dimensions), values, {}
+def _safe(name: str, taken: Mapping[str, Any]) -> str:
+    """A name that every reader takes, and no other variable has."""
+    safe = OTHER.sub("_", name)
+    safe = safe if safe[:1].isalpha() else f"_{safe}"
+    found, k = safe, 1
+    while found in (*taken, "status", "entry", "run"):
+        k += 1
+        found = f"{safe}_{k}"
+    return found
 
 
 def to_xarray(ensemble: Ensemble) -> Any:
@@ -60,40 +77,111 @@ def to_xarray(ensemble: Ensemble) -> Any:
         raise ModuleNotFoundError(
             "to_xarray needs xarray, which is not installed: pip install 'cardan[data]'"
         ) from error
-    found = variables(ensemble)
-    times = {"time": found.pop("time")} if "time" in found else {}
-    model = ensemble.job.model
-    coordinates = {"entry": list(entries(model)), **times}
-    data = xarray.Dataset(found, coordinates, {"model": model.name})
-    data["status"] = ("run", ensemble.status)
-    return data
+    parts = {}
+    for name, one in variables(ensemble).items():
+        told = {**one.attributes, "name": json.loads(one.attributes["name"])}
+        parts[name] = (one.dimensions, one.values, told)
+    times = {"time": parts.pop("time")} if "time" in parts else {}
+    coordinates = {"run": np.arange(len(ensemble)), "entry": list(ensemble.asked.entries), **times}
+    parts["status"] = (("run",), ensemble.status, {})
+    return xarray.Dataset(parts, coordinates, {"model": ensemble.asked.model})
 
 
 def save(ensemble: Ensemble, path: Path) -> Path:
     """As :meth:`Ensemble.save`; a file with its name is replaced in one step."""
-    from scipy.io import netcdf_file
-
-    if path.suffix not in ENDINGS:
-        raise ModelError(f"{path}: ensembles are written as netCDF, whose files end in .nc")
-    if not path.parent.is_dir():
-        raise ModelError(f"{path}: the directory {path.parent} does not exist")
     found = variables(ensemble)
-    for name, (_, values, _) in found.items():
-        if values.nbytes > LIMIT:
-            raise ModelError(
-                f"{path}: '{name}' takes {values.nbytes / 1e9:.1f} GB, netCDF-3 holds 2 GB in one "
-                "variable. Keep reductions instead of states"
-            )
-    with replaced(path) as new, netcdf_file(new, "w", version=2) as file:
-        file.title = f"ensemble of {ensemble.job.model.name}".encode("ascii", "replace")
-        file.source = f"cardan {__version__}".encode()
-        file.messages = json.dumps(dict(ensemble.messages)).encode("ascii")
-        for name, (dimensions, values, attributes) in found.items():
-            for dimension, size in zip(dimensions, values.shape, strict=True):
-                if dimension not in file.dimensions and size:
-                    file.createDimension(dimension, size)
-            variable = file.createVariable(name, "f8", dimensions)
-            variable[:] = values
-            for key, text in attributes.items():
-                setattr(variable, key, text.encode("ascii", "backslashreplace"))
-    return path
+    found["entry"] = netcdf.letters(ensemble.asked.entries, "entry")
+    found["status"] = netcdf.letters(ensemble.status, "run", "status")
+    notes = {
+        "title": f"ensemble of {ensemble.asked.model}".encode("ascii", "replace").decode(),
+        "messages": json.dumps({str(k): text for k, text in ensemble.messages.items()}),
+        "ensemble": json.dumps(_told(ensemble)),
+    }
+    return netcdf.save(path, "ensemble", VERSIONS[-1], Contents(found, notes), FEWER)
+
+
+def _told(ensemble: Ensemble) -> dict[str, Any]:
+    """What the ensemble says about itself."""
+    asked = ensemble.asked
+    return {
+        "model": asked.model,
+        "entries": asked.entries,
+        "counts": asked.counts,
+        "start": asked.start,
+        "end": asked.end,
+        "names": asked.names,
+        "method": asked.method,
+        "settings": asked.settings,
+        "reason": asked.reason,
+        "lanes": asked.lanes,
+        "axes": dict(asked.axes),
+        "words": ensemble.words,
+        "seconds": ensemble.seconds,
+        "hands": ensemble.hands,
+        "restored": ensemble.restored,
+        "kept": ensemble.kept,
+    }
+
+
+def load(path: str | Path) -> Ensemble:
+    """Read an ensemble that :meth:`.Ensemble.save` wrote.
+
+    Everything in the file is checked before it is used: nothing in it is ever executed. A file
+    holds no model: ``run(i)`` needs the ensemble that was computed.
+
+    Args:
+        path: The file.
+
+    Returns:
+        What was saved: last states, status, statistics, what was varied and all reductions.
+
+    Raises:
+        ModelError: not an ensemble of cardan, a damaged one, or a newer format.
+    """
+    from .result import Ensemble
+
+    path = Path(path)
+    held = netcdf.load(path, "ensemble", VERSIONS, ("title", *NOTES))
+    try:
+        read = checked(held)
+        asked = _asked(read)
+    except (ValueError, MemoryError, RecursionError) as error:
+        raise ModelError(
+            f"{path} is no ensemble that cardan can read: {error or 'it is too large'}. Save the "
+            "ensemble again"
+        ) from None
+    told = read.told
+    return Ensemble(
+        asked=asked,
+        final=read.final,
+        results=read.results,
+        codes=read.codes,
+        words=tuple(told["words"]),
+        numbers=np.stack([read.statistics[name] for name in NUMBERS], axis=1),
+        messages=read.messages,
+        seconds=float(told["seconds"]),
+        hands=told["hands"],
+        restored=told["restored"],
+        kept=told["kept"],
+    )
+
+
+def _asked(read: Read) -> Asked:
+    from .result import Asked
+
+    told = read.told
+    return Asked(
+        model=told["model"],
+        entries=tuple(told["entries"]),
+        counts=None if told["counts"] is None else (told["counts"][0], told["counts"][1]),
+        start=float(told["start"]),
+        end=float(told["end"]),
+        times=read.times,
+        names=tuple(told["names"]),
+        method=told["method"],
+        settings=told["settings"],
+        reason=told["reason"],
+        lanes=told["lanes"],
+        varied=read.varied,
+        axes={name: tuple(axes) for name, axes in told["axes"].items()},
+    )

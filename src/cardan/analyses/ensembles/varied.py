@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ArgumentError, ModelError, SolveError, named, near
+from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ...runtime.calling import numbers
 from ...runtime.compiled import CompiledModel
 from ...runtime.initial import entries, initial_state, missing
+from ...runtime.named_rotations import check_units, component, refuse_components
 from .. import sample
 from ..signals import Signals, signals
 
@@ -75,14 +76,19 @@ class Varied:
 
     def block(self, letter: str) -> Array:
         """q (runs, nq), u (runs, nu), z, p (runs, np) or r (runs, nr) of all runs."""
-        block = np.tile(self.base[letter], (self.runs, 1))
-        for column in self.columns:
-            if column.block == letter:
-                block[:, column.place] = column.values
+        block = self.given(letter)
         for start in self.quaternions if letter == "q" else ():
             # entry by entry: every run gets the bits it would get alone
             w, x, y, z = (block[:, start + k] for k in range(4))
             block[:, start : start + 4] /= np.sqrt(w * w + x * x + y * y + z * z)[:, None]
+        return block
+
+    def given(self, letter: str) -> Array:
+        """As :meth:`block`, quaternions as they were given."""
+        block = np.tile(self.base[letter], (self.runs, 1))
+        for column in self.columns:
+            if column.block == letter:
+                block[:, column.place] = column.values
         return block
 
     @property
@@ -107,7 +113,7 @@ class Reader:
         self.runs: tuple[int, str] | None = None
         if runs is not None:
             if not isinstance(runs, int | np.integer) or runs < 1:
-                raise ModelError(f"runs={runs!r} is no number of runs: 1, 2, ...")
+                raise ModelError(f"runs={shown(runs)} is no number of runs: 1, 2, ...")
             self.runs = int(runs), "runs="
         self.covered: dict[tuple[str, int], str] = {}
 
@@ -231,7 +237,7 @@ def varied(
     base = dict(zip("quz", np.split(start, ends), strict=True))
     base |= {"p": model._parameters.vector, "r": given.constants}
     made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
-    _no_rotation(model, made)
+    _check_rotations(model, made)
     for first in range(0, total if made.own_parameters else 0, SOME):
         model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
     return made, given
@@ -244,7 +250,9 @@ def _plan(vary: Any) -> Mapping[str, Any]:
     if callable(vary):
         raise ModelError(f"vary= is a function; call it, {SUCH}")
     if vary is not None and not isinstance(vary, Mapping):
-        raise ModelError(f"vary={vary!r} says not what differs: give names with values, {SUCH}")
+        raise ModelError(
+            f"vary={shown(vary)} says not what differs: give names with values, {SUCH}"
+        )
     return named("vary", vary, "'mass': values")
 
 
@@ -315,6 +323,9 @@ def _named(reader: Reader, name: str, column: Array) -> None:
     if not found and name in model.manifest.get("structural", {}):
         model._parameters.checked(name, 0.0)
     if not found:
+        part = component(model.manifest, name)
+        if part:
+            raise ModelError(f"vary: {part}")
         known = [name for table in places.values() for name in table]
         raise ModelError(
             f"vary: there is no coordinate, speed, parameter or input '{name}'.{near(name, known)}"
@@ -326,15 +337,14 @@ def _single(places: Mapping[str, slice]) -> dict[str, slice]:
     return {name: place for name, place in places.items() if place.stop - place.start == 1}
 
 
-def _no_rotation(model: CompiledModel, made: Varied) -> None:
-    """Refuse quaternions of length 0."""
-    for start in made.quaternions:
-        rows = [c for c in made.columns if c.block == "q" and c.place.start <= start < c.place.stop]
-        for column in rows:
-            block = column.values[:, start - column.place.start :][:, :4]
-            bad = np.flatnonzero(np.linalg.norm(block, axis=1) < 1e-6)
-            if len(bad) and block.shape[1] == 4:
-                raise SolveError(
-                    f"the quaternion at '{model.coordinates[start]}' of run {bad[0]} has length 0 "
-                    "and stands for no rotation. No rotation is (1, 0, 0, 0)"
-                )
+def _check_rotations(model: CompiledModel, made: Varied) -> None:
+    """Refuse single components of quaternions, and quaternions whose length is not 1."""
+    covered = {
+        k for c in made.columns if c.block == "q" for k in range(c.place.start, c.place.stop)
+    }
+    refuse_components(model.manifest, "q, vary", covered)
+    if not covered.intersection(made.quaternions):
+        return
+    for first in range(0, made.runs, SOME):
+        part = made.part(first, min(first + SOME, made.runs))
+        check_units(model.manifest, part.given("q"), first=first)

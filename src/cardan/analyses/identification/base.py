@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...arguments import Seed, checked
 from ...errors import ArgumentError, ModelError, SolveError
 from .triangle import triangle
 
@@ -81,10 +82,12 @@ class Base:
                 text += f"{sign}{size}{name}"
         return text.removeprefix(" + ").replace(" - ", "-", 1 if text.startswith(" - ") else 0)
 
+    @checked
     def of(self, phi: ArrayLike) -> Array:
         """Base parameters (..., nb) of inertial parameters (..., n)."""
-        return np.asarray(self._all("of", phi) @ self.matrix.T)
+        return np.asarray(self._all("phi", phi) @ self.matrix.T)
 
+    @checked
     def regressor(self, Y: ArrayLike) -> Array:
         """Y_b (..., nb) of a regressor Y (..., n): its independent columns."""
         return np.asarray(self._all("regressor", Y)[..., self.columns])
@@ -104,8 +107,9 @@ class Base:
         return "\n".join(lines)
 
 
+@checked
 def base_parameters(
-    model: CompiledModel, rows: ArrayLike | None = None, *, seed: int = 0, rank: float = RANK
+    model: CompiledModel, rows: ArrayLike | None = None, *, seed: Seed = 0, rank: float = RANK
 ) -> Base:
     """Base parameters of a model.
 
@@ -122,7 +126,13 @@ def base_parameters(
     names = tuple(model.inertial_parameters())
     if rows is None:
         rows = _random_rows(model, len(names), seed)
-    flat = np.asarray(rows, dtype=float).reshape(-1, len(names))
+    given = np.asarray(rows, dtype=float)
+    if given.shape[-1:] != (len(names),):
+        raise ArgumentError(
+            f"base_parameters: rows have shape {given.shape}, expected (..., {len(names)}), as "
+            "model.regressor gives them"
+        )
+    flat = given.reshape(-1, len(names))
     if not np.isfinite(flat).all():
         raise ArgumentError("base_parameters: rows hold numbers that are not finite")
     return _found(model.name, names, flat, rank)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,9 +12,12 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from ... import regular_file
 from ...errors import ArgumentError, near
+from ...runtime.calling import numbers
 from ...runtime.storage import load
 from ...runtime.trajectory import Trajectory
+from ...whole_file import written
 from . import smoothing
 
 if TYPE_CHECKING:
@@ -70,14 +74,14 @@ def read(path: Path) -> dict[str, Array]:
     """Columns of a table of comma-separated values, by the names in its first line.
 
     Raises:
-        ArgumentError: no such file; no numbers under names.
+        ArgumentError: no such file, or no regular one; no numbers under names.
     """
     try:
-        with path.open(newline="", encoding="utf-8") as file:
-            rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
+        lines = io.StringIO(regular_file.text(path), newline="")
+        rows = [row for row in csv.reader(lines) if row and not row[0].startswith("#")]
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from error
-    except UnicodeDecodeError:
+    except (UnicodeDecodeError, csv.Error):
         raise ArgumentError(f"{path} is no table of text") from None
     names = [name.strip() for name in rows[0]] if rows else []
     try:
@@ -91,11 +95,11 @@ def read(path: Path) -> dict[str, Array]:
 
 def write(path: Path, table: Mapping[str, Array]) -> Path:
     """Write columns as comma-separated values with all their digits."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        out = csv.writer(file, lineterminator="\n")
-        out.writerow(table)
-        out.writerows([[repr(float(x)) for x in row] for row in zip(*table.values(), strict=True)])
-    return path
+    text = io.StringIO()
+    out = csv.writer(text, lineterminator="\n")
+    out.writerow(table)
+    out.writerows([[repr(float(x)) for x in row] for row in zip(*table.values(), strict=True)])
+    return written(path, text.getvalue())
 
 
 def measured(
@@ -105,6 +109,7 @@ def measured(
     cutoff: float | None = None,
     period: float | None = None,
     harmonics: int = 5,
+    ends: bool = False,
 ) -> Data:
     """Data with speeds and accelerations, as far as they were not measured.
 
@@ -117,18 +122,22 @@ def measured(
             before they are differentiated.
         period, harmonics: Of a periodic motion [s]: coordinates become a Fourier series, which is
             differentiated exactly.
+        ends: Keep the samples at either end too, whose derivatives are less exact; of a filter they
+            are not kept.
 
     Raises:
         ArgumentError: missing or unknown columns, shapes that do not fit, uneven times.
     """
     if isinstance(data, str | Path):
+        if not str(data).strip():
+            raise ArgumentError("data='' names no file; give the path of a table or of a run")
         path = Path(data)
         data = load(path, model) if path.suffix == ".nc" else read(path)
     blocks = _of_run(data) if isinstance(data, Trajectory) else _of_table(model, data)
     found = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
     found.setdefault("r", np.tile(model._layout.start("r"), (len(found["t"]), 1)))
     _check(model, found)
-    return _complete(model, found, cutoff, period, harmonics)
+    return _complete(model, found, cutoff, period, harmonics, ends)
 
 
 def _of_run(run: Trajectory) -> dict[str, Array]:
@@ -144,7 +153,7 @@ def _of_table(model: CompiledModel, data: Any) -> dict[str, Array]:
             "data: a Trajectory, a file, or a mapping with 't', 'q' and 'tau' is wanted, not "
             f"{type(data).__name__}"
         )
-    given = {str(key): np.asarray(data[key], dtype=float) for key in data.keys()}  # noqa: SIM118
+    given = {str(key): numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
     if "t" not in given or given["t"].ndim != 1:
         raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', given)}")
     named = columns(model)
@@ -178,7 +187,8 @@ def _check(model: CompiledModel, found: Mapping[str, Array]) -> None:
     for block, value in found.items():
         if block != "t" and value.shape != (count, sizes[block]):
             raise ArgumentError(
-                f"data: {block} has shape {value.shape}, expected ({count}, {sizes[block]})"
+                f"data: {block} has shape {value.shape}, expected ({count}, {sizes[block]}): a row "
+                "for every time"
             )
         if not np.isfinite(value).all():
             raise ArgumentError(f"data: {block} holds numbers that are not finite")
@@ -192,6 +202,7 @@ def _complete(
     cutoff: float | None,
     period: float | None,
     harmonics: int,
+    ends: bool,
 ) -> Data:
     t, plain = found["t"], is_plain(model)
     if period is not None:
@@ -209,7 +220,7 @@ def _complete(
     u = found["u"] if "u" in found else speeds(model, t, found["q"], found["r"])
     udot = found["udot"] if "udot" in found else smoothing.derivative(t, u)
     made = Data(t, found["q"], u, udot, found["tau"], found["r"])
-    if whole:
+    if whole or (ends and cutoff is None):
         return made
     cut = ENDS if cutoff is None else max(ENDS, int(1 / (cutoff * smoothing.step_of(t, "cutoff="))))
     return made.only(slice(cut, -cut))

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from ...arguments import Count, Seed, Times, checked
 from ...errors import ArgumentError, SolveError, near
 from ..actuation import named_speeds
 from ..progress import showing
@@ -32,6 +33,8 @@ CRITERIA = ("condition", "determinant")
 SAMPLES = 12
 # limits of joints that have none: a turn, and speeds of a robot of human size
 TURN, FAST = np.pi, 2.0
+LONGEST = 1e9  # period [s]
+MOST_SAMPLES = 10**7  # that a motion is told by
 STEP = 1e-6  # of the free numbers, for derivatives
 FLAT = 1e-4  # relative change of the measure below which the search ends
 
@@ -67,21 +70,30 @@ class Excitation:
         """Of the series: ``identify(..., period=, harmonics=)`` takes both."""
         return int(self.series.a.shape[-1])
 
-    def at(self, t: ArrayLike) -> tuple[Array, Array, Array]:
+    @checked
+    def at(self, t: Times) -> tuple[Array, Array, Array]:
         """q, u and udot (m, nu) at times (m,)."""
         return self.series.at(np.atleast_1d(np.asarray(t, dtype=float)))
 
-    def motion(self, rate: float = 100.0, periods: int = 1) -> dict[str, Array]:
+    @checked
+    def motion(self, rate: float = 100.0, periods: Count = 1) -> dict[str, Array]:
         """Samples as ``t q u udot``, for ``model.torques`` and as a table.
 
         Args:
             rate: Samples per second [Hz]. periods: How many.
         """
-        count = round(rate * self.period * periods)
+        wanted = rate * self.period * periods
+        if not 1 <= wanted <= MOST_SAMPLES:
+            raise ArgumentError(
+                f"motion: rate={rate:g} Hz over {periods} times {self.period:g} s are {wanted:.3g} "
+                f"samples; give a rate and periods of 1 to {MOST_SAMPLES}"
+            )
+        count = round(wanted)
         t = np.arange(count) / rate
         return dict(zip(("t", "q", "u", "udot"), (t, *self.at(t)), strict=True))
 
-    def save(self, path: str | Path, rate: float = 100.0, periods: int = 1) -> Path:
+    @checked
+    def save(self, path: str | Path, rate: float = 100.0, periods: Count = 1) -> Path:
         """Write samples as comma-separated values: ``t``, ``elbow``, ``elbow.u``, ``elbow.udot``.
 
         Returns:
@@ -90,6 +102,7 @@ class Excitation:
         blocks = self.motion(rate, periods)
         return write(Path(path), named_columns(self.model, blocks["t"], blocks))
 
+    @checked
     def plot(self, path: str | Path | None = None) -> Any:
         """Positions and speeds over a period as a Matplotlib figure, written to ``path``."""
         from ...view.plot import plot_over
@@ -116,18 +129,19 @@ class Excitation:
         return "\n".join(lines)
 
 
+@checked
 def excitation(
     model: CompiledModel,
     period: float = 10.0,
     *,
-    harmonics: int = 5,
+    harmonics: Count = 5,
     position: Mapping[str, tuple[float, float]] | None = None,
     speed: Mapping[str, float] | float | None = None,
     acceleration: Mapping[str, float] | float | None = None,
     criterion: str = "condition",
-    starts: int = 20,
+    starts: Count = 20,
     steps: int = 30,
-    seed: int = 0,
+    seed: Seed = 0,
     progress: bool | Callable[[float], None] | None = None,
 ) -> Excitation:
     """A periodic motion within limits at which the base regressor is well conditioned.
@@ -155,8 +169,8 @@ def excitation(
     _refuse(model)
     if criterion not in CRITERIA:
         raise ArgumentError(f"criterion='{criterion}' does not exist.{near(criterion, CRITERIA)}")
-    if not (period > 0 and harmonics > 0 and starts > 0):
-        raise ArgumentError("period=, harmonics= and starts= are positive numbers")
+    if not 1 / LONGEST <= period <= LONGEST:
+        raise ArgumentError(f"excitation: period={period:g}: give seconds, up to {LONGEST:g}")
     limits = _limits(model, position or {}, speed, acceleration)
     search = _Search(model, base_parameters(model), limits, period, harmonics, criterion)
     rng = np.random.default_rng(seed)
@@ -270,7 +284,18 @@ class _Search:
         matrix = self.information(numbers)
         if self.criterion == "determinant":
             return np.asarray(-np.linalg.slogdet(matrix)[1] / len(self.base))
-        values = np.linalg.eigvalsh(_scaled(matrix))
+        if not np.isfinite(matrix).all():
+            raise SolveError(
+                "excitation: motions with this period, and these limits of speed and acceleration, "
+                "have no regressor in numbers: give limits nearer to 1"
+            )
+        try:
+            values = np.linalg.eigvalsh(_scaled(matrix))
+        except np.linalg.LinAlgError as problem:
+            raise SolveError(
+                "excitation: the regressor within these limits of position, speed and acceleration "
+                "is too small or too large to be judged: give limits nearer to 1"
+            ) from problem
         least = np.maximum(values[..., 0], 1e-15 * values[..., -1])
         return np.asarray(0.5 * np.log(values[..., -1] / least))
 

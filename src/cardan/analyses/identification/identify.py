@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...arguments import Count, checked
 from ...errors import ArgumentError, near
+from ...runtime.calling import numbers
 from ..actuation import named_speeds
 from .base import WANTED, Base, base_parameters, circuits, needed
 from .data import Data, columns, measured
@@ -32,6 +34,7 @@ RANK = 1e-6
 NOTHING = 1e-9
 
 
+@checked
 def identify(
     model: CompiledModel,
     data: Any,
@@ -40,10 +43,10 @@ def identify(
     noise: float | Mapping[str, float] | ArrayLike | None = None,
     cutoff: float | None = None,
     period: float | None = None,
-    harmonics: int = 5,
+    harmonics: Count = 5,
     actuators: Sequence[str] | None = None,
     base: Base | None = None,
-    stretch: int = 10,
+    stretch: Count = 10,
 ) -> Identification:
     """Base parameters of a model from data, by weighted least squares.
 
@@ -144,7 +147,13 @@ def _noise(model: CompiledModel, noise: Any) -> Array | None:
         for name, value in noise.items():
             found[named_speeds(model, [name])] = value
     else:
-        found = np.broadcast_to(np.asarray(noise, dtype=float), (model.nu,)).copy()
+        given = numbers("noise", noise)
+        if given.shape not in ((), (1,), (model.nu,)):
+            raise ArgumentError(
+                f"noise has shape {given.shape}, expected () or ({model.nu},): a number for every "
+                "speed, or one for all"
+            )
+        found = np.broadcast_to(given, (model.nu,)).copy()
     if not np.all(found > 0):
         raise ArgumentError("noise: a positive number for every speed is wanted, or one for all")
     return found

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arguments import checked
 from ...errors import ArgumentError, near
 from .base import Base
 from .nearest import nearest
@@ -91,6 +92,7 @@ class Identification:
             raise ArgumentError(f"'{name}' is no base parameter here.{near(name, self.names)}")
         return float(self.estimates[self.names.index(name)])
 
+    @checked
     def interval(self, name: str, deviations: float = 1.96) -> tuple[float, float]:
         """Where a base parameter lies, to 95 % by default."""
         value = self[name]
@@ -136,6 +138,7 @@ class Identification:
         rest = (self.residuals**2).sum(axis=0)
         return np.asarray(1 - rest / np.where(total > 0, total, 1.0))
 
+    @checked
     def plot(self, path: str | Path | None = None) -> Any:
         """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given."""
         from ...view.plot import plot_over

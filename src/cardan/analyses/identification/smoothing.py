@@ -77,13 +77,18 @@ def series(t: Array, values: Array, period: float, harmonics: int) -> tuple[Arra
     Raises:
         ArgumentError: fewer samples than coefficients, or less than a period.
     """
+    if not period >= step_of(t, "period="):
+        raise ArgumentError(
+            f"period={period:g} s: give the period of the motion, longer than a step of the data"
+        )
     if t[-1] - t[0] < WHOLE * period:
         raise ArgumentError(
             f"period={period:g} s: the data are of {t[-1] - t[0]:.4g} s, less than a period"
         )
     if len(t) <= 2 * harmonics + 1:
         raise ArgumentError(
-            f"{len(t)} samples do not determine {2 * harmonics + 1} coefficients of a series"
+            f"harmonics={harmonics}: {len(t)} samples do not determine "
+            f"{2 * harmonics + 1} coefficients of a series"
         )
     angles = 2 * np.pi / period * np.arange(1, harmonics + 1)
     sine, cosine = np.sin(np.outer(t, angles)), np.cos(np.outer(t, angles))

@@ -83,6 +83,15 @@ def write(program: Program) -> str:
     return "\n".join(lines) + "\n"
 
 
+def sizes(name: str, numbers: Sequence[int]) -> str:
+    """What loaders compare with the manifest, as a constant of the shared object."""
+    told = ", ".join(map(str, numbers))
+    return (
+        "\n#ifdef CARDAN_LOADED\n/* numbers of out, work, w and of the blocks that are read: "
+        f"see manifest.json */\nconst int {name}_sizes[] = {{{told}}};\n#endif\n"
+    )
+
+
 def _table(table: Table) -> list[str]:
     """A constant array, wrapped."""
     kind = "int" if table.integer else "double"

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pprint import pformat
 from typing import Any
 
+from ...errors import counted
 from ..naming import mangle
 
 SUFFIX = ".pyx"
@@ -236,7 +237,10 @@ def write(manifest: dict[str, Any]) -> str:
     )
     head = HEAD.format(
         title=_text(f"{manifest['name']}: C functions of a multibody model."),
-        about=_text(f"{nq} coordinates, {nu} speeds, {len(names['parameters'])} parameters."),
+        about=_text(
+            f"{counted(nq, 'coordinate')}, {counted(nu, 'speed')}, "
+            f"{counted(len(names['parameters']), 'parameter')}."
+        ),
         externs=externs,
         name=manifest["name"],
         bodies=_literal(bodies),

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
 from ..internal import MODE, Change, Event, Jumped, Mode, Solved
@@ -29,7 +31,9 @@ class Contact(ForceElement):
         radius: Of the sphere [m]; 0 for a point.
         other: Frame of the plane (its origin is a point of it), or center of the other sphere.
         stiffness: [N/m^exponent].
-        damping: Hunt and Crossley's: 3/2 (1 - restitution) / (speed of impact) [s/m].
+        damping: Hunt and Crossley's [s/m]; or by ``restitution`` and ``speed``:
+        restitution: Speed after an impact over that before it, a number above 0 and at most 1.
+        speed: Of the impact that it is wanted of [m/s], a number; slower ones bounce more.
         exponent: 1.5 for spheres (Hertz), 1 for a linear spring.
         normal: Of the plane, in axes of ``other``, out of its material.
         other_radius: Of the other sphere [m]; None: ``other`` is a plane.
@@ -38,7 +42,8 @@ class Contact(ForceElement):
 
     Raises:
         ModelError: a value that is no number or expression, a negative radius, stiffness, damping
-            or mu, an exponent below 1, a slip that is not positive.
+            or mu, an exponent below 1, a slip that is not positive; restitution without speed,
+            beside damping, or out of its range.
 
     Source: K. H. Hunt, F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
     """
@@ -55,14 +60,44 @@ class Contact(ForceElement):
     other_radius: Any = None
     mu: Any = 0.0
     slip: Any = 1e-3
+    restitution: Any = None
+    speed: Any = None
 
     def __post_init__(self) -> None:
+        if self.restitution is not None or self.speed is not None:
+            object.__setattr__(self, "damping", self._damping())
+            # said by the damping from here on
+            object.__setattr__(self, "restitution", None)
+            object.__setattr__(self, "speed", None)
         object.__setattr__(self, "normal", axis("contact", "normal", self.normal))
         for name in ("radius", "stiffness", "damping", "exponent", "other_radius", "mu", "slip"):
             if getattr(self, name) is None:
                 continue
             object.__setattr__(self, name, number("contact", name, getattr(self, name)))
         self.judge()
+
+    def _damping(self) -> float:
+        """The damping by which an impact at ``speed`` has the restitution.
+
+        Raises:
+            ModelError: numbers that do not go together.
+        """
+        e, speed = self.restitution, self.speed
+        if e is None or speed is None:
+            raise ModelError("contact: restitution and speed (of the impact) go together")
+        if self.damping != 0:
+            raise ModelError(
+                "contact: restitution and speed say what the damping is; leave one out"
+            )
+        e, speed = (number("contact", n, x) for n, x in (("restitution", e), ("speed", speed)))
+        if not all(isinstance(x, float) and x > 0 for x in (e, speed)):
+            raise ModelError(
+                f"contact: restitution={e!r}, speed={speed!r}: give positive numbers, restitution "
+                "at most 1"
+            )
+        if e > 1:
+            raise ModelError(f"contact: restitution={e:g}: no impact gives energy; at most 1")
+        return damping_of(float(e)) / float(speed)
 
     def limits(self) -> tuple[Limit, ...]:
         return (
@@ -111,6 +146,9 @@ class Contact(ForceElement):
             return motion.velocity(frame) + motion.angular_velocity(frame).cross(arm)
 
         return there(at.frames["sphere"]) - there(at.frames["other"])
+
+    def paired(self) -> bool:
+        return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
         data = at.data
@@ -167,3 +205,18 @@ class Contact(ForceElement):
         found = select(undecided.apply("and", depth.apply("le", 0.0)), APART, TOUCHING)
         mode = select(jumped.fired(0), found, select(jumped.fired(1), APART, at.s[0]))
         return Change(s=Matrix.vector(at.motion.graph, [mode]))
+
+
+def damping_of(restitution: float) -> float:
+    """Damping times speed of impact, d, by which an impact has a restitution e.
+
+    Over an impact m x'' = -k x^n (1 + a x') integrates, whatever k, n and m, to
+    ln((1 + d) / (1 - e d)) = d (1 + e) with d = a times the speed; its root is below 1 / e.
+    """
+    low, high = 0.0, 1.0 / restitution
+    for _ in range(200):
+        d = 0.5 * (low + high)
+        gap = 1 - restitution * d
+        lost = gap <= 0 or math.log((1 + d) / gap) > d * (1 + restitution)
+        low, high = (low, d) if lost else (d, high)
+    return 0.5 * (low + high) if restitution < 1 else 0.0

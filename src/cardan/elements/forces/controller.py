@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import select
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
@@ -52,14 +52,17 @@ class Controller(ForceElement):
     sample: Any = None
 
     def __post_init__(self) -> None:
-        who = f"controller of joint '{self.joint}'" if self.joint else "controller"
+        named = not isinstance(self.joint, str) or bool(self.joint)
+        who = f"controller of joint {shown(self.joint)}" if named else "controller"
         given = self.states if isinstance(self.states, Sequence) else (self.states,)
         given = (given,) if isinstance(given, str) else given
         names = tuple(getattr(s, "name", s) for s in given)
         if not all(isinstance(name, str) and name for name in names) or len(set(names)) < len(
             names
         ):
-            raise ModelError(f"{who}: states are {self.states!r}; give different symbols or names")
+            raise ModelError(
+                f"{who}: states are {shown(self.states)}; give different symbols or names"
+            )
         object.__setattr__(self, "states", names)
         object.__setattr__(self, "changes", vector(who, "changes", _several(self.changes)))
         start = vector(who, "start", _several(self.start)) or (0.0,) * len(names)
@@ -71,7 +74,7 @@ class Controller(ForceElement):
             )
         if self.force is not None:
             object.__setattr__(self, "force", number(who, "force", self.force))
-        if (self.force is None) == bool(self.joint):
+        if (self.force is None) == named:
             raise ModelError(f"{who}: a force and the joint it acts on go together; give both")
         if self.force is None and not names:
             raise ModelError(f"{who}: give a force with its joint, or states, or both")

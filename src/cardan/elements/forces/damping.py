@@ -43,6 +43,9 @@ class Damping(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
+    def paired(self) -> bool:
+        return True
+
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, joints = at.motion, at.data, at.joints
         joint = joints["joint"]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
@@ -76,7 +76,7 @@ class Drive(ForceElement):
         Raises:
             ModelError: negative inertia, no ratio, or damping of a shaft that is rigid.
         """
-        who = f"drive on joint '{self.joint}'"
+        who = f"drive on joint {shown(self.joint)}"
         if isinstance(self.inertia, float) and self.inertia < 0:
             raise ModelError(f"{who}: inertia is {self.inertia}; give 0 or more [kg m^2]")
         if self.ratio == 0:
@@ -127,6 +127,9 @@ class Drive(ForceElement):
             return {}
         ratio = data["ratio"][0]
         return {"joint": data["inertia"] * (ratio * ratio)}
+
+    def paired(self) -> bool:
+        return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, joints = at.motion, at.data, at.joints

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar
 from ...ir.function import live
 from ...ir.graph import Graph
@@ -163,6 +163,10 @@ class ForceElement(ABC):
     def act(self, at: Places) -> tuple[Action, ...]:
         """Its actions."""
 
+    def paired(self) -> bool:
+        """Whether all it does comes in pairs, between its frames or across its joints."""
+        return False
+
     @property
     def pressed(self) -> bool:
         """Whether it has a force that follows from the reaction of its joint."""
@@ -175,7 +179,9 @@ class ForceElement(ABC):
     @property
     def title(self) -> str:
         """What it is and where, for messages."""
-        return " ".join([self.kind, *(f"of joint '{name}'" for name in self.joints().values())])
+        return " ".join(
+            [self.kind, *(f"of joint {shown(name)}" for name in self.joints().values())]
+        )
 
     def limits(self) -> tuple[Limit, ...]:
         """What its numbers may be."""
@@ -192,6 +198,10 @@ class ForceElement(ABC):
     def misfit(self, sliding: bool) -> str:
         """Why it does not fit a joint that slides, or one that turns; "" if it does."""
         return ""
+
+    def straight(self) -> bool:
+        """Whether it is a spring of a stiffness and a free length along the line from a to b."""
+        return False
 
     def linear(self) -> tuple[str, ...]:
         """Quantities that its forces, and its rotor, are linear in together: what data can tell."""

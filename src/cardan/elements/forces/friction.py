@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
@@ -87,7 +87,7 @@ class Friction(ForceElement):
 
     @property
     def title(self) -> str:
-        return f"friction on joint '{self.joint}'"
+        return f"friction on joint {shown(self.joint)}"
 
     def limits(self) -> tuple[Limit, ...]:
         less = "static is {value}, less than the {other} of sliding; give as much or more"
@@ -170,6 +170,9 @@ class Friction(ForceElement):
         sign = select((v * 0).apply("lt", v), 1, select(v.apply("lt", 0.0), -1, 0))
         sliding = select(mode.apply("eq", float(STICKING)), 0, mode)
         return select(mode.apply("eq", float(UNDECIDED)), sign, sliding)
+
+    def paired(self) -> bool:
+        return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
         drag = self._sliding(at) * self._direction(at) + at.data["viscous"][0] * self._speed(at)

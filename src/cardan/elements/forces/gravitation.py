@@ -6,7 +6,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.matrix import Matrix
 from ..fields import Pull
 from .force import Action, ForceElement, Load, Places, constant
@@ -61,7 +61,7 @@ def several(who: str, bodies: Any) -> tuple[Any, ...]:
     for k, (body, name) in enumerate(zip(listed, names, strict=True)):
         if not isinstance(body, str) and not hasattr(body, "mass"):
             raise ModelError(
-                f"{who}: {body!r} is no body; give a body, several of them or their names, or "
+                f"{who}: {shown(body)} is no body; give a body, several of them or their names, or "
                 "leave bodies out for all that have mass"
             )
         if name in names[:k]:

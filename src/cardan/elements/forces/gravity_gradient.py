@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
 from ..limits import Limit, not_negative
@@ -48,7 +48,7 @@ class GravityGradient(Gravitation):
         object.__setattr__(self, "mu", number(self.kind, "mu", self.mu))
         object.__setattr__(self, "bodies", several(self.kind, self.bodies))
         if not isinstance(self.force, bool):
-            raise ModelError(f"{self.kind}: force is True or False, not {self.force!r}")
+            raise ModelError(f"{self.kind}: force is True or False, not {shown(self.force)}")
         self.judge()
 
     def limits(self) -> tuple[Limit, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..fields import Oblate, Pull
@@ -54,7 +54,7 @@ class J2(Gravitation):
         object.__setattr__(self, "pole", axis(self.kind, "pole", self.pole))
         object.__setattr__(self, "bodies", several(self.kind, self.bodies))
         if not isinstance(self.gradient, bool):
-            raise ModelError(f"{self.kind}: gradient is True or False, not {self.gradient!r}")
+            raise ModelError(f"{self.kind}: gradient is True or False, not {shown(self.gradient)}")
         self.judge()
 
     def limits(self) -> tuple[Limit, ...]:

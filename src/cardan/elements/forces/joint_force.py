@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, counted
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
 from ..written import number, vector
@@ -50,14 +50,18 @@ class JointForce(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
+    def paired(self) -> bool:
+        return True
+
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, joints = at.motion, at.data, at.joints
         joint, force = joints["joint"], data["force"]
         speeds = motion.u(joint).rows
         if force.rows * force.columns != speeds:
             raise ModelError(
-                f"joint_force on joint '{self.joint}': {len(self.force)} values for a joint with "
-                f"{speeds} speeds; give {speeds}"
+                f"joint_force on joint '{self.joint}': force has "
+                f"{counted(len(self.force), 'value')} for a joint of {counted(speeds, 'speed')}; "
+                f"give {speeds}"
             )
         column = Matrix(motion.graph, speeds, 1, force.nodes)
         return (Action(joint_loads=(JointLoad(joint, column),)),)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ..quantity import BeamName, Quantity
 from ..written import vector
 from .force import Action, ForceElement, Places
@@ -44,11 +44,12 @@ class LineLoad(ForceElement):
                 object.__setattr__(self, name, value)
         if not isinstance(self.beam, str) and not hasattr(self.beam, "section"):
             raise ModelError(
-                f"line_load: {self.beam!r} is no beam: give a beam or its name. Bodies and frames "
+                f"line_load: {shown(self.beam)} is no beam: give a beam or its name. "
+                "Bodies and frames "
                 "take cd.Force and cd.Torque"
             )
         if not isinstance(self.follower, bool):
-            raise ModelError(f"line_load: follower is True or False, not {self.follower!r}")
+            raise ModelError(f"line_load: follower is True or False, not {shown(self.follower)}")
 
     def quantities(self) -> dict[str, Quantity]:
         units = {"force": "N/m", "moment": "N"}

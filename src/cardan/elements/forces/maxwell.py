@@ -78,6 +78,12 @@ class Maxwell(ForceElement):
         rate = self._line(at)[1] / at.data["damping"][0]
         return Matrix.vector(at.motion.graph, [rate])
 
+    def straight(self) -> bool:
+        return True
+
+    def paired(self) -> bool:
+        return True
+
     def act(self, at: Places) -> tuple[Action, ...]:
         along, force = self._line(at)
         return (between(at.motion, at.frames["a"], at.frames["b"], along * force, None),)

@@ -96,6 +96,9 @@ class Rotor(ForceElement):
     def frames(self) -> dict[str, Any]:
         return {"frame": self.frame}
 
+    def paired(self) -> bool:
+        return self.momentum is None
+
     def act(self, at: Places) -> tuple[Action, ...]:
         if self.speed is not None:
             return ()

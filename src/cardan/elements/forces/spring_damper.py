@@ -18,7 +18,8 @@ class SpringDamper(ForceElement):
 
     The force along the line is stiffness (distance - length) + damping d(distance)/dt, pulling the
     frames together where positive. Where the points meet it has no direction and is zero, unless
-    the free length is zero: then the spring is smooth there.
+    the free length is zero: then the spring is smooth there. A start with a force there is warned
+    of.
 
     Args:
         frame_a, frame_b: Frames or bodies at its ends.
@@ -58,6 +59,12 @@ class SpringDamper(ForceElement):
 
     def frames(self) -> dict[str, Any]:
         return {"a": self.frame_a, "b": self.frame_b}
+
+    def straight(self) -> bool:
+        return True
+
+    def paired(self) -> bool:
+        return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, frames = at.motion, at.data, at.frames

@@ -80,6 +80,9 @@ class Stop(ForceElement):
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint}
 
+    def paired(self) -> bool:
+        return True
+
     def act(self, at: Places) -> tuple[Action, ...]:
         return ()
 

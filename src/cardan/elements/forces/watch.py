@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, near
+from ...errors import ModelError, near, shown
 from ...ir.arithmetic import Scalar
 from ..internal import END, MARK, Event, Solved
 from ..quantity import Quantity
@@ -40,12 +40,18 @@ class Watch(ForceElement):
     def __post_init__(self) -> None:
         object.__setattr__(self, "expression", number("watch", "expression", self.expression))
         for name, known in (("then", THEN), ("direction", DIRECTIONS)):
-            if getattr(self, name) not in known:
+            if not isinstance(getattr(self, name), str) or getattr(self, name) not in known:
                 word = getattr(self, name)
-                raise ModelError(f"watch: {name}='{word}' is unknown.{near(str(word), known)}")
+                told = (
+                    near(word, known) if isinstance(word, str) else f" Known: {', '.join(known)}."
+                )
+                raise ModelError(f"watch: {name}={shown(word)} is unknown.{told}")
 
     def quantities(self) -> dict[str, Quantity]:
         return {"expression": Quantity(self.expression)}
+
+    def paired(self) -> bool:
+        return True
 
     def act(self, at: Places) -> tuple[Action, ...]:
         return ()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar, select, sqrt
 from ...ir.derivative import forward
 from ...ir.graph import ONE
@@ -50,7 +50,8 @@ class Custom(Joint):
             names = ()
         if not 1 <= len(names) <= 6 or len(set(names)) < len(names):
             raise ModelError(
-                f"custom joint: coordinates are {self.symbols!r}; give one to six different symbols"
+                f"custom joint: coordinates are {shown(self.symbols)}; give one to "
+                "six different symbols"
             )
         rows = self.rotation.tolist() if hasattr(self.rotation, "tolist") else self.rotation
         if not isinstance(rows, Sequence) or len(rows) != 3:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from typing import Any, ClassVar
 
-from ...errors import ModelError
+from ...errors import ModelError, shown
 from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
@@ -52,6 +52,8 @@ class PointOnCurve(Guided):
     rotation: str = "quaternion"
 
     def __post_init__(self) -> None:
+        if type(self.closed).__name__ not in ("bool", "bool_"):
+            raise ModelError(f"point on a curve: closed={shown(self.closed)}: give True or False")
         object.__setattr__(self, "points", _points(self.points, self.closed))
         parametrization(self.rotation, "point on a curve")
 

@@ -17,6 +17,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional, forward, gradient
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
+from ...ir.rewrite import rebuild
 from ...topology.motion import input_rates
 from ...topology.system import GROUND
 from ..closing_loads import Closing
@@ -24,6 +25,9 @@ from ..ends import placed
 from ..kinematics import Kinematics
 
 Seeds = dict[int, int]
+
+# leaves that stand for D, d and R_A while they are differentiated
+LEAVES = tuple(f"pose of a joint between nodes [{k}]" for k in range(21))
 
 
 def increments(k: Kinematics) -> list[Seeds]:
@@ -41,9 +45,16 @@ def increments(k: Kinematics) -> list[Seeds]:
                 found.append(dict(zip(R.nodes, (R @ unit.skew).nodes, strict=True)))
             found += [{node: ONE} for node in p.nodes]
             continue
-        for n in range(len(joint.element.speeds)):
-            column = forward(g, k.rates.nodes, {g.var("u", joint.u + n): ONE})
-            found.append({g.var("q", m): node for m, node in enumerate(column) if node})
+        found += _by_coordinates(k, i)
+    return found
+
+
+def _by_coordinates(k: Kinematics, i: int) -> list[Seeds]:
+    """Changes of the coordinates of a joint along its speeds."""
+    g, joint, found = k.graph, k.system.joints[i], list[Seeds]()
+    for n in range(len(joint.element.speeds)):
+        column = forward(g, k.rates.nodes, {g.var("u", joint.u + n): ONE})
+        found.append({g.var("q", m): node for m, node in enumerate(column) if node})
     return found
 
 
@@ -53,6 +64,8 @@ def _axes(graph: Graph) -> list[Matrix]:
 
 class Held:
     """Cut joint 0 of a small system.
+
+    What it returns may be differentiated further (:meth:`along`) and is :meth:`settled` at last.
 
     Args:
         k: Motion of the small system: nodes on free joints from the ground, perhaps a carrier.
@@ -68,22 +81,42 @@ class Held:
         if self.carrier is not None:
             self.parent = k.system.bodies[self.carrier].parent
 
-    # poses
+    # poses, as leaves
+
+    @cached_property
+    def _leaves(self) -> list[int]:
+        return [self.graph.atom(name) for name in LEAVES]
 
     @cached_property
     def R(self) -> Matrix:
         """R_A."""
-        return self.k.body_rotation(self.parent)
+        if self.parent == GROUND:
+            return Matrix.identity(self.graph, 3)
+        return Matrix(self.graph, 3, 3, self._leaves[12:])
 
     @cached_property
     def D(self) -> Matrix:
         """R_Aᵀ R_B."""
-        return self.R.T @ self.k.body_rotation(self.child)
+        return Matrix(self.graph, 3, 3, self._leaves[:9])
 
     @cached_property
     def d(self) -> Matrix:
         """R_Aᵀ (x_B - x_A)."""
-        return self.R.T @ (self._origin(self.child) - self._origin(self.parent))
+        return Matrix(self.graph, 3, 1, self._leaves[9:12])
+
+    def settled(self, x: Matrix) -> Matrix:
+        """Expressions with D, d and R_A of the nodes in place of the leaves."""
+        return Matrix(
+            x.graph, x.rows, x.columns, rebuild(x.graph, x.nodes, self._poses, into=x.graph)[1]
+        )
+
+    @cached_property
+    def _poses(self) -> Seeds:
+        """Leaf -> what it stands for."""
+        R = self.k.body_rotation(self.parent)
+        D = R.T @ self.k.body_rotation(self.child)
+        d = R.T @ (self._origin(self.child) - self._origin(self.parent))
+        return dict(zip(self._leaves, (*D.nodes, *d.nodes, *R.nodes), strict=True))
 
     def _origin(self, body: int) -> Matrix:
         return Matrix.zeros(self.graph, 3) if body == GROUND else self.k.ground_position[body]
@@ -110,6 +143,11 @@ class Held:
     def seeds(self) -> list[Seeds]:
         """Changes of D, d, R_A and joint coordinates along every speed."""
         found = increments(self.k)
+        first = -1 if self.carrier is None else self.k.system.joints[self.carrier].u
+        if self.carrier is not None and first >= 0:
+            # a free joint from the ground is not a node: its rates are told by its coordinates
+            own = _by_coordinates(self.k, self.carrier)
+            found[first : first + len(own)] = own
         for body in {self.parent, self.child} - {GROUND}:
             first = self.k.system.joints[body].u
             found[first : first + 6] = self._moved(body)
@@ -131,7 +169,6 @@ class Held:
         return own | self._seeds(self.D, turned) | self._seeds(self.d, moved)
 
     def _seeds(self, x: Matrix, change: Matrix) -> Seeds:
-        # nodes that stay are leaves too: nothing is differentiated through them
         return dict(zip(x.nodes, change.nodes, strict=True))
 
     def _speeds(self, body: int) -> tuple[Matrix, Matrix]:
@@ -222,9 +259,11 @@ class Held:
             nodes.append(total.node)
         return self._column(nodes)
 
-    def along(self, x: Matrix) -> list[list[int]]:
-        """Changes of expressions along every speed, column by column."""
-        return directional(self.graph, x.nodes, self.seeds)
+    def along(self, x: Matrix) -> Matrix:
+        """Changes of expressions (n, 1) along every speed (n, nu)."""
+        columns = directional(self.graph, x.nodes, self.seeds)
+        nodes = [column[i] for i in range(x.rows) for column in columns]
+        return Matrix(self.graph, x.rows, len(self.seeds), nodes)
 
     def transmitted(self, lam: Matrix) -> Closing:
         """What the joint transmits."""
@@ -235,7 +274,8 @@ class Held:
             unit = Matrix.identity(self.graph, 6)
             rows = Matrix.hstack(*[self._slip(unit.column(j)) for j in range(6)])
             total = total + rows.T @ lam.block(slice(held, held + slips))
-        return Closing(self.cut, self.pose, total)
+        R, position = self.pose
+        return Closing(self.cut, (self.settled(R), self.settled(position)), self.settled(total))
 
     def _column(self, nodes: list[int]) -> Matrix:
         return Matrix(self.graph, len(nodes), 1, nodes)

@@ -193,9 +193,9 @@ class _Builder:
         if self.piece.joint:
             held = self.held
             return (
-                *self.c.vector("balance", -held.forces(self._lam()), "tau"),
-                self._vector("g", held.position),
-                self._vector("rates", held.rates),
+                *self.c.vector("balance", held.settled(-held.forces(self._lam())), "tau"),
+                self._vector("g", held.settled(held.position)),
+                self._vector("rates", held.settled(held.rates)),
             )
         return balance.balance(self.c) if self.system.nu or self.system.closed else ()
 
@@ -226,17 +226,17 @@ class _Builder:
         """K, R and G of a joint: it has no mass, and what it holds no damping."""
         held, nu = self.held, self.system.nu
         m = held.rates.rows
-        columns = held.along(-held.forces(self._lam()))
-        turned = held.along(held.rates)
+        K = held.settled(held.along(-held.forces(self._lam())))
+        R = held.settled(held.along(held.rates))
         return (
-            Output("K", (nu, nu), tuple(column[i] for i in range(nu) for column in columns)),
-            Output("R", (m, nu), tuple(column[i] for i in range(m) for column in turned)),
-            Output("G", (m, nu), held.jacobian.nodes),
+            Output("K", (nu, nu), K.nodes),
+            Output("R", (m, nu), R.nodes),
+            Output("G", (m, nu), held.settled(held.jacobian).nodes),
         )
 
     def _gamma(self) -> tuple[Output, ...]:
         if self.piece.joint:
-            return (self._vector("gamma", self.held.gamma),)
+            return (self._vector("gamma", self.held.settled(self.held.gamma)),)
         return (self._vector("gamma", self.d.constraints.gamma),) if self.system.closed else ()
 
     def _energy(self) -> tuple[Output, ...]:

@@ -118,9 +118,12 @@ def _refuse(system: System) -> None:
         elif force.element.events():
             what = f"it has events ('{force.element.events()[0].about}')"
         if what:
+            cure = 'Use coordinates="relative"'
+            if system.segments:
+                cure = "Beams have no others: leave it out, or put rigid bodies in place of beams"
             raise DerivationError(
                 f"'{force.name}' ({force.element.kind}): {what}, which absolute coordinates do not "
-                'have. Use coordinates="relative"'
+                f"have. {cure}"
             )
 
 

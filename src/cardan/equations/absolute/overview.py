@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from ...errors import counted
+
 if TYPE_CHECKING:
     from .record import Absolute
 
@@ -16,9 +18,10 @@ def overview(scene: Absolute) -> str:
     system, places = scene.system, scene.places
     lines = [
         f"equations of '{system.name}' in absolute coordinates",
-        f"  {len(places)} places, {places.nq} coordinates, {places.nu} speeds, "
+        f"  {counted(len(places), 'place')}, {counted(places.nq, 'coordinate')}, "
+        f"{counted(places.nu, 'speed')}, "
         f"{sum(len(group) * group.kind.m for group in scene.groups)} multipliers, "
-        f"{len(scene.parameters)} parameters, {len(scene.inputs)} inputs",
+        f"{counted(len(scene.parameters), 'parameter')}, {counted(len(scene.inputs), 'input')}",
         "  places: " + _row(places.names),
         f"  {'element':20} members  unknowns  rows  balance  tangent",
     ]

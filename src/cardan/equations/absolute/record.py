@@ -372,15 +372,14 @@ class Absolute(Explainable):
         language: str = "c",
         integrators: Sequence[str] = (),
         reproducible: bool = False,
+        prefix: str = "",
     ) -> Path:
-        """Write C and an example that need no cardan.
-
-        Args, Returns, Raises: as of :func:`cardan.codegen.meshed.export`, which says more.
-        """
+        """Write C that needs no cardan; :func:`cardan.codegen.meshed.export` says more."""
         from ...codegen.meshed import export
         from ...runtime.absolute.planned import planned
 
-        return export(self, directory, planned, functions, language, integrators, reproducible)
+        how = (language, integrators, reproducible, prefix)
+        return export(self, directory, planned, functions, *how)
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -10,9 +10,11 @@ from ...ir.matrix import Matrix
 from ...spatial.exponential import quaternion_of
 from ...spatial.plane import Plane
 from ..blocks import blocks
+from ..constraints import Constraints
 from ..kinematics import Kinematics
 from .scene import JOINT, NODE, Scene
 
+FACING = "facing "  # before the name of the joint
 READ = ("t", "q", "u", "r", "p")
 
 
@@ -24,6 +26,8 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
         planes: By body those nodes that are told by x, y and angle in a plane.
 
     Nodes stand where the joints of the tree carry them; coordinates of joints stay what they are.
+    Numbers ``facing <joint>`` of a joint that closes a circuit are positive where none of its axes
+    is turned round.
     """
     system, k = scene.system, Kinematics(scene.system)
     q, u = list[int](), list[int]()
@@ -44,12 +48,17 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
             q += Matrix.vstack(quaternion_of(R), k.ground_position[i]).nodes
             u += Matrix.vstack(k.omega[i], R @ k.v[i]).nodes
     listed = blocks(system)
-    results = (Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u)))
+    results = [Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u))]
+    if system.cuts:
+        owners, facing = Constraints(k).facing
+        for owner in dict.fromkeys(owners):
+            own = tuple(n for name, n in zip(owners, facing.nodes, strict=True) if name == owner)
+            results.append(Output(f"{FACING}{owner}", (len(own),), own))
     return Function(
         "states",
         k.graph,
         tuple(listed[letter] for letter in READ),
-        results,
+        tuple(results),
         tuple(body.name for body in system.bodies),
         "states of the nodes and joints by joint coordinates",
     )

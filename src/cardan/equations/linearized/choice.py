@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +13,7 @@ from .pivoting import independent, independent_rows, null_space
 
 Array = NDArray[np.float64]
 WANTED = 1e3  # weight of what the user wants to be independent
+GIVEN = 30.0  # of what has a value: it stays independent unless it moves that much less than others
 
 
 @dataclass(frozen=True)
@@ -32,14 +33,21 @@ class Choice:
     rows_w: list[int]
 
 
-def choice(G: Array, positions: int, wanted: Mapping[str, int]) -> Choice:
+def choice(G: Array, positions: int, wanted: Mapping[str, int], given: Sequence[int]) -> Choice:
     """By pivoting on G (m, nu), whose first rows are of position level, wanted ones first.
+
+    Args:
+        G: Constraint Jacobian, the first ``positions`` rows of which are of positions.
+        positions: Number of these rows.
+        wanted: Name of what is to be independent -> its speed.
+        given: Speeds whose coordinates, or which themselves, have a value: they come next.
 
     Raises:
         DerivationError: something wanted cannot be independent.
     """
     nu = G.shape[1]
     weights = np.ones(nu)
+    weights[list(given)] = GIVEN
     weights[list(wanted.values())] = WANTED
     w = independent(G, weights)
     rolled = weights.copy()

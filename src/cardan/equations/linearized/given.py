@@ -7,10 +7,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...errors import DerivationError, near
+from ...arguments import UNIT
+from ...errors import DerivationError, near, shown
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.rewrite import rebuild
+from ...topology.system import System
 
 # the block of symbols that stand in a reference motion and are no parameters
 NOMINAL = "nominal"
@@ -38,7 +40,7 @@ def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[i
             raise DerivationError(f"linearize: there is no {what} '{name}'.{near(name, names)}")
         if isinstance(value, str):
             raise DerivationError(
-                f"linearize: '{name}' is {value!r}, a text; give a number or an expression of "
+                f"linearize: '{name}' is {shown(value)}, a text; give a number or an expression of "
                 "SymPy, such as sympy.Symbol('alpha')"
             )
         several = isinstance(value, Sequence) or getattr(value, "ndim", 0) > 0
@@ -52,6 +54,37 @@ def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[i
     return found
 
 
+def check_rotations(system: System, names: Sequence[str], given: Mapping[int, Any]) -> None:
+    """Unit quaternions are named whole, and numbers among them have length 1.
+
+    Args:
+        system: With the joints.
+        names: Of the coordinates.
+        given: Entry of q -> its value.
+
+    Raises:
+        DerivationError: single components, or another length.
+    """
+    for joint in system.joints:
+        first = joint.element.quaternion
+        own = range(joint.q + first, joint.q + first + 4) if first is not None else range(0)
+        named = [k for k in own if joint.q >= 0 and k in given]
+        if 0 < len(named) < 4:
+            raise DerivationError(
+                f"linearize: '{names[named[0]]}' is one component of the unit quaternion of "
+                f"'{joint.name}', which one component does not determine. Give all of "
+                f"'{joint.name}', or none of it"
+            )
+        values = [given[k] for k in named]
+        if named and all(isinstance(x, (int, float)) for x in values):
+            length = math.hypot(*values)
+            if abs(length - 1) > UNIT:
+                raise DerivationError(
+                    f"linearize: the quaternion of '{joint.name}' has length {length:.9g}: a "
+                    "rotation has length 1"
+                )
+
+
 def places_of(name: str, names: Sequence[str]) -> list[int]:
     """Entries that a name stands for: ``elbow``, ``ball.x`` or all of ``ball``; also of speeds."""
     joint, dot, part = name.rpartition(".")
@@ -63,6 +96,12 @@ def places_of(name: str, names: Sequence[str]) -> list[int]:
         if many:
             return many
     return []
+
+
+def given_speeds(names: Sequence[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> list[int]:
+    """Places among the names of speeds of those that have a value, or whose coordinate has."""
+    given = [name for name, value in {**q, **u}.items() if not isinstance(value, Placeholder)]
+    return sorted({k for name in given for k in places_of(name, names)})
 
 
 class Symbols:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
+from ...arguments import checked
 from ...errors import DerivationError, near
 from ...ir.collector import collector_paused
 from . import differentiated, from_start
@@ -14,6 +16,7 @@ from .reduced import reduced
 from .reference import Reference
 
 if TYPE_CHECKING:
+    from ...runtime.trajectory import Trajectory
     from ..record import Equations
     from .along import LinearizedAlong
 
@@ -53,6 +56,7 @@ def linearized(
 class Linearizable:
     """Equations that can be linearized."""
 
+    @checked
     def linearize(
         self,
         q: Mapping[str, Any] | None = None,
@@ -94,15 +98,18 @@ class Linearizable:
 
         Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
         """
+        if t is not None and not math.isfinite(t):
+            raise DerivationError(f"linearize: t={t:g}: give a finite time [s]")
         named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
         motion = {**named, "udot": udot or {}, "t": t}
         return linearized(
             cast("Equations", self), motion, values, inputs, outputs, independent, route
         )
 
+    @checked
     def linearize_along(
         self,
-        motion: Any,
+        motion: Trajectory,
         *,
         inputs: Iterable[str] | None = None,
         outputs: Iterable[str] | None = None,

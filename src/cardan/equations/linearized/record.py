@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...errors import DerivationError, listed
+from ...errors import DerivationError, counted, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
 from .first_order import Plant
@@ -306,7 +306,7 @@ class Linearized:
         return count(graph, [x for x in live(graph, nodes) if x not in before])
 
     def __repr__(self) -> str:
-        return f"Linearized('{self.name}', {len(self.states)} states, {self.route})"
+        return f"Linearized('{self.name}', {counted(len(self.states), 'state')}, {self.route})"
 
     def __str__(self) -> str:
         from .formula import overview

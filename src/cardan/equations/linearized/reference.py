@@ -26,7 +26,17 @@ from ..kinematics import Kinematics
 from ..pressing import pressed
 from .assembled import Assembly
 from .choice import WANTED, choice
-from .given import NOMINAL, Placeholder, Symbols, depends, entries, places_of, substituted
+from .given import (
+    NOMINAL,
+    Placeholder,
+    Symbols,
+    check_rotations,
+    depends,
+    entries,
+    given_speeds,
+    places_of,
+    substituted,
+)
 from .pivoting import independent, independent_rows, solved
 
 if TYPE_CHECKING:
@@ -78,7 +88,7 @@ class Reference:
         self._set_positions(q, t)
         if self.symbols.unused():
             raise DerivationError(f"linearize: values: no symbol '{self.symbols.unused()[0]}'")
-        self._choose([] if wanted is None else listed("independent", wanted, "crank"))
+        self._choose([] if wanted is None else listed("independent", wanted, "crank"), q, u)
         self._set_speeds(u)
         self._set_accelerations(udot)
         self._set_multipliers()
@@ -159,6 +169,7 @@ class Reference:
 
     def _set_positions(self, q: Mapping[str, Any], t: float | None) -> None:
         given = entries(q, self.names["q"], "coordinate")
+        check_rotations(self.system, self.names["q"], given)
         start = [default for _, _, default in blocks.coordinates(self.system)]
         for joint in self.system.joints:
             if joint.q >= 0 and joint.q0 is not None:
@@ -220,10 +231,10 @@ class Reference:
             return Matrix.zeros(self.graph, 0, self.system.nu)
         return self.put(self.d.constraints.jacobian)
 
-    def _choose(self, wanted: list[str]) -> None:
+    def _choose(self, wanted: list[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> None:
         """Which increments and speeds are independent, and which rows of G hold the others."""
-        slots = {name: self.slot(name) for name in wanted}
-        found = choice(self.number(self.G), self.positions, slots)
+        slots, given = {n: self.slot(n) for n in wanted}, given_speeds(self.names["u"], q, u)
+        found = choice(self.number(self.G), self.positions, slots, given)
         self.y, self.w = found.y, found.w
         self.dependent_y, self.dependent_w = found.dependent_y, found.dependent_w
         self.rows_y, self.rows_w = found.rows_y, found.rows_w

@@ -35,7 +35,7 @@ def treatment(asked: str | Treatment) -> Treatment:
     if asked in ("auto", "closed_form"):
         return Multipliers()
     if asked not in TREATMENTS:
-        known = near(str(asked), (*TREATMENTS, "closed_form"))
+        known = near(asked, (*TREATMENTS, "closed_form"))
         raise DerivationError(f"constraints='{asked}' is no way to treat them.{known}")
     return TREATMENTS[asked]()
 

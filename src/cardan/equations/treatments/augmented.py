@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ...arguments import Count
 from ...ir.matrix import Matrix
 from .treatment import Bound, Treatment, by_penalty, stabilized
 
@@ -29,7 +30,7 @@ class Augmented(Treatment):
     weight: float = 1e5
     frequency: float = 20.0
     damping: float = 1.0
-    repetitions: int = 2
+    repetitions: Count = 2
 
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:
         gamma = stabilized(bound, self.frequency, self.damping)

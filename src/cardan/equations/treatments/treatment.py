@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, fields
+from typing import Any, ClassVar, cast
 
+from ...arguments import check_fields
+from ...errors import ArgumentError
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
+
+# of a number whose square is a constant of an expression
+LARGEST = 1e100
 
 
 @dataclass(frozen=True)
@@ -39,6 +44,16 @@ class Treatment(ABC):
     source: ClassVar[str]
     # whether the accelerations fulfil the constraints to rounding
     exact: ClassVar[bool]
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+        for field in fields(cast(Any, self)):
+            value = getattr(self, field.name)
+            if isinstance(value, float) and not 0 <= value <= LARGEST:
+                raise ArgumentError(
+                    f"{type(self).__name__}: {field.name}={value:g}: give a number of at least 0, "
+                    f"and at most {LARGEST:g}"
+                )
 
     @abstractmethod
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from warnings import catch_warnings, simplefilter
 
-from ...errors import ModelError
+from ...arguments import checked
+from ...errors import ModelError, warn
 from ..model import Model
+from ..origins import gathered
 from . import mjcf, scene, urdf
 from .document import content, parse
 from .options import Options
@@ -36,12 +39,13 @@ READERS = {
 }
 
 
+@checked
 def load(
     path: str | Path,
     base: str = "fixed",
     mimic: str = "couple",
     snap: bool = True,
-    packages: Sequence[str | Path] = (),
+    packages: str | Path | Sequence[str | Path] = (),
     parameters: Mapping[str, float] | None = None,
 ) -> Model:
     """Read a scene from a file.
@@ -55,7 +59,7 @@ def load(
         snap: Replace rounded multiples of a quarter turn by exact ones, within half a unit of the
             last printed digit; all are listed in ``Model.snaps``. With False numbers stay as they
             are printed.
-        packages: Folders below which ``package://`` paths and absolute paths must lie.
+        packages: Folder or folders below which ``package://`` paths and absolute paths must lie.
         parameters: Values by dotted name that replace those of the file.
 
     Returns:
@@ -65,8 +69,13 @@ def load(
         ModelError: the file cannot be read or is at fault.
         TopologyError: links form a loop or nothing joins them.
     """
-    roots = tuple(Path(root) for root in packages)
-    model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
+    folders = [packages] if isinstance(packages, str | Path) else packages
+    roots = tuple(Path(root) for root in folders)
+    with catch_warnings(record=True) as said:
+        simplefilter("always")
+        model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
+    for doubt in gathered(said, model.origins):
+        warn(str(doubt), type(doubt))
     model.values.update(parameters or {})
     return model
 

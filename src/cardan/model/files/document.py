@@ -1,4 +1,4 @@
-"""XML documents of strangers: parsed safely, numbers read strictly."""
+"""Untrusted XML documents: parsed safely, numbers read strictly."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from ... import regular_file
 from ...errors import ModelError
 
 LARGEST_FILE = 64 * 2**20
@@ -15,19 +16,13 @@ LARGEST_NUMBER = 1e30
 
 
 def content(path: Path) -> bytes:
-    """The bytes of a file of sane size.
+    """The bytes of a regular file of sane size.
 
     Raises:
-        ModelError: it cannot be read or is too large.
+        ModelError: it cannot be read, is a pipe or a device, or is too large.
     """
     try:
-        size = path.stat().st_size
-        if size > LARGEST_FILE:
-            raise ModelError(
-                f"file '{path.name}' has {size / 2**20:.0f} MiB; at most "
-                f"{LARGEST_FILE // 2**20} MiB are read"
-            )
-        return path.read_bytes()
+        return regular_file.content(path, LARGEST_FILE)
     except OSError as problem:
         raise ModelError(f"file '{path.name}' cannot be read: {problem.strerror}") from problem
 

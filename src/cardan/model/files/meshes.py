@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from ...errors import ModelError
+from ...errors import ModelError, counted
 from .. import shape
 from ..shape import Shape
 from .document import Element
@@ -86,9 +86,11 @@ class Meshes:
     def notes(self) -> list[str]:
         if not self.missing:
             return []
-        more = ", ..." if len(self.missing) > 1 else ""
+        many = len(self.missing) > 1
+        were, more = ("were", ", ...") if many else ("was", "")
         return [
-            f"{len(self.missing)} mesh files were not found ({self.missing[0]}{more}); "
+            f"{counted(len(self.missing), 'mesh file')} {were} not found "
+            f"({self.missing[0]}{more}); "
             "packages= names the folders to look in"
         ]
 

@@ -8,12 +8,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from ...arguments import checked
+from ...errors import ModelError, shown
+
 if TYPE_CHECKING:
     from ..model import Model
 
 __all__ = ["from_sympy"]
 
 
+@checked
 def from_sympy(
     equations: Any,
     outputs: Mapping[str, Any] | None = None,
@@ -54,5 +58,15 @@ def from_sympy(
 
     told = {"equations": equations, "outputs": outputs, "potential": potential}
     for what, given in told.items():
-        refuse_texts(what, given)
+        try:
+            refuse_texts(what, given)
+        except RecursionError as problem:
+            raise ModelError(f"from_sympy: {what}: lists in lists without end") from problem
+    values = {"parameters": parameters, "inputs": inputs}
+    for what, table in values.items():
+        if table is not None and not isinstance(table, Mapping):
+            raise ModelError(
+                f"from_sympy: {what}={shown(table)}: give values by symbol or name, such as "
+                "{'m': 1.0}"
+            )
     return made(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)

@@ -141,6 +141,13 @@ def _parameters(
         for told in (source.values, given)
         for key, value in told.items()
     }
+    asked = [str(getattr(key, "name", key)) for key in given]
+    for name in asked:
+        if name not in known:
+            raise ModelError(
+                f"from_sympy: parameters: '{name}' does not occur in the equations; leave it out."
+                f"{near(name, known)}"
+            )
     missing = [name for name in known if name not in values]
     if missing:
         listed = ", ".join(f"'{name}': ..." for name in missing)

@@ -70,6 +70,7 @@ class Assembled(Source):
         return rows(model, self.results(model), seed, judged)
 
     def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
+        model._check_of(name, of)
         results, arguments = self.results(model), model._layout.reads(name, of)
         shape, entries = results.shape(name)
         code = self._code(results, name, entries, shape)

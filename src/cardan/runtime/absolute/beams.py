@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...errors import ArgumentError, ModelError, near
+from ...errors import ArgumentError, ModelError, counted, near
 from ..calling import Array
 from .elements import Elements, State
 
@@ -85,7 +85,8 @@ class BeamStress:
     def __repr__(self) -> str:
         sizes = [f"{np.abs(x).max(initial=0.0):.6g}" for x in (self.force, self.moment)]
         return (
-            f"BeamStress('{self.name}', {len(self.s) // ENDS} elements: force up to {sizes[0]} N, "
+            f"BeamStress('{self.name}', {counted(len(self.s) // ENDS, 'element')}: "
+            f"force up to {sizes[0]} N, "
             f"moment up to {sizes[1]} N m)"
         )
 

@@ -36,7 +36,9 @@ class FactorsRecord(ctypes.Structure):
 
     _fields_ = [
         *((name, ctypes.c_void_p) for name in ("values", "scale", "work", "shift")),
-        *((name, ctypes.c_void_p) for name in ("pivot", "replaced", "rows", "columns")),
+        *((name, ctypes.c_void_p) for name in ("pivot", "exchanged", "replaced")),
+        *((name, ctypes.c_void_p) for name in ("rows", "columns")),
+        ("hidden", ctypes.c_double),
         *((name, ctypes.c_int32) for name in ("count", "weak", "singular", "positive", "negative")),
     ]
 
@@ -69,6 +71,7 @@ class Memory:
     work: Reals
     shift: Reals
     pivot: NDArray[np.int32]
+    exchanged: NDArray[np.int32]
     replaced: NDArray[np.int32]
 
     @staticmethod
@@ -76,8 +79,7 @@ class Memory:
         """Memory of the sizes that a plan asks for."""
         n = plan.pattern.n
         values, scale, work, shift = (np.zeros(size) for size in (plan.factors, n, plan.work, n))
-        pivot, replaced = (np.zeros(n, np.int32) for _ in range(2))
-        return Memory(values, scale, work, shift, pivot, replaced)
+        return Memory(values, scale, work, shift, *(np.zeros(n, np.int32) for _ in range(3)))
 
 
 class BlockSolver:

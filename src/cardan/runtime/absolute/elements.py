@@ -125,6 +125,17 @@ class Elements(ABC):
         found = self.results("mixed_step", at)
         return np.concatenate([rows.ravel() for rows in found]) if found else np.zeros(0)
 
+    def loads(self, at: State) -> Array:
+        """Sizes (nu,) of the loads that act: forces of all elements but joints, beams, springs."""
+        groups = [g for g in self.tables.groups if "balance" in g.kind.functions]
+        found: Array = np.zeros(self.tables.nu)
+        for group, values in zip(groups, self.results("balance", at), strict=True):
+            kind = group.kind
+            spring = "energy" in kind.functions and "momentum" not in kind.functions
+            if not (kind.m or spring):
+                np.add.at(found, self.tables.columns(group), np.abs(values[:, : kind.nu]))
+        return found
+
     def mixed_balance(self, at: State) -> tuple[Array, Array, Array]:
         """As :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
         force, gaps, rates = self.balance(at)

@@ -61,7 +61,7 @@ class Results:
         self.tables = mesh.tables
         self.manifest = model.manifest
         self.name = model.name
-        self.frames = Frames(model)
+        self.frames = Frames.of(model)
         self._names = {"q": model.coordinates, "u": model.speeds, "lam": model.multipliers_of}
 
     def of(self, name: str, of: str | None) -> Callable[[Given], Array]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,28 +28,35 @@ def rotation(q: Array) -> Array:
 
 
 class Frames:
-    """The frames of a model at its parameters.
+    """Frames by where they stand on their places: nodes, or the ground."""
 
-    Every frame stands on a place that is a node, or on the ground: R (3, 3) and p (3,) there.
-    """
-
-    def __init__(self, model: CompiledModel) -> None:
-        rows, told = model.manifest["frames"], model.manifest["mesh"]["frames"]
-        at = model._evaluate_saved(told, p=model.parameters.vector)
-        self._rotation = dict(zip((r["name"] for r in rows), _shaped(at["rotation"]), strict=True))
-        self._position = dict(zip((r["name"] for r in rows), at["position"], strict=True))
+    def __init__(
+        self, rows: Sequence[Mapping[str, Any]], rotations: Array, positions: Array
+    ) -> None:
+        """Args:
+        rows: Of the manifest.
+        rotations: Axes of every frame in those of its place (n, 3, 3).
+        positions: Its origin there (n, 3).
+        """
+        self._rotation = dict(zip((r["name"] for r in rows), rotations, strict=True))
+        self._position = dict(zip((r["name"] for r in rows), positions, strict=True))
         # first coordinate and speed of the node
         self._starts = {row["name"]: row["node"] for row in rows}
         self._planes = {row["name"]: Plane.of(row["plane"]) for row in rows}
 
+    @classmethod
+    def of(cls, model: CompiledModel) -> Frames:
+        """The frames of a model at its parameters."""
+        return cls(model.manifest["frames"], *_standing(model))
+
     def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
-        """R (3, 3) and origin (3,) of the node that carries a frame."""
+        """R (..., 3, 3) and origin (..., 3) of the node that carries a frame."""
         start, plane = self._starts[frame], self._planes[frame]
         if start is None:
             return np.eye(3), np.zeros(3)
         size = 7 if plane is None else 3
-        found = pose(plane, q[start[0] : start[0] + size])
-        return rotation(found[:4]), found[4:]
+        found = pose(plane, q[..., start[0] : start[0] + size])
+        return rotation(found[..., :4]), found[..., 4:]
 
     def _speeds(self, frame: str, u: Array) -> tuple[Array, Array]:
         """Angular velocity in its axes and velocity in ground axes of the node, (3,) each."""
@@ -58,11 +66,11 @@ class Frames:
         return found[:3], found[3:]
 
     def pose(self, frame: str, q: Array) -> Array:
-        """Transform (4, 4) from the axes of a frame to those of the ground."""
+        """Transforms (..., 4, 4) from the axes of a frame to those of the ground."""
         R, p = self._node(frame, q)
-        T = np.eye(4)
-        T[:3, :3] = R @ self._rotation[frame]
-        T[:3, 3] = p + R @ self._position[frame]
+        T = np.tile(np.eye(4), (*q.shape[:-1], 1, 1))
+        T[..., :3, :3] = R @ self._rotation[frame]
+        T[..., :3, 3] = p + R @ self._position[frame]
         return T
 
     def velocity(self, frame: str, q: Array, u: Array) -> Array:
@@ -101,5 +109,13 @@ class Frames:
         return J
 
 
-def _shaped(rotations: Array) -> Array:
-    return np.asarray(rotations, dtype=np.float64).reshape(-1, 3, 3)
+def numbers(model: CompiledModel) -> dict[str, Array]:
+    """``frame_rotation`` and ``frame_position`` on the places of all frames."""
+    return dict(zip(("frame_rotation", "frame_position"), _standing(model), strict=True))
+
+
+def _standing(model: CompiledModel) -> tuple[Array, Array]:
+    """Rotations (n, 3, 3) and origins (n, 3) of all frames on their places."""
+    at = model._evaluate_saved(model.manifest["mesh"]["frames"], p=model.parameters.vector)
+    rotations, positions = (np.asarray(at[k], dtype=np.float64) for k in ("rotation", "position"))
+    return rotations.reshape(-1, 3, 3), positions.reshape(-1, 3)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ... import regular_file
 from ...errors import ModelError
 from ..calling import Array
+from ..number_file import unpacked
 from ..objects import Code
 from .elements import Elements
 from .mesh import Mesh
@@ -32,12 +35,36 @@ def tables(manifest: dict[str, Any], directory: Path) -> Tables:
     """
     told = manifest["mesh"]
     try:
-        with np.load(directory / FILE, allow_pickle=False) as file:
-            numbers = {name: file[name] for name in file.files}
+        content = regular_file.content(directory / FILE)
+        if hashlib.sha256(content).hexdigest() != manifest["sha256"].get(FILE):
+            raise ValueError("it is not the file its manifest speaks of")
         sizes = (len(manifest[block]) for block in ("inputs", "z", "s"))
-        return _tables(told, numbers, *sizes)
-    except (OSError, ValueError, KeyError) as error:
+        found = _tables(told, unpacked(content), *sizes)
+        _fit(found, len(manifest["coordinates"]), len(manifest["speeds"]))
+        return found
+    except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
         raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
+
+
+def _fit(found: Tables, nq: int, nu: int) -> None:
+    """Make sure that the places that the kernels take from tables exist.
+
+    Raises:
+        ValueError: one does not.
+    """
+    kinds, places = len(found.kinds), len(found.kind)
+    inside = found.kind.ndim == 1 and bool(np.all((found.kind >= 0) & (found.kind < kinds)))
+    if not inside or (found.nq, found.nu) != (nq, nu):
+        raise ValueError("its nodes are not those of the coordinates")
+    for group in found.groups:
+        n = len(group.place)
+        for most, table in ((places, group.place), (found.nz, group.z), (found.ns, group.s)):
+            if table is not None and not (
+                table.ndim == 2 and len(table) == n and np.all((table >= -1) & (table < most))
+            ):
+                raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
+        if group.own is not None and (group.own.ndim != 2 or len(group.own) != n):
+            raise ValueError(f"the data of '{group.kind.name}' are not those of its elements")
 
 
 def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns: int) -> Tables:
@@ -97,15 +124,25 @@ def load(model: CompiledModel) -> Elements:
     def codes(symbols: Sequence[str]) -> dict[str, Code]:
         """Functions of elements, several compiled at once."""
         wanted = list(dict.fromkeys(symbols))
-        # no other thread keeps what this one is about to
         with objects.lock:
-            loaded = zip(wanted, objects.load(wanted), strict=True)
-            return {name: objects.keep(name) if code.fresh else code for name, code in loaded}
+            return dict(zip(wanted, objects.load(wanted), strict=True))
+
+    def judge(elements: Elements, fresh: Sequence[str]) -> None:
+        """Functions of elements that pass their check are found by other processes."""
+        from ..verify import verify_elements
+
+        try:
+            verify_elements(model, elements, fresh)
+        except BaseException:
+            objects.forget(fresh)
+            raise
+        for symbol in fresh:
+            objects.keep(symbol)
 
     data = [data_of(model, group) for group in found.groups]
     some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
     if any(code.function is not None for code in codes(some).values()):
         return PlainElements(found, codes, data)
     # of the model: whoever loads its functions holds it already
-    lock = objects.lock
-    return Mesh(found, model.manifest["functions"], codes, data, model._kernels(), lock)
+    lock, entries = objects.lock, model.manifest["functions"]
+    return Mesh(found, entries, codes, data, model._kernels(), lock, judge)

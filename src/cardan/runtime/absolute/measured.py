@@ -12,6 +12,7 @@ import numpy as np
 from ...ir.serialize import from_dict
 from .. import abi, loaded, measuring
 from ..calling import Array
+from ..initial import start_of
 from ..interpreted import Interpreted
 from ..lanes import width
 from ..measuring import Row
@@ -36,7 +37,8 @@ MOVED = 1e-2
 def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> list[Row]:
     """Functions of the whole mesh, then elements kind by kind; errors are those of elements."""
     rng, tables = np.random.default_rng(seed), results.tables
-    q, u, _ = model.parts_of(model.initial())
+    start, _ = start_of(model, {}, {})
+    q, u, _ = model.parts_of(start)
     at = State(
         q=results.mesh.move(q, MOVED * rng.uniform(-1, 1, tables.nu)),
         u=rng.uniform(-1, 1, tables.nu),
@@ -60,7 +62,7 @@ def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterat
             if form in group.kind.functions
         )
         caller, given = model._function(name).caller, {"q": q, "u": u, "t": 0.0}
-        given["x"] = model.initial()
+        given["x"] = start_of(model, {}, {})[0]
         values = [given.get(argument.name) for argument in caller.arguments]
         spent = measuring.timed(lambda c=caller, v=values: c(None, *v), 1)  # type: ignore[misc]
         yield Row(name, operations, spent, math.nan, math.nan, 1, None)

@@ -47,6 +47,14 @@ NEEDED = {
 }
 
 
+def _given(kind: Kind, nr: int) -> dict[str, int]:
+    """Sizes of the blocks that the functions of a kind are given."""
+    along = dict.fromkeys(("u", "udot", "du"), kind.nu)
+    # elements of mixed form are given their stress as z while one searches for rest
+    nz = max(kind.nz, INNER if "mixed" in kind.functions else 0)
+    return {"q": kind.nq, "z": nz, "s": kind.ns, "lam": kind.m, "r": nr, **along}
+
+
 @final
 class Mesh(Elements):
     """The tables of a model with loaded functions and data.
@@ -58,6 +66,7 @@ class Mesh(Elements):
         data: Of every group (n, k).
         library: The kernels.
         lock: Held while functions are loaded; one that may be taken again by who has it.
+        judge: Told the functions of elements that were compiled just now, when they are connected.
     """
 
     def __init__(
@@ -68,6 +77,7 @@ class Mesh(Elements):
         data: Sequence[Array],
         library: ctypes.CDLL,
         lock: AbstractContextManager[Any],
+        judge: Callable[[Elements, Sequence[str]], None],
     ) -> None:
         self.tables = tables
         self.library = library
@@ -77,6 +87,7 @@ class Mesh(Elements):
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self._connected: set[str] = set()
         self._lock = lock
+        self._judge = judge
         self._width = lane_builds.width()
         self.inner = 0
         self._groups = groups = (Group * max(1, len(tables.groups)))()
@@ -111,6 +122,9 @@ class Mesh(Elements):
         self.record.flats, self.record.flat = len(flats), self._pointer(flats)
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
         library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
+        fresh = [symbol for symbol, code in self._codes.items() if code.fresh]
+        if fresh:
+            self._judge(self, fresh)
 
     @property
     def reference(self) -> Any:
@@ -147,22 +161,37 @@ class Mesh(Elements):
         if not self._connected.issuperset(forms):
             with self._lock:
                 missing = [name for name in forms if name not in self._connected]
-                if missing:
-                    self._connect(missing)
+                fresh = self._connect(missing) if missing else []
+                if fresh and not set(SOLVED).isdisjoint(missing):
+                    # balances, tangents and accelerations are judged together
+                    fresh += self._connect([n for n in SOLVED if n not in self._connected])
+                if fresh:
+                    self._judged(fresh)
 
-    def _connect(self, missing: Sequence[str]) -> None:
-        """Load functions; alone."""
+    def _judged(self, fresh: Sequence[str]) -> None:
+        """Have functions checked that were compiled just now."""
+        try:
+            self._judge(self, fresh)
+        except BaseException:
+            self._connected.clear()
+            raise
+
+    def _connect(self, missing: Sequence[str]) -> list[str]:
+        """Load functions, alone; those that were compiled just now."""
         groups = self.tables.groups
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
-        self._codes |= self._load([group.kind.functions[name] for group, name in having])
+        loaded = self._load([group.kind.functions[name] for group, name in having])
+        self._codes |= loaded
         abreast = self._abreast([self._codes[g.kind.functions[n]] for g, n in having if _many(g)])
         for record, group, data in zip(self._groups, groups, self.data, strict=False):
             for name in missing:
                 if name in group.kind.functions:
                     form = record.forms[FORMS.index(name)]
                     code = self._codes[group.kind.functions[name]]
+                    code.take(_given(group.kind, self.tables.nr))
                     self._form(form, code, data, abreast.get(code.symbol) if _many(group) else None)
         self._connected.update(missing)
+        return [symbol for symbol, code in loaded.items() if code.fresh]
 
     def _abreast(self, codes: Sequence[Code]) -> dict[str, Lanes]:
         """The lane builds of functions that can have one; what is compiled is so side by side."""

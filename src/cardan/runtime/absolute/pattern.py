@@ -25,6 +25,8 @@ class Pattern:
         first: The first unknown of each block, and how many there are (nb + 1,).
         multiplier, massless: Which blocks are multipliers; which speeds may have no diagonal of
             their own (nb,).
+        child: Of each block of multipliers the last node that its element couples, which a joint
+            holds to the others; -1 of other blocks (nb,).
         row: Where the list of a row block begins in ``column`` (nb + 1,).
         column: The blocks that a row block meets, ascending (pairs,).
         value: Where the pair begins in the values of the matrix (pairs,).
@@ -36,6 +38,7 @@ class Pattern:
     first: Ints
     multiplier: NDArray[np.bool_]
     massless: NDArray[np.bool_]
+    child: Longs
     row: Ints
     column: Ints
     value: Ints
@@ -118,8 +121,8 @@ def pattern(
 
     Args:
         sizes: Unknowns of each block (nb,).
-        cliques: Of each group of elements the blocks (n, k) they couple. Every block of speeds has
-            a diagonal, whether or not it is in one.
+        cliques: Of each group of elements the blocks (n, k) they couple, those of a joint from
+            parent to child. Every block of speeds has a diagonal, whether or not it is in one.
         multiplier: Which blocks are multipliers (nb,); none by default.
         massless: Which blocks of speeds may have no diagonal of their own (nb,), such as the
             coordinates of joints; none by default.
@@ -143,7 +146,20 @@ def pattern(
     for place, key, without in zip(found, wanted, absent, strict=True):
         place[~without] = value[np.searchsorted(pairs, key)]
     first = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
-    return Pattern(first, lam, light & ~lam, row, column, value, stride, tuple(found))
+    light &= ~lam
+    child = _children(groups, ~lam & ~light, lam)
+    return Pattern(first, lam, light, child, row, column, value, stride, tuple(found))
+
+
+def _children(groups: Sequence[Longs], node: NDArray[np.bool_], lam: NDArray[np.bool_]) -> Longs:
+    """The last node of the element of each block of multipliers, -1 without one (nb,)."""
+    child = np.full(len(node), -1)
+    for blocks in groups:
+        for k in range(blocks.shape[1]):
+            for own in range(blocks.shape[1]):
+                holds = lam[blocks[:, own]] & node[blocks[:, k]]
+                child[blocks[holds, own]] = blocks[holds, k]
+    return child
 
 
 def _laid(pairs: Longs, size: Longs) -> tuple[Ints, Ints, Ints, Ints]:

@@ -24,7 +24,7 @@ class Plan:
     Attributes:
         pattern: The matrix.
         order: The unknown that is eliminated as the k-th (n,).
-        multiplier: Whether that one is a multiplier (n,).
+        multiplier: Whether that one is a multiplier (n,): 1, or 2 of a row that closes a circuit.
         start: The first unknown of each of ns supernodes, in that order (ns + 1,).
         panel, width, later, turned: Where the panel of a supernode begins in the factors, numbers
             from one of its rows to the next, unknowns in U, where Lt begins in a row (ns,).
@@ -109,7 +109,7 @@ def planned(matrix: Pattern) -> Plan:
     supernodes = np.arange(panels.count + 1)
     tables = {
         "order": panels.order,
-        "multiplier": np.repeat(matrix.multiplier, matrix.sizes)[panels.order],
+        "multiplier": np.repeat(1 * matrix.multiplier + panels.closing, matrix.sizes)[panels.order],
         "start": panels.start,
         "panel": panels.panel,
         "width": panels.width,
@@ -144,6 +144,7 @@ class _Panels:
         start, panel, width, later, turned: As in :class:`Plan`.
         keys: ns-th supernode times nv plus a later vertex that it meets, ascending (k,).
         at: Where that vertex begins in U (k,).
+        closing: Which blocks are rows that close circuits (nb,).
         size: Numbers of all panels.
     """
 
@@ -159,6 +160,7 @@ class _Panels:
     turned: Longs
     keys: Longs
     at: Longs
+    closing: NDArray[np.bool_]
     size: int
 
     @property
@@ -169,7 +171,7 @@ class _Panels:
     @staticmethod
     def of(matrix: Pattern) -> _Panels:
         """Order, sets, fill and supernodes of a matrix."""
-        order, vertices = stages.together(matrix)
+        order, vertices, closing = stages.together(matrix)
         nv = int(vertices[-1]) + 1 if len(vertices) else 0
         vertex = np.empty_like(vertices)
         vertex[order] = vertices
@@ -199,7 +201,8 @@ class _Panels:
             raise ArgumentError(f"factors of {size.sum():,} numbers are too large")
         return _Panels(
             ranges(matrix.first[:-1][order], sizes[order]), block, vertex, place, owner, start,
-            np.cumsum(size) - size, width, later, turned, mine * nv + met, at, int(size.sum()),
+            np.cumsum(size) - size, width, later, turned, mine * nv + met, at, closing,
+            int(size.sum()),
         )  # fmt: skip
 
     def locate(self, i: Longs, row: Longs, j: Longs, column: Longs) -> tuple[Longs, Longs, Longs]:

@@ -23,23 +23,34 @@ from .ordering import elimination, graph, ranks
 from .pattern import Longs, Pattern
 
 Bools = NDArray[np.bool_]
+CLOSING = 3  # turn of rows that close circuits
 
 
-def together(pattern: Pattern) -> tuple[Longs, Longs]:
+def together(pattern: Pattern) -> tuple[Longs, Longs, Bools]:
     """The order of elimination.
 
     Returns:
         order: The blocks in order of elimination (nb,).
         vertex: Of each of them, which set it belongs to, ascending from 0 (nb,).
+        closing: Which blocks are rows that close circuits, and may follow from others (nb,).
     """
-    stage = stages(pattern)
-    kind = np.where(pattern.multiplier, 1, np.where(pattern.massless, 2, 0))
-    order = np.lexsort((np.arange(len(stage)), kind, stage))
-    return order, np.unique(stage[order], return_inverse=True)[1].astype(np.int64)
+    stage, turn = _both(pattern)
+    order = np.lexsort((np.arange(len(stage)), turn, stage))
+    vertex = np.unique(stage[order], return_inverse=True)[1].astype(np.int64)
+    return order, vertex, turn == CLOSING
 
 
 def stages(pattern: Pattern) -> Longs:
     """When each block is eliminated; those of one number together (nb,)."""
+    return _both(pattern)[0]
+
+
+def _both(pattern: Pattern) -> tuple[Longs, Longs]:
+    """When each block is eliminated, and at which turn among those of its stage (nb,), (nb,).
+
+    A node comes first, then the rows that hold it with the coordinates of its joint: what is left
+    for rows that close circuits is what they act on, and those that follow from others show.
+    """
     nb = len(pattern.sizes)
     rows, columns = pattern.rows.astype(np.int64), pattern.column.astype(np.int64)
     light, lam = pattern.massless, pattern.multiplier
@@ -65,7 +76,11 @@ def stages(pattern: Pattern) -> Longs:
     stage[rest] = _most(rows, columns, rest[rows] & ~lam[columns], stage)[rest]
     lost = stage < 0
     stage[lost] = nb + np.flatnonzero(lost)
-    return stage
+    holds = np.zeros(nb, bool)
+    holds[list(held.values())] = True
+    with_node = _most(rows, columns, holds[columns], stage) == stage
+    turn = np.select([node, holds, light & with_node, lam], [0, 1, 2, CLOSING], 4)
+    return stage, turn.astype(np.int64)
 
 
 def _most(rows: Longs, columns: Longs, chosen: Bools, number: Longs) -> Longs:
@@ -86,14 +101,44 @@ def _of_nodes(rows: Longs, columns: Longs, host: Longs, speed: Bools) -> Longs:
 
 
 def _held(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -> dict[int, int]:
-    """Node -> rows that hold all its motion; as many nodes as can be."""
+    """Node -> rows that hold all its motion; as many nodes as can be, children of joints first.
+
+    A node that is left has to be regular by itself. Bodies that a joint carries may have no mass of
+    their own, such as wheels that their carrier weighs for; where a tree floats, its root is left.
+    """
     same = pattern.sizes[rows] == pattern.sizes[columns]
     fit = pattern.multiplier[rows] & node[columns] & same
     shape = (len(node), len(node))
-    offers = coo_array((np.ones(int(fit.sum())), (rows[fit], columns[fit])), shape).tocsr()
+    first = fit & (pattern.child[rows] == columns)
+    offers = coo_array((np.ones(int(first.sum())), (rows[first], columns[first])), shape).tocsr()
     found = maximum_bipartite_matching(offers, perm_type="column")
     taken = np.flatnonzero(found >= 0)
-    return dict(zip(found[taken].tolist(), taken.tolist(), strict=True))
+    held = dict(zip(found[taken].tolist(), taken.tolist(), strict=True))
+    fitting: dict[int, list[int]] = {}
+    for row, at in zip(rows[fit].tolist(), columns[fit].tolist(), strict=True):
+        fitting.setdefault(at, []).append(row)
+    for at in fitting:
+        if at not in held:
+            _hold_too(at, fitting, held)
+    return held
+
+
+def _hold_too(at: int, fitting: Mapping[int, list[int]], held: dict[int, int]) -> None:
+    """Hold one more node, if rows can be exchanged among the nodes that are held."""
+    owner = {row: node for node, row in held.items()}
+    before, front = {at: -1}, [at]
+    while front:
+        here = front.pop()
+        for row in fitting[here]:
+            if row not in owner:
+                # every node on the way takes the row that led on, and leaves its own behind
+                while here >= 0:
+                    row, held[here] = held.get(here, -1), row
+                    here = before[here]
+                return
+            if owner[row] not in before:
+                before[owner[row]] = here
+                front.append(owner[row])
 
 
 def _nodes(pattern: Pattern, row: int, node: Bools) -> list[int]:

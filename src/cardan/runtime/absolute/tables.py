@@ -206,6 +206,29 @@ class Tables:
         """Angular velocity in its axes and velocity in those of the ground (6,) of a node."""
         return speeds(self.kinds[self.kind[place]].plane, u[self.u[place] : self.u[place + 1]])
 
+    def distances(self, q: Array, units: Array) -> Array:
+        """How large the coordinates are that speeds change (nu,), in units; angles count 1.
+
+        Of nodes the distance from the origin, of joints the displacement, at least 1.
+
+        Args:
+            q: Coordinates (nq,).
+            units: Of every speed (nu,): a length, or 1 of angles.
+        """
+        found: Array = np.ones(self.nu)
+        for k, kind in enumerate(self.kinds):
+            places = np.flatnonzero(self.kind == k)
+            own = q[self.q[places][:, None] + np.arange(kind.nq)]
+            speeds = self.u[places][:, None] + np.arange(kind.nu)
+            unit, first = units[speeds], kind.nq if kind.quaternion is None else kind.quaternion
+            if kind.node:
+                place = own[:, [n for n in range(kind.nq) if not first <= n < first + 4]]
+                far = np.linalg.norm(place, axis=1)[:, None] / unit
+                found[speeds] = np.where(unit == 1.0, 1.0, far)
+            elif kind.nq == kind.nu:
+                found[speeds] = np.maximum(np.abs(own) / unit, 1.0)
+        return found
+
     def poses(self, q: Array, places: Integers) -> Array:
         """Unit quaternions and positions (n, 7) of nodes at coordinates of the model."""
         found = np.empty((len(places), 7))

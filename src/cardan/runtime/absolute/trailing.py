@@ -20,7 +20,7 @@ GROUND = -1
 
 
 @dataclass(frozen=True)
-class _Motion:
+class Motion:
     """How a node left its reference pose: a rotation about the ground's origin, then a shift.
 
     Attributes:
@@ -35,7 +35,7 @@ class _Motion:
     velocity: Array
 
 
-_REST = _Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+_REST = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 def trailed(
@@ -54,12 +54,12 @@ def trailed(
         x: The state, with those nodes where they are to be.
         held: Places that are there already.
     """
-    moved, known = x.copy(), dict[int, _Motion]()
+    moved, known = x.copy(), dict[int, Motion]()
     known[GROUND] = _REST
     ends = {int(place) for line in lines for place in (line[0], line[-1])}
     for place in ends & set(held):
-        known[place] = _motion(tables, reference, x, place)
-    waiting = _joined(lines, known)
+        known[place] = motion_of(tables, reference, x, place)
+    waiting = joined(lines, known)
     while waiting:
         # first what lies between two known ends, then what hangs on one
         ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in known for k in (0, -1)))
@@ -74,7 +74,7 @@ def trailed(
     return moved
 
 
-def _joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]:
+def joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]:
     """Lines that go on through nodes where nothing else hangs and nobody says where they are."""
     at: dict[int, list[int]] = {}
     for k, line in enumerate(lines):
@@ -91,13 +91,14 @@ def _joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]
     return found
 
 
-def _motion(tables: Tables, reference: Array, x: Array, place: int) -> _Motion:
+def motion_of(tables: Tables, reference: Array, x: Array, place: int) -> Motion:
+    """How a place left its pose in the reference configuration."""
     at, home = tables.pose(x, place), tables.pose(reference, place)
     now = _rotation(at[:4])
     turn = now * _rotation(home[:4]).inv()
     speed = tables.speeds(x[tables.nq :], place)
     omega = now.apply(speed[:3])
-    return _Motion(
+    return Motion(
         turn,
         at[4:] - turn.apply(home[4:]),
         omega,
@@ -106,7 +107,7 @@ def _motion(tables: Tables, reference: Array, x: Array, place: int) -> _Motion:
 
 
 def _carry(
-    tables: Tables, reference: Array, x: Array, line: Integers, one: _Motion, other: _Motion
+    tables: Tables, reference: Array, x: Array, line: Integers, one: Motion, other: Motion
 ) -> None:
     """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
     nodes = line != GROUND

@@ -1,6 +1,6 @@
 """The parametrizations of rotations, by the name a user writes."""
 
-from ...errors import ModelError, near
+from ...errors import ModelError, near, shown
 from .direction_cosines import DirectionCosines
 from .euler_angles import SEQUENCES, EulerAngles
 from .euler_rodrigues import EulerRodrigues
@@ -36,8 +36,8 @@ def parametrization(name: str, owner: str = "rotation") -> Rotation:
     found = ROTATIONS.get(name) if isinstance(name, str) else None
     if found is None:
         raise ModelError(
-            f"{owner}: parametrization {name!r} does not exist; use one of these."
-            + near(str(name), ROTATIONS)
+            f"{owner}: parametrization {shown(name)} does not exist; use one of these."
+            + near(name, ROTATIONS)
         )
     return found
 

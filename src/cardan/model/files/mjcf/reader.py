@@ -14,7 +14,7 @@ from ...shape import Shape
 from ..document import Element
 from ..options import Options
 from ..pose import HERE, Pose, written
-from . import actuators, equality, joints, masses, pictures
+from . import actuators, contacts, equality, joints, masses, pictures
 from .compiler import Compiler
 from .defaults import Defaults
 from .document import Document, Found, expanded
@@ -38,6 +38,7 @@ class Reader:
         for raw in root.findall("default"):
             self.defaults.read(raw)
         self.scene = Model(root.get("model") or Path(file).stem or "mujoco", self._gravity())
+        self.scene.of_robot = True
         found = list(self.document.bodies(self.compiler))
         hinges = [self._hinges(body) for body in found]
         self.hinges = {hinge.name: hinge for row in hinges for hinge in row}
@@ -137,6 +138,12 @@ class Reader:
         self.laws = [law for law in self.laws if law not in followers.values()]
         self.chain = Chain(scene, self.compiler, couples, self._free, self._origin)
         self.names = {one.name for one in found}
+        self.touching = [
+            contacts.Geom(number, one.parent, kind, geom.text("name", ""))
+            for number, one in enumerate(found)
+            for geom, kind, _ in self._geoms(one)
+            if contacts.collides(geom)
+        ]
         weights = masses.scaled([self._weight(one) for one in found], self.compiler.total)
         made: list[Body] = []
         for one, own, weight in zip(found, hinges, weights, strict=True):
@@ -227,6 +234,7 @@ class Reader:
     def _announce(self) -> None:
         """What a reader of the model must know."""
         chain, notes = self.chain, self.scene.notes
+        notes += contacts.notes(self.touching)
         notes += self.unread.notes()
         for what, names in (
             ("friction is stored, but does not act yet", chain.friction),

@@ -31,7 +31,12 @@ def read(path: Path, options: Options) -> Model:
         raise ModelError(
             f"file '{path.name}': base= and mimic= are for robots; a scene says it in its joints"
         )
-    here = path.resolve()
+    try:
+        here = path.resolve()
+    except (OSError, RuntimeError) as problem:
+        raise ModelError(
+            f"file '{path.name}' cannot be read: its links go in a circle"
+        ) from problem
     if here in options.parents:
         circle = " -> ".join(p.name for p in (*options.parents, here))
         raise ModelError(f"file '{path.name}' includes itself: {circle}; break the circle")

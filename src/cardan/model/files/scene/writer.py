@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
-import secrets
 from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
@@ -12,6 +10,7 @@ from typing import Any
 
 from ....elements.written import AXES
 from ....errors import ModelError
+from ....whole_file import written
 from ...beam import Beam
 from ...beam_arguments import ELEMENT, INERTIA, ROLES
 from ...body import INERTIA_ENTRIES, Body
@@ -39,19 +38,7 @@ def save(model: Model, path: Path) -> None:
     if path.suffix.lower() not in (".yaml", ".yml"):
         raise ModelError(f"file '{path.name}': scenes are saved as .yaml, not '{path.suffix}'")
     text = to_text(model, path.parent)
-    try:
-        # with the permissions of any other new file, unlike those of tempfile
-        new = path.with_name(f".cardan-{secrets.token_hex(8)}.yaml")
-        handle = os.open(new, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)
-        try:
-            with open(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
-            os.replace(new, path)
-        except BaseException:
-            new.unlink(missing_ok=True)
-            raise
-    except OSError as problem:
-        raise ModelError(f"file '{path.name}' cannot be written: {problem.strerror}") from problem
+    written(path, text)
 
 
 def to_text(model: Model, folder: Path | None = None) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from ....elements.forces.damping import Damping
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
+from ....errors import ModelWarning, warn
 from ...body import Body
 from ...model import Model
 from ..angles import turned
@@ -40,6 +40,7 @@ class Reader:
         links, edges = links_of(self.root, self.file), edges_of(self.root, self.file)
         base = base_of(links, edges, self.file)
         self.scene = Model(self.root.get("name") or "robot")
+        self.scene.of_robot = True
         self.meshes = Meshes(self.options.packages, self.folder)
         self.bodies = {name: self._body(name, link) for name, link in links.items()}
         self.moving = [e.name for e in edges if e.element.text("type", "") != "fixed"]
@@ -156,7 +157,7 @@ class Reader:
         if self.orphans:
             lost = f"joints {', '.join(self.orphans)} mimic what is no moving joint of the file"
             notes.append(f"{lost}; they move freely")
-            warnings.warn(f"file '{self.file}': {notes[-1]}", stacklevel=6)
+            warn(f"file '{self.file}': {notes[-1]}", ModelWarning)
         for what, names in (
             ("friction is stored, but does not act yet", self.friction),
             ("limits are stored, but do not act yet", limited),
@@ -172,7 +173,7 @@ class Reader:
         tips = self._massless_tips()
         if tips:
             text = f"bodies {', '.join(tips)}: nothing outboard of their joints has a mass"
-            warnings.warn(f"{text}; forward dynamics divides by it", stacklevel=6)
+            warn(f"{text}; forward dynamics divides by it", ModelWarning)
 
     def _massless_tips(self) -> list[str]:
         """Links moved by a joint without any mass from there outward."""

@@ -1,0 +1,207 @@
+# cython: language_level=3
+"""drone: C functions of a multibody model.
+
+3 coordinates, 3 speeds, 7 parameters.
+
+States are arrays with leading axes that broadcast; speeds u are what robotics calls v, quaternions
+are (w, x, y, z), 6-vectors have the angular part first, units are SI and radians. ``parameters``
+is a mapping of names to new values, or None for those of the model.
+"""
+
+from libc.stdlib cimport free, malloc
+
+import numpy as np
+
+cdef extern from "functions.h" nogil:
+    ctypedef struct cardan_in:
+        const double *t
+    const double cardan_default_p[]
+    const double cardan_default_q[]
+    const double cardan_default_r[]
+    int c_forward_dynamics "forward_dynamics"(const cardan_in *, double *, double *) noexcept
+    void c_prepare_forward_dynamics "prepare_forward_dynamics"(const double *, double *) noexcept
+    int c_inverse_dynamics "inverse_dynamics"(const cardan_in *, double *, double *) noexcept
+    void c_prepare_inverse_dynamics "prepare_inverse_dynamics"(const double *, double *) noexcept
+    int c_mass_matrix "mass_matrix"(const cardan_in *, double *, double *) noexcept
+    void c_prepare_mass_matrix "prepare_mass_matrix"(const double *, double *) noexcept
+
+ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
+ctypedef void (*preparation)(const double *, double *) noexcept nogil
+
+NAME = 'drone'
+COORDINATES = ('fly.x', 'fly.y', 'fly.angle')
+SPEEDS = ('fly.u.x', 'fly.u.y', 'fly.u.angle')
+INPUTS = ('left', 'right')
+PARAMETERS = ('gravity.z', 'drone.mass', 'drone.inertia.xx', 'drone.inertia.yy', 'drone.inertia.zz',
+ 'left.frame.position.x', 'right.frame.position.x')
+BODIES = ('drone',)
+
+_SIZES = {'q': 3,
+ 'q0': 3,
+ 'r': 2,
+ 'wrench': 6,
+ 'u': 3,
+ 'udot': 3,
+ 'tau': 3,
+ 'du': 3,
+ 'z': 0,
+ 's': 0,
+ 'e': 0}
+_STARTS = {'z': (), 's': ()}
+_SLOTS = {'t': 0,
+ 'q': 1,
+ 'u': 2,
+ 'z': 3,
+ 's': 4,
+ 'r': 5,
+ 'p': 6,
+ 'w': 7,
+ 'udot': 8,
+ 'zdot': 9,
+ 'lam': 10,
+ 'tau': 11,
+ 'wrench': 12,
+ 'du': 13,
+ 'q0': 14,
+ 'e': 15}
+
+class SingularError(ArithmeticError):
+    """A linear system of the model has no solution at the given state."""
+
+
+def _entries(block, value, names, start):
+    """A block as numbers: a mapping changes some of the entries, None leaves them as they are."""
+    if value is not None and not hasattr(value, "items"):
+        return np.asarray(value, dtype=float)
+    found = np.array(start, dtype=float)
+    for name, number in dict(value or {}).items():
+        if name not in names:
+            raise KeyError(f"{block}: there is no {name!r}. Known: {', '.join(names)}")
+        found[names.index(name)] = number
+    return found
+
+
+def _defaults(block):
+    cdef Py_ssize_t k
+    if block == "q":
+        return [cardan_default_q[k] for k in range(len(COORDINATES))]
+    if block == "r":
+        return [cardan_default_r[k] for k in range(len(INPUTS))]
+    if block == "p":
+        return [cardan_default_p[k] for k in range(len(PARAMETERS))]
+    return _STARTS.get(block) or np.zeros(_SIZES[block])
+
+
+_NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
+
+
+def _array(block, value):
+    """A block (..., n) as contiguous numbers."""
+    if block == "t":
+        return np.asarray(value, dtype=float)[..., None]
+    found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
+    size = _SIZES[block]
+    if found.ndim == 0 or found.shape[-1] != size:
+        raise ValueError(f"{block} must have shape (..., {size}), not {found.shape}")
+    return found
+
+
+cdef object _call(
+    function f, preparation prepare, tuple blocks, tuple values, object parameters,
+    Py_ssize_t out_size, Py_ssize_t work_size, Py_ssize_t w_size, tuple shape,
+):
+    """Run a function at every state."""
+    arrays = [_array(block, value) for block, value in zip(blocks, values)]
+    lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
+    cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
+    given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
+    if given.shape != (len(PARAMETERS),):
+        raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
+    cdef double[::1] p = np.append(given, 0.0)
+    cdef double[::1] w = np.zeros(w_size + 1)
+    prepare(&p[0], &w[0])
+    result = np.empty((count, out_size))
+    cdef double[::1] out = result.reshape(-1) if count * out_size else np.empty(1)
+    cdef const double *at[16]
+    cdef Py_ssize_t step[16]
+    cdef double[::1] flat
+    for k in range(16):
+        at[k], step[k] = NULL, 0
+    held = []
+    for block, array in zip(blocks, arrays):
+        wide = np.broadcast_to(array, lead + array.shape[-1:])
+        flat = np.append(np.ascontiguousarray(wide).reshape(-1), 0.0)
+        held.append(flat)
+        k = _SLOTS[block]
+        at[k], step[k] = &flat[0], array.shape[-1]
+    at[_SLOTS["w"]] = &w[0]
+    cdef double *work = <double *>malloc((work_size + 1) * sizeof(double))
+    cdef int status = 0, one
+    if work == NULL:
+        raise MemoryError()
+    with nogil:
+        for i in range(count):
+            one = f(<const cardan_in *>at, &out[0] + i * out_size, work)
+            status |= one
+            for k in range(16):
+                if at[k] != NULL:
+                    at[k] += step[k]
+    free(work)
+    if status:
+        raise SingularError(f"a linear system has no solution (status {status})")
+    return result.reshape(lead + shape)
+
+
+def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
+    """udot with M udot + h = f + tau.
+
+    Args:
+        t: time [s], (...)
+        q: coordinates, (..., nq)
+        u: speeds, (..., nu)
+        r: inputs, (..., nr); by default those of the model
+        tau: generalized applied forces, (..., nu); by default none
+
+    Returns:
+        Array (..., 3): fly.u.xdot [m/s^2], fly.u.ydot [m/s^2], fly.u.angledot [rad/s^2]
+    """
+    return _call(
+        c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
+        3, 0, 5, (3,),
+    )
+
+
+def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
+    """tau with M udot + h = f + tau.
+
+    Args:
+        t: time [s], (...)
+        q: coordinates, (..., nq)
+        u: speeds, (..., nu)
+        udot: derivatives of the speeds, (..., nu)
+        r: inputs, (..., nr); by default those of the model
+
+    Returns:
+        Array (..., 3): fly.u.x.tau [N], fly.u.y.tau [N], fly.u.angle.tau [N*m]
+    """
+    return _call(
+        c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
+        3, 0, 5, (3,),
+    )
+
+
+def mass_matrix(q, *, t=0.0, r=None, parameters=None):
+    """M: kinetic energy is 1/2 uᵀ M u.
+
+    Args:
+        t: time [s], (...)
+        q: coordinates, (..., nq)
+        r: inputs, (..., nr); by default those of the model
+
+    Returns:
+        Array (..., 3, 3): fly.u.x,fly.u.x, fly.u.x,fly.u.y, fly.u.x,fly.u.angle, fly.u.y,fly.u.x, fly.u.y,fly.u.y, fly.u.y,fly.u.angle, fly.u.angle,fly.u.x, fly.u.angle,fly.u.y, fly.u.angle,fly.u.angle
+    """
+    return _call(
+        c_mass_matrix, c_prepare_mass_matrix, ("t", "q", "r",), (t, q, r,), parameters,
+        9, 0, 2, (3, 3),
+    )

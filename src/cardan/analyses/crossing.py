@@ -1,0 +1,39 @@
+"""Starts at which branches of a motion meet."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ModelError
+from .mechanism import Mechanism
+from .redundancy import rank_of
+from .searches import search_from
+
+Array = NDArray[np.float64]
+BESIDE = 1e-3  # of the size, and radians
+
+
+def refuse_singular(m: Mechanism, q: Array) -> None:
+    """Refuse a start at which branches meet, unless all speeds say which one is meant.
+
+    Raises:
+        ModelError: constraints are fewer here than at a position beside it.
+    """
+    G = m.jacobian(q)
+    U, s, _ = np.linalg.svd(G)
+    rank = rank_of(s)
+    if rank == len(G):
+        return
+    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
+    beside = search_from(m, [], m.advance(q, aside)).q
+    usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
+    if usual <= rank:
+        return
+    # what is lost here, and not what is redundant everywhere
+    weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
+    raise ModelError(
+        f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
+        f"branches of the motion meet at joint '{m.closing.rows[weakest]['joint']}'. Give all "
+        "speeds, u=: they say which branch is meant; or start beside it"
+    )

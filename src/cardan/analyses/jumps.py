@@ -1,0 +1,90 @@
+"""Times at which a model jumps: comparisons of t, such as of ``Piecewise``, that change there.
+
+Steps end at them, and what is evaluated at such an end is evaluated one rounding inside the segment
+that the step belongs to: both sides of the jump are seen from their own side, whatever the
+comparison says of the time itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.compiled import CompiledModel
+from .signals import Signals
+
+Array = NDArray[np.float64]
+FUNCTION = "time_jumps"
+LOOKS = 4097  # times of a span at which every comparison is looked at
+FEW = 65  # where the caller steps
+HALVINGS = 200
+EPSILON = float(np.finfo(np.float64).eps)
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A part of a run between two times at which steps must end.
+
+    Attributes:
+        jumps: Whether the model jumps at times.
+        start, end: Of the segment [s].
+    """
+
+    jumps: bool
+    start: float = 0.0
+    end: float = 0.0
+
+    def inside(self, t: float) -> float:
+        """A time as the segment sees it: from its own side where the model jumps at its ends."""
+        if not self.jumps or self.start == self.end:
+            return t
+        ends = _next(self.start, self.end), _next(self.end, self.start)
+        return float(min(max(t, min(ends)), max(ends)))
+
+
+def _next(start: float, end: float) -> float:
+    """The time next to the start of a span, inside, as ``kernels/derivative.c`` has it."""
+    near = start + EPSILON * (end - start)
+    return near if near != start else float(np.nextafter(start, end))
+
+
+def stops_of(
+    model: CompiledModel, given: Signals, start: float, end: float, looks: int = LOOKS
+) -> list[float]:
+    """Times at which steps must end, in their direction: corners of inputs, jumps, the end."""
+    inside = {*given.corners(start, end), *time_jumps(model, start, end, looks)}
+    return [*sorted(inside, reverse=end < start), end]
+
+
+def time_jumps(model: CompiledModel, start: float, end: float, looks: int = LOOKS) -> list[float]:
+    """Times strictly inside a span at which the model jumps, in the direction of the span.
+
+    A comparison that changes twice between two of the looks is not seen.
+    """
+    if FUNCTION not in model.saved or start == end:
+        return []
+
+    def signs(t: Array) -> NDArray[np.bool_]:
+        p = model.parameters.vector
+        found = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
+        return np.broadcast_to(np.asarray(found) < 0, (len(t), np.shape(found)[-1]))
+
+    times = np.linspace(start, end, looks)
+    seen = signs(times)
+    found = set[float]()
+    for k, which in zip(*np.nonzero(seen[1:] != seen[:-1]), strict=True):
+        low, high = float(times[k]), float(times[k + 1])
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            if middle in (low, high):
+                break
+            if signs(np.array([middle]))[0, which] == seen[k, which]:
+                low = middle
+            else:
+                high = middle
+        # the neighbor that has fewer digits is the one that was meant
+        found.add(min(low, high, key=lambda t: len(repr(t))))
+    low, high = min(start, end), max(start, end)
+    return sorted((t for t in found if low < t < high), reverse=end < start)

@@ -1,0 +1,153 @@
+"""The assembled position nearest to a start: the one rule by which runs of closed systems begin.
+
+Distances are those of joint coordinates: angles count in radians, lengths in sizes of the scene,
+unit quaternions by the angle between rotations. What is named is the same in all positions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import SolveWarning, warn
+from .assemble import choose, outside, places
+from .mechanism import Mechanism
+from .meeting import Found
+from .rounded import rounded
+from .searches import search, search_from
+from .targets import Target
+from .unassembled import explain
+
+Array = NDArray[np.float64]
+NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
+NAMED = "Name fewer coordinates at the start: loops determine the others"
+NEAR = 0.3  # a position not farther away is the nearest without a second search
+EQUAL = 1e-6  # distances that differ by less are equal
+QUATERNION = 0.5  # what its components count in: they change by half of the angle
+
+
+def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
+    """The position next to a start (nq,); other starts are tried where that does not close.
+
+    Args:
+        m: The mechanism.
+        goals: What is named, to be held.
+        q: The start, with named and default values.
+
+    Raises:
+        ModelError: no position fulfills the goals.
+    """
+    first = search_from(m, goals, q)
+    if first.met and not outside(m, first.q):
+        return nearest(m, goals, q, first)
+    found = search(m, goals, q, m.searches, 0)
+    met = [one for one in found if one.met]
+    if not met:
+        # numbers that fit but for their last digits
+        wished = [replace(goal, weight=1.0) for goal in goals]
+        close = search_from(m, wished, q)
+        if close.met and close.cost <= NEARLY**2:
+            return close
+        found = rounded(m, goals, q, m.searches, 0)
+        met = [one for one in found if one.met]
+    if not met:
+        explain(m, goals, found, lambda n, some: search(n, some, q, min(6, m.searches), 0), NAMED)
+    return nearest(m, goals, q, choose(m, met, [], q))
+
+
+def nearest(m: Mechanism, goals: list[Target], q: Array, first: Found) -> Found:
+    """The nearest of the positions that are found from a start and from beyond it.
+
+    Args:
+        m, goals, q: As :func:`assembled` takes them.
+        first: Where the search from the start ended.
+
+    Warns:
+        SolveWarning: two positions are equally near.
+    """
+    wish = wished(m, goals, q)
+    best = _drawn_near(m, goals, wish, first)
+    away = _distance(m, wish, best.q)
+    if away <= NEAR:
+        return best
+    # another branch as near as this one lies on the other side of the start
+    beyond = m.advance(q, -m.between(q, best.q))
+    second = search_from(m, goals, beyond)
+    if not second.met or outside(m, second.q):
+        return best
+    second = replace(second, q=m.nearest(second.q, q))
+    second = _drawn_near(m, goals, wish, second)
+    other = _distance(m, wish, second.q)
+    if _same(m, best.q, second.q):
+        return best
+    if abs(other - away) <= EQUAL * away:
+        one, two = sorted((best, second), key=lambda end: places(m, end.q))
+        _tell_tie(m, one.q, two.q)
+        return one
+    return best if away < other else second
+
+
+@dataclass(frozen=True)
+class Wish(Target):
+    """Coordinates of joints that are to stay near their values.
+
+    Attributes:
+        entries: Of q (n,).
+        scales: What each counts in (n,).
+        others: As :class:`.targets.Target` has them.
+    """
+
+    entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
+    scales: Array = field(default_factory=lambda: np.ones(0))
+
+    def residual(self, m: Mechanism, q: Array) -> Array:
+        """As :meth:`Target.residual`."""
+        return np.asarray((q[self.entries] - self.value) / self.scales)
+
+    def jacobian(self, m: Mechanism, q: Array) -> Array:
+        """As :meth:`Target.jacobian`."""
+        return np.asarray(m.kinematics(q)[self.entries] / self.scales[:, None])
+
+
+def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Wish:
+    """What is not named of the joints that are moved, at its start."""
+    named = {k for g in goals if g.kind == "coordinate" for k in range(g.place.start, g.place.stop)}
+    manifest = m.model.manifest
+    turning = {k for start in manifest["quaternions"] for k in range(start, start + 4)}
+    entries = np.array([k for k in m.led.tolist() if k not in named], dtype=np.intp)
+    units = {k: manifest["coordinates"][k]["unit"] for k in entries.tolist()}
+    scales = [QUATERNION if k in turning else m.size if u == "m" else 1.0 for k, u in units.items()]
+    return Wish("", "wish", q[entries], weight=1.0, entries=entries, scales=np.array(scales))
+
+
+def _drawn_near(m: Mechanism, goals: list[Target], wished: Wish, found: Found) -> Found:
+    """Where freedoms are left: the nearest of the positions beside one."""
+    if not found.freedoms or _distance(m, wished, found.q) <= EQUAL:
+        return found
+    end = search_from(m, [*goals, wished], found.q)
+    better = end.met and not outside(m, end.q)
+    return replace(end, freedoms=found.freedoms) if better else found
+
+
+def _distance(m: Mechanism, wished: Wish, q: Array) -> float:
+    """How far a position is from the start, in radians and sizes of the scene."""
+    return float(np.linalg.norm(wished.residual(m, q)))
+
+
+def _same(m: Mechanism, one: Array, other: Array) -> bool:
+    """Whether two positions are one."""
+    return bool(np.abs(one[m.led] - other[m.led]).max(initial=0.0) < EQUAL)
+
+
+def _tell_tie(m: Mechanism, one: Array, other: Array) -> None:
+    """Warn of two positions that are equally near, with what differs between them."""
+    names, apart = m.model.coordinates, m.led[np.abs(one[m.led] - other[m.led]) >= EQUAL][:4]
+    said = [", ".join(f"{names[k]} = {q[k]:.6g}" for k in apart.tolist()) for q in (one, other)]
+    warn(
+        f"the start of '{m.model.name}' is equally near to two positions: {said[0]}; or {said[1]}. "
+        f"The first is taken. Name '{names[apart[0]]}' to say which one is meant",
+        SolveWarning,
+    )

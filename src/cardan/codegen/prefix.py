@@ -1,0 +1,81 @@
+"""Names of an export that begin with a prefix, so that several can be linked into one program."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ..errors import CodegenError, shown
+from . import layout
+
+# what headers declare and files define for others, at the beginnings of lines
+_EXTERNAL = re.compile(
+    r"^(?!static|typedef|#|return|else|extern \"C\")[A-Za-z_][\w \t*]*?[ *](\w+)"
+    r"(?=\(|\[[^\n;]*[;=])",
+    re.M,
+)
+_ENUMERATORS = re.compile(r"^ {4}(\w+) = ", re.M)
+_GUARD = re.compile(r"^#ifndef (CARDAN_\w+_H)$", re.M)
+_SKIPPED = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|#include[^\n]*", re.S)
+_WORD = re.compile(r"[A-Za-z_]\w*")
+# headers of which a program has one for each model; the others are the same for all
+OWN = ("model.h", "functions.h")
+
+
+def check(prefix: str, language: str) -> None:
+    """Refuse what is no beginning of names in C, and packages: these never meet in one program.
+
+    Raises:
+        CodegenError: one of the two.
+    """
+    if prefix and not re.fullmatch(r"[A-Za-z]\w*", prefix, re.ASCII):
+        raise CodegenError(
+            f"prefix={shown(prefix)}: names in C begin with a letter and go on with letters, "
+            "digits and _, such as 'arm_'"
+        )
+    if prefix and language != "c":
+        raise CodegenError(f"prefix='{prefix}': it goes with language='c'; packages do not collide")
+
+
+def add(folder: Path, prefix: str) -> None:
+    """Rename what the files of an export show to a linker; the manifest says so."""
+    paths = sorted(path for path in folder.iterdir() if path.suffix in (".c", ".h"))
+    texts = {path.name: path.read_text("utf-8") for path in paths}
+    names = _names(texts)
+    layout.add_files(folder, {name: renamed(text, names, prefix) for name, text in texts.items()})
+    layout.change(folder, lambda manifest: _told(manifest, folder, prefix))
+
+
+def _told(manifest: dict[str, object], folder: Path, prefix: str) -> None:
+    manifest["prefix"] = prefix
+    functions = manifest["functions"]
+    assert isinstance(functions, dict)
+    for entry in functions.values():
+        entry["sha256"] = hashlib.sha256((folder / entry["file"]).read_bytes()).hexdigest()
+
+
+def _names(texts: Mapping[str, str]) -> frozenset[str]:
+    """Names with external linkage, and what the model's own headers define."""
+    found: set[str] = set()
+    for text in texts.values():
+        found |= set(_EXTERNAL.findall(_SKIPPED.sub(" ", text)))
+    for name in OWN:
+        found |= {*_ENUMERATORS.findall(texts.get(name, "")), *_GUARD.findall(texts.get(name, ""))}
+    return frozenset(found - {"main"})
+
+
+def renamed(text: str, names: Iterable[str], prefix: str) -> str:
+    """C with the prefix before some names, but in comments, strings and names of files."""
+    known = frozenset(names)
+
+    def word(found: re.Match[str]) -> str:
+        name = found.group()
+        return prefix + name if name in known else name
+
+    parts, last = [], 0
+    for skipped in _SKIPPED.finditer(text):
+        parts += [_WORD.sub(word, text[last : skipped.start()]), skipped.group()]
+        last = skipped.end()
+    return "".join([*parts, _WORD.sub(word, text[last:])])

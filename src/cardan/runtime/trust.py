@@ -1,0 +1,83 @@
+"""Who may change what runs as this user: a file, the folders that lead to it, links on the way.
+
+Others may not own or write to any of them. A folder that others may write to is harmless if it has
+the sticky bit, as /tmp has: there nobody can replace what belongs to somebody else.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+
+MOST_LINKS = 40
+OTHERS = stat.S_IWGRP | stat.S_IWOTH
+
+
+def exposed(path: Path) -> str:
+    """Which folder on the way to a place others may change; "" if they may not.
+
+    Args:
+        path: A folder that exists, as it is named: links on the way are followed and looked at.
+
+    Raises:
+        OSError: it does not exist, or links go in a circle.
+    """
+    for place, status in _way(os.path.abspath(path)):
+        if status.st_uid not in (0, os.geteuid()):
+            return f"{place} belongs to another user"
+        if stat.S_ISDIR(status.st_mode) and _open(status) and not status.st_mode & stat.S_ISVTX:
+            return f"others may write to {place}"
+    return ""
+
+
+def own(status: os.stat_result) -> bool:
+    """Whether a file that was opened belongs to this user and others may not write to it."""
+    regular = stat.S_ISREG(status.st_mode)
+    return regular and status.st_uid in (0, os.geteuid()) and not _open(status)
+
+
+def _open(status: os.stat_result) -> bool:
+    """Whether others may write to something; a group of one's own is nobody else."""
+    mode = status.st_mode & OTHERS
+    return bool(mode & stat.S_IWOTH or (mode and not _alone(status.st_gid, status.st_uid)))
+
+
+@lru_cache(maxsize=64)
+def _alone(group: int, user: int) -> bool:
+    """Whether a group is the private one of a user, with nobody else in it."""
+    with suppress(ImportError, KeyError):
+        import grp
+        import pwd
+
+        name, known = pwd.getpwuid(user).pw_name, grp.getgrgid(group)
+        return known.gr_name == name and set(known.gr_mem) <= {name}
+    return False
+
+
+def _way(path: str) -> list[tuple[str, os.stat_result]]:
+    """Everything that is looked up on the way to a place, links and what they lead to."""
+    here, left, links = os.sep, path.split(os.sep)[::-1], 0
+    found = [(here, os.lstat(here))]
+    while left:
+        name = left.pop()
+        if name in ("", "."):
+            continue
+        if name == "..":
+            here = os.path.dirname(here)
+            continue
+        place = os.path.join(here, name)
+        status = os.lstat(place)
+        found.append((place, status))
+        if not stat.S_ISLNK(status.st_mode):
+            here = place
+            continue
+        links += 1
+        if links > MOST_LINKS:
+            raise OSError(f"the links of {path} go in a circle")
+        target = os.readlink(place)
+        left += target.split(os.sep)[::-1]
+        here = os.sep if target.startswith(os.sep) else here
+    return found

@@ -1,0 +1,1 @@
+"""Judges of compiled functions: independent routes to the numbers of every build."""

@@ -1,0 +1,115 @@
+"""Slopes of functions known by their values alone, with an estimate of what they miss."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..joint_motion import Array
+
+# of the eighth order at k = 1 ... 4 steps to either side
+# Source: Fornberg, Math. Comp. 51 (1988), table 1.
+_WEIGHTS = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280])
+REACH = np.arange(1.0, 5.0)
+# the longest step is this part of where a coordinate has moved by its own size; each is so much of
+# the one before. Halves would see the same slow wave in place of a fast one, and agree on it
+LONGEST, SHORTER = 0.1, 0.45
+STEPS = 9
+
+Blocks = Mapping[str, Array]
+
+
+def central(ahead: Array, behind: Array) -> Array:
+    """Change per step (...), to eighth order, of values (4, ...) at :data:`REACH` steps each way.
+
+    The error is h^8 / 630 of the ninth derivative.
+    """
+    return np.asarray(np.tensordot(_WEIGHTS, ahead - behind, 1))
+
+
+def slope(
+    f: Callable[[dict[str, Array]], Array], at: Blocks, rates: Blocks, size: Array
+) -> tuple[Array, Array]:
+    """Derivative of ``f`` along ``rates``, and how far it may be off, (n, ...) each.
+
+    Of two neighboring steps that agree best the shorter one is taken, entry by entry of the states.
+
+    Args:
+        f: Blocks of N states -> (N, ...).
+        at: Blocks (n, size), or without states of their own.
+        rates: Of some of them.
+        size: How far a unit of the parameter of the line moves in terms of sizes, (n,).
+    """
+    n = len(size)
+    steps = LONGEST / np.maximum(size, 1e-300) * SHORTER ** np.arange(STEPS)[:, None]
+    away = np.concatenate([REACH, -REACH])[:, None, None] * steps  # (8, STEPS, n)
+    given: dict[str, Array] = {}
+    for name, value in at.items():
+        wide = np.broadcast_to(value, (*away.shape, *np.shape(value)[-1:]))
+        if name in rates:
+            wide = wide + away[..., None] * rates[name]
+        given[name] = wide.reshape(away.size, wide.shape[-1])
+    values = np.asarray(f(given))
+    values = values.reshape(*away.shape, values.size // away.size)
+    with np.errstate(invalid="ignore"):
+        found = central(*np.split(values, 2)) / steps[..., None]
+        found = np.where(np.isfinite(found), found, np.inf)
+        apart = np.abs(np.diff(found, axis=0))
+    apart = np.where(np.isfinite(apart), apart, np.inf).max(axis=-1)
+    best = np.argmin(apart, axis=0)
+    every = np.arange(n)
+    # rounding of the values over the step, which two steps may share by chance
+    most = np.abs(np.where(np.isfinite(values), values, 0.0)).max(axis=(0, 1, 3), initial=0.0)
+    rounding = 4e-16 * most / steps[best + 1, every]
+    return found[best + 1, every], apart[best, every] + rounding
+
+
+def ways(n: int, size: int) -> list[Array]:
+    """Random ways (n, size): a fault in any column of a derivative shows along each of them."""
+    rng = np.random.default_rng(8)
+    return [rng.uniform(0.3, 1.0, (n, size)) * rng.choice([-1.0, 1.0], (n, size)) for _ in "ab"]
+
+
+def missing(found: Array, off: Array, known: Array, *terms: Any) -> float:
+    """What two numbers differ by beyond what either may be off, over their largest term.
+
+    States at which the slope says little are passed over: NaN where it says little at all of them.
+    What is not finite where there is a slope is wrong without bound.
+    """
+    n = len(found)
+    known = np.asarray(known).reshape(n, -1)
+    if (~np.isfinite(known).all(axis=-1) & np.isfinite(off)).any():
+        return np.inf
+    sizes = [np.abs(known).max(axis=-1, initial=0.0), np.abs(found).max(axis=-1, initial=0.0)]
+    sizes += [np.abs(np.asarray(term)).reshape(n, -1).max(axis=-1, initial=0.0) for term in terms]
+    most = np.max(sizes, axis=0)
+    scale = np.where(most > 0, most, 1.0)
+    sharp = np.isfinite(off) & (off <= SHARP * scale)
+    if not sharp.any():
+        return np.nan
+    beyond = np.abs(found - known).max(axis=-1, initial=0.0)[sharp] - MARGIN * off[sharp]
+    return float(np.max(np.maximum(beyond, 0.0) / scale[sharp]))
+
+
+def worst_of(*errors: float) -> float:
+    """The largest of some errors; NaN where no comparison said anything."""
+    return float(np.fmax.reduce(errors))
+
+
+BLURRED = "its slopes are nowhere known well enough"
+# slopes that are less certain than this part of their terms say nothing
+SHARP = 1e-5
+MARGIN = 20.0
+
+
+def input_rates(names: Sequence[str], r: Array) -> Array:
+    """Rates of inputs (..., nr): those that prescribe a motion have them as inputs of theirs."""
+    place = {name: k for k, name in enumerate(names)}
+    rates = np.zeros(r.shape)
+    for name, k in place.items():
+        if f"{name}.rate" in place:
+            rates[..., k] = r[..., place[f"{name}.rate"]]
+            rates[..., place[f"{name}.rate"]] = r[..., place[f"{name}.acceleration"]]
+    return rates

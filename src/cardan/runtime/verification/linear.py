@@ -1,0 +1,129 @@
+"""Regressors: one column after the other, by the motion of a body of unit mass or inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from ..joint_motion import Array
+from ..newton_euler import Scene, inverse_dynamics
+from ..verify_circuits import relative
+from .asked import ELSEWHERE, Asked
+from .bodies import kinetic, weight
+
+ENTRIES = ("mass", "x", "y", "z", "xx", "yy", "zz", "xy", "xz", "yz")
+CELLS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+CHANGED = 0.25
+
+
+def _skew(v: Array) -> Array:
+    return np.cross(np.eye(3), v) * -1.0
+
+
+def _frames(asked: Asked) -> Iterator[tuple[int, Array, Array]]:
+    """Of every body with parts its number, and the frame of the first part in its axes."""
+    manifest, numbers = asked.model.manifest, asked.scene.numbers
+    places = {row["name"]: k for k, row in enumerate(manifest["frames"])}
+    for i, body in enumerate(manifest["bodies"]):
+        if body["parts"]:
+            k = places[body["parts"][0]]
+            yield i, numbers["frame_rotation"][k], numbers["frame_position"][k]
+
+
+def _of(scene: Scene, i: int, m: float, s: Array, inertia: Array) -> Scene:
+    """The scene in which body i alone has mass, first moment and inertia about its origin."""
+    numbers = dict(scene.numbers)
+    for name, value in (("mass", m), ("first_moment", s), ("inertia", inertia)):
+        numbers[name] = np.zeros_like(numbers[name])
+        numbers[name][i] = value
+    numbers["rotor"] = np.zeros(len(scene.parents))
+    return replace(scene, numbers=numbers)
+
+
+def _units(asked: Asked) -> Iterator[Scene]:
+    """Scenes in which one of the ten numbers of one body is 1, in the order of the columns."""
+    for i, R, p in _frames(asked):
+        for entry in ENTRIES:
+            m, s, inertia = 0.0, np.zeros(3), np.zeros((3, 3))
+            if entry == "mass":
+                m, s, inertia = 1.0, p, _skew(p).T @ _skew(p)
+            elif entry in CELLS:
+                one = np.zeros((3, 3))
+                one[CELLS[entry]] = one[CELLS[entry][::-1]] = 1.0
+                inertia = R @ one @ R.T
+            else:
+                s = R[:, "xyz".index(entry)]
+                inertia = _skew(p).T @ _skew(s) + _skew(s).T @ _skew(p)
+            yield _of(asked.scene, i, m, s, inertia)
+
+
+def regressor(asked: Asked, of: str | None) -> float | str:
+    """Forces per unit of every number of bodies; what elements add, by changed coefficients."""
+    value, worst = asked.call("regressor"), 0.0
+    q, u, udot, motion = asked.tree
+    count = 0
+    for count, scene in enumerate(_units(asked), 1):
+        known = asked.along(inverse_dynamics(scene, q, u, udot, motion))
+        column = value[:, :, count - 1]
+        worst = max(worst, relative(column - known, known, np.ones_like(known)))
+    more = _elements(asked, value[:, :, count:], count, "inverse_dynamics")
+    return more if isinstance(more, str) else max(worst, more)
+
+
+def _elements(asked: Asked, columns: Array, first: int, name: str) -> float | str:
+    """Columns of force elements: what changed coefficients change in a function."""
+    model, worst = asked.model, 0.0
+    if not columns.shape[-1]:
+        return 0.0
+    if not asked.knows(name, "inertial_parameters"):
+        return ELSEWHERE
+    p = model.parameters
+    entries = model._function("inertial_parameters", None).outputs[0]["entries"]
+    for k, coefficient in enumerate(entries[first:]):
+        if coefficient not in dict(p):
+            continue
+        new = float(dict(p)[coefficient]) * (1 + CHANGED) + CHANGED
+        other = replace(asked, model=model.with_parameters({coefficient: new}), kept={})
+        before, after = asked.call(name), other.call(name)
+        if name == "power":
+            before, after = before.sum(axis=-1)[:, None], after.sum(axis=-1)[:, None]
+        change = (after - before) / (new - float(dict(p)[coefficient]))
+        worst = max(worst, relative(columns[:, :, k] - change, change, columns[:, :, k], before))
+    return worst
+
+
+def energy_regressor(asked: Asked, of: str | None) -> float | str:
+    """Energies per unit of every number of bodies; powers of elements by changed coefficients."""
+    value, worst, count = asked.call("energy_regressor"), 0.0, 0
+    for count, scene in enumerate(_units(asked), 1):
+        one = replace(asked, scene=scene, kept={})
+        known = np.stack([kinetic(one), weight(one), np.zeros(len(value))], axis=-1)
+        worst = max(worst, relative(value[:, :, count - 1] - known, known, np.ones_like(known)))
+    more = _elements(asked, value[:, 2:, count:], count, "power")
+    return more if isinstance(more, str) else max(worst, more)
+
+
+def inertial_parameters(asked: Asked, of: str | None) -> float:
+    """The ten numbers of every body about its own frame, and coefficients of their names."""
+    model, numbers = asked.model, asked.scene.numbers
+    value = np.asarray(model._function("inertial_parameters", None).caller(None)).reshape(-1)
+    known: list[float] = []
+    for i, R, p in _frames(asked):
+        m, s = float(numbers["mass"][i]), numbers["first_moment"][i]
+        inertia = numbers["inertia"][i] - _skew(p).T @ _skew(s) - _skew(s).T @ _skew(p)
+        own = R.T @ (inertia + m * _skew(p).T @ _skew(p)) @ R
+        known += [m, *(R.T @ (s - m * p)), *(own[cell] for cell in CELLS.values())]
+    entries = model._function("inertial_parameters", None).outputs[0]["entries"]
+    values = dict(model.parameters)
+    rest = [float(values.get(name, found)) for name, found in zip(entries, value, strict=True)]
+    whole = np.array([*known, *rest[len(known) :]])
+    return relative((value - whole)[None], whole[None])
+
+
+JUDGES = {
+    "regressor": regressor,
+    "energy_regressor": energy_regressor,
+    "inertial_parameters": inertial_parameters,
+}

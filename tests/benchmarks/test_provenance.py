@@ -1,0 +1,38 @@
+"""No page of measurements is older than the code without saying so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from benchmarks import provenance
+from benchmarks.provenance import OLDER, PAGES, current, mark, signed
+
+
+@pytest.mark.parametrize("page", sorted(PAGES.glob("*.md")), ids=lambda page: page.name)
+def test_pages_are_current_or_say_that_they_are_not(page: Path) -> None:
+    assert current(page.read_text("utf-8")), "run: python tests/benchmarks/provenance.py"
+
+
+def test_a_change_of_the_source_is_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source, pages = tmp_path / "source", tmp_path / "pages"
+    source.mkdir()
+    pages.mkdir()
+    (source / "step.c").write_text("int step;\n")
+    monkeypatch.setattr(provenance, "SOURCE", source)
+    monkeypatch.setattr(provenance, "PAGES", pages)
+    page = pages / "runs.md"
+    page.write_text(signed("# Runs\n"))
+    assert mark() == []
+    (source / "notes.txt").write_text("not part of it\n")
+    assert mark() == []
+    (source / "step.c").write_text("int other;\n")
+    assert not current(page.read_text())
+    assert mark() == ["runs.md"]
+    assert page.read_text().endswith(f"{OLDER}\n")
+    assert mark() == []
+    # measured again
+    page.write_text(signed("# Runs\n"))
+    assert OLDER not in page.read_text()
+    assert mark() == []
