@@ -16,9 +16,7 @@ from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..spatial.axis import complement, unit
-from ..topology.system import Cut, Joint, System
-
-SIZES = ("length", "radius", "crown")
+from ..topology.system import Cut, Joint, System, own_lengths
 
 
 def scene(system: System) -> Function:
@@ -85,10 +83,7 @@ def time_jumps(system: System) -> Function | None:
 
 def _sizes(joints: Sequence[Joint | Cut], name: str = "sizes") -> list[Output]:
     """Lengths of rods, radii of wheels and of their crowns, where there are any."""
-    rows = []
-    for joint in joints:
-        own = [joint.data[size][2][0] for size in SIZES if size in joint.data]
-        rows.append((*own, ZERO, ZERO)[:2])
+    rows = [own_lengths(joint) for joint in joints]
     used = any(any(row) for row in rows)
     return [_output(name, (len(rows), 2), rows)] if used else []
 

@@ -80,8 +80,8 @@ class Closing:
 
 
 def size_of(model: CompiledModel) -> float:
-    """Size of a mechanism [m]: the longest way between two joints of a body, or along a beam; 1
-    without any."""
+    """Size of a mechanism [m]: the longest way between two joints of a body or along a beam, or
+    the largest radius or length of a joint; 1 without any."""
     if model._size is None:
         model._size = _measured(model)
     return model._size
@@ -104,6 +104,8 @@ def _measured(model: CompiledModel) -> float:
             parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
             places = np.concatenate(parts).reshape(-1, 3)
         lengths = [float(np.linalg.norm(places, axis=1).max(initial=0.0))]
+        own = [np.ravel(found[key]) for key in ("lengths", "sizes", "cut_sizes") if key in found]
+        lengths += [float(np.abs(some).max(initial=0.0)) for some in own]
         lengths += [float(beam["length"]) for beam in model.manifest.get("beams", ())]
         size = max(lengths) or 1.0
         if len(known) >= MOST_SIZES:

@@ -14,11 +14,12 @@ from dataclasses import dataclass, field
 from ..elements.forces.force import ForceElement
 from ..elements.internal import Event
 from ..elements.joints.joint import Joint as JointElement
-from ..ir.graph import Graph
+from ..ir.graph import ZERO, Graph
 from .segment import Segment
 
 Nodes = tuple[int, ...]
 GROUND = -1
+LENGTHS = ("length", "radius", "crown")  # of joints, by the names of their quantities
 
 
 @dataclass(frozen=True)
@@ -216,6 +217,12 @@ class Cut:
     reason: str = ""
     group: str = ""
     carrier: int | None = None
+
+
+def own_lengths(joint: Joint | Cut) -> Nodes:
+    """Lengths of a rod, or radii of a wheel and of its crown: two nodes, 0 where there are none."""
+    own = [joint.data[name][2][0] for name in LENGTHS if name in joint.data]
+    return (*own, ZERO, ZERO)[:2]
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,9 @@ import numpy as np
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
+from ...ir.graph import ZERO
 from ...spatial.plane import NORMALS
-from ...topology.system import System
+from ...topology.system import System, own_lengths
 from ..blocks import parameters
 from .blocks import Holds, holds
 from .flatness import check, planes
@@ -222,11 +223,16 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
     place = [GROUND if f.body < 0 else at[NODE, f.body] for f in told]
     rotation = tuple(node for f in told for node in f.rotation)
     position = tuple(node for f in told for node in f.position)
-    results = (
+    results = [
         Output("rotation", (len(told), 9), rotation),
         Output("position", (len(told), 3), position),
-    )
-    poses = _of_parameters("frames__data", system, results)
+    ]
+    # those of joints count where the size of the scene is asked for
+    joints = (*system.joints, *system.closing)
+    lengths = tuple(node for joint in joints for node in own_lengths(joint) if node != ZERO)
+    if lengths:
+        results.append(Output("lengths", (len(lengths),), lengths))
+    poses = _of_parameters("frames__data", system, tuple(results))
     return Frames(np.array(place, dtype=np.intp), poses)
 
 
