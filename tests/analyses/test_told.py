@@ -19,7 +19,7 @@ def bars() -> cd.CompiledModel:
     return cd.compile(four_bar())
 
 
-@pytest.mark.parametrize("angle", [0.1, 0.3, math.pi])
+@pytest.mark.parametrize("angle", [0.0, 0.1, 0.3, math.pi])
 def test_runs_and_assemblies_start_at_the_same_place(bars: cd.CompiledModel, angle: float) -> None:
     found = bars.assemble({"A": angle})
     motion = bars.simulate(1e-6, q={"A": angle})

@@ -13,12 +13,13 @@ from ..errors import ArgumentError, ModelError
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
-from ..runtime.initial import entries, start_of
+from ..runtime.initial import start_of
 from .assembly import Assembly
-from .branches import Branch, branches, refuse
+from .branches import branches
 from .consistent import accelerations, speeds
 from .mechanism import Mechanism, refuse_nodes
 from .meeting import Found
+from .nearest import REACHED, choose, nearest
 from .rounded import rounded, slack
 from .searches import search
 from .targets import Target, read
@@ -27,7 +28,6 @@ from .unassembled import explain
 Array = NDArray[np.float64]
 SAME = 1e-6  # positions nearer than this, without units, are one
 STARTS = 16
-REACHED = 1e-9
 
 
 @checked
@@ -67,6 +67,9 @@ def assemble(
         ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
             on the branch, unknown names.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
+
+    Warns:
+        SolveWarning: two positions are equally near to the start.
     """
     refuse_nodes(model, "assemble")
     m = Mechanism(model, t, r)
@@ -83,6 +86,8 @@ def assemble(
         explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
     different = _different(m, met)
     chosen = choose(m, different, wanted, begin)
+    if not wanted and all(goal.weight is None for goal in goals):
+        chosen = nearest(m, goals, begin, chosen)
     many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
     solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
     return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
@@ -109,51 +114,6 @@ def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
         if not any(distance < SAME for distance in away):
             kept.append(one)
     return kept
-
-
-def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin: Array) -> Found:
-    """The position that runs and assemblies take: one rule, whatever rounding does.
-
-    On a branch, inside limits if there is one: where the first search ended, which began at the
-    start; else the one next to the start, of equally near ones the one that was found first. Of
-    these runs take the first by its coordinates, and warn.
-
-    Args:
-        m: The mechanism.
-        found: Positions in the order of the searches.
-        wanted: Branches.
-        begin: The start (nq,).
-
-    Raises:
-        ModelError: none is on the branch.
-    """
-    allowed = [one for one in found if all(branch.holds(one.q) for branch in wanted)]
-    if not allowed:
-        refuse(wanted, [one.q for one in found])
-    best = min(one.cost for one in allowed)
-
-    def order(one: Found) -> tuple[bool, int, bool, float]:
-        worse = one.cost > best + REACHED
-        away = float(np.linalg.norm(m.between(begin, one.q)))
-        return worse, outside(m, one.q), not one.first, round(away / SAME)
-
-    return min(allowed, key=order)
-
-
-def places(m: Mechanism, q: Array) -> tuple[float, ...]:
-    """Coordinates of the joints that are moved, for an order that rounding cannot turn."""
-    return tuple(-np.round(q[m.led] / SAME))
-
-
-def outside(m: Mechanism, q: Array) -> int:
-    """How many coordinates are outside their limits."""
-    places, count = entries(m.model.manifest, "q"), 0
-    for name, limits in m.model.limits.items():
-        lower, upper = limits.get("lower"), limits.get("upper")
-        for value in q[places[name]] if name in places else ():
-            low = lower is not None and value < lower - REACHED
-            count += low or (upper is not None and value > upper + REACHED)
-    return count
 
 
 def finish(

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import SolveWarning, warn
-from .assemble import choose, outside, places
+from ..runtime.initial import entries
+from .branches import Branch, refuse
 from .mechanism import Mechanism
 from .meeting import Found
 from .rounded import rounded
@@ -26,6 +27,7 @@ NEARLY = 1e-4  # residuals without units of values that were meant to fit, and a
 NAMED = "Name fewer coordinates at the start: loops determine the others"
 NEAR = 0.3  # a position not farther away is the nearest without a second search
 EQUAL = 1e-6  # distances that differ by less are equal
+REACHED = 1e-9
 QUATERNION = 0.5  # what its components count in: they change by half of the angle
 
 
@@ -151,3 +153,47 @@ def _tell_tie(m: Mechanism, one: Array, other: Array) -> None:
         f"The first is taken. Name '{names[apart[0]]}' to say which one is meant",
         SolveWarning,
     )
+
+
+def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin: Array) -> Found:
+    """The position that runs and assemblies take: one rule, whatever rounding does.
+
+    On a branch, inside limits if there is one: where the first search ended, which began at the
+    start; else the one next to the start. :func:`nearest` goes on from there.
+
+    Args:
+        m: The mechanism.
+        found: Positions in the order of the searches.
+        wanted: Branches.
+        begin: The start (nq,).
+
+    Raises:
+        ModelError: none is on the branch.
+    """
+    allowed = [one for one in found if all(branch.holds(one.q) for branch in wanted)]
+    if not allowed:
+        refuse(wanted, [one.q for one in found])
+    best = min(one.cost for one in allowed)
+
+    def order(one: Found) -> tuple[bool, int, bool, float]:
+        worse = one.cost > best + REACHED
+        away = float(np.linalg.norm(m.between(begin, one.q)))
+        return worse, outside(m, one.q), not one.first, round(away / EQUAL)
+
+    return min(allowed, key=order)
+
+
+def places(m: Mechanism, q: Array) -> tuple[float, ...]:
+    """Coordinates of the joints that are moved, for an order that rounding cannot turn."""
+    return tuple(-np.round(q[m.led] / EQUAL))
+
+
+def outside(m: Mechanism, q: Array) -> int:
+    """How many coordinates are outside their limits."""
+    places, count = entries(m.model.manifest, "q"), 0
+    for name, limits in m.model.limits.items():
+        lower, upper = limits.get("lower"), limits.get("upper")
+        for value in q[places[name]] if name in places else ():
+            low = lower is not None and value < lower - REACHED
+            count += low or (upper is not None and value > upper + REACHED)
+    return count

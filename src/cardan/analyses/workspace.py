@@ -14,9 +14,10 @@ from ..arguments import Count, Seed, checked
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
-from .assemble import assemble, outside
+from .assemble import assemble
 from .branches import branches
 from .mechanism import Mechanism, refuse_nodes
+from .nearest import outside
 from .searches import drawn, search_from
 from .targets import read
 

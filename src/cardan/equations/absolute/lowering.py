@@ -11,7 +11,7 @@ from ...errors import DerivationError
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
 from ...spatial.plane import NORMALS
-from ...topology.system import System, own_lengths
+from ...topology.system import Cut, Joint, System, own_lengths
 from ..blocks import parameters
 from .blocks import Holds, holds
 from .flatness import check, planes
@@ -228,7 +228,7 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
         Output("position", (len(told), 3), position),
     ]
     # those of joints count where the size of the scene is asked for
-    joints = (*system.joints, *system.closing)
+    joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
     lengths = tuple(node for joint in joints for node in own_lengths(joint) if node != ZERO)
     if lengths:
         results.append(Output("lengths", (len(lengths),), lengths))
