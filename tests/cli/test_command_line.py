@@ -217,3 +217,29 @@ def test_demo_of_a_robot_that_is_not_installed(
     monkeypatch.setattr("importlib.metadata.files", lambda name: [])
     assert status("demo", "panda") == 1
     assert "cardan[demo]" in capsys.readouterr().err
+
+
+def test_folders_of_packages_are_read(capsys: pytest.CaptureFixture[str]) -> None:
+    mesh = Path("meshes/arm_description/link.stl")
+    mesh.parent.mkdir(parents=True)
+    mesh.write_text("solid link\nendsolid link\n")
+    Path("robot").mkdir()
+    visual = "<visual><geometry><mesh filename='package://arm_description/link.stl'/></geometry></visual>"
+    Path("robot/arm.urdf").write_text(
+        f"<robot name='arm'><link name='base'>{visual}</link></robot>"
+    )
+    assert status("check", "robot/arm.urdf") == 0
+    assert "not found" in capsys.readouterr().out
+    assert status("check", "robot/arm.urdf", "--packages", "meshes") == 0
+    assert "not found" not in capsys.readouterr().out
+
+
+def test_the_command_that_compiles_an_export_stands_on_one_line(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert status("export", str(ARM), "-o", "arm_c", "--language", "c") == 0
+    (line,) = (x for x in capsys.readouterr().out.splitlines() if "-DCARDAN_EXAMPLE" in x)
+    command = line.partition(":")[2].split("&&")[0]
+    subprocess.run(command, shell=True, cwd="arm_c", check=True)
+    done = subprocess.run(["./example"], cwd="arm_c", capture_output=True, text=True, check=True)
+    assert "[0] = " in done.stdout

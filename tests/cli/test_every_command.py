@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import re
+import shlex
 import shutil
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import cardan as cd
+from cardan import cli
 from cardan.cli import COMMANDS, build_parser, main
 from cardan.cli import inspect as inspect_command
 
@@ -34,6 +38,15 @@ WORKING = {
     "doctor": (),
 }
 READING = [name for name in WORKING if name != "doctor"]
+HELP = [cli.EPILOG, *(import_module(f"cardan.cli.{name}").EPILOG for name in COMMANDS)]
+# a comment stands behind two blanks or more, what the shell does with the output behind >
+SHOWN = [
+    line
+    for text in HELP
+    for line in re.findall(
+        r"^  cardan ((?:\S| (?! ))+)", re.sub(r" +\\\n +", " ", text), re.MULTILINE
+    )
+]
 
 
 @pytest.fixture(autouse=True)
@@ -56,6 +69,13 @@ def test_every_command_is_here() -> None:
     }
     assert with_json == set(WORKING)
     assert set(COMMANDS) - with_json == {"demo"}
+
+
+@pytest.mark.parametrize("line", SHOWN)
+def test_lines_of_the_help_are_understood(line: str) -> None:
+    words = shlex.split(line.partition(" > ")[0])
+    if "--help" not in words:
+        assert build_parser(words[0]).parse_args(words).command == words[0]
 
 
 @pytest.mark.parametrize("command", WORKING)

@@ -40,6 +40,16 @@ def test_planar_arm_has_the_combinations_of_the_textbook() -> None:
     assert "lower.base_xx = " in str(base)
 
 
+def test_what_has_no_effect_is_not_said_to_act_with_others() -> None:
+    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    inertia = cd.inertia.rod(1.0, 1.0, axis="z")
+    rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=inertia)
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    base = cd.derive(scene).base_parameters()
+    assert base.without_effect == ("rod.inertia.xx",)
+    assert set(base.only_combined) == {"rod.mass", "rod.com.z", "rod.inertia.yy"}
+
+
 def test_what_is_without_effect_has_none() -> None:
     equations = cd.derive(arm())
     base = equations.base_parameters()

@@ -351,6 +351,7 @@ def test_d_one_of_a_thing_is_told_in_the_singular() -> None:
     scene = _pendulum("a", 1.0)
     told = [repr(model), repr(model.modes()), repr(model.linearize()), repr(scene), str(scene)]
     told += [repr(cd.derive(scene)), str(cd.derive(scene)), repr(model.equilibrium())]
+    told.append(str(model.simulate(1.0, q={"pivot": 1.0})))
     text = "\n".join(told)
     assert "1 body" in text
     assert "1 mode" in text

@@ -182,7 +182,9 @@ class Modes:
         told = [int(i) for i in np.argsort(-size)[:4] if size[i] >= TOLD * size.max() > 0]
         words = []
         for i in told:
-            turned = "" if np.isrealobj(shape) else f" at {np.degrees(np.angle(shape[i])):.0f} deg"
+            # half a turn is one angle, and so is none
+            angle = round(float(np.degrees(np.angle(shape[i])))) % 360
+            turned = "" if np.isrealobj(shape) else f" at {angle - 360 * (angle > 180)} deg"
             value = shape[i] if np.isrealobj(shape) else size[i]
             words.append(f"{self.increments[i]} {value:.3g}{turned}")
         return ", ".join(words)

@@ -108,7 +108,7 @@ class Precision:
             )
             if len(found) > 1:
                 ratio = found[1].milliseconds / first.milliseconds
-                sentence += f"; next {found[1].words} in {ratio:.2g} times its time"
+                sentence += f"; next {found[1].words}: {ratio:.3g}x the time"
             yield sentence
         yield from self._reasons()
 

@@ -27,9 +27,9 @@ DESCRIPTION = """\
 Complain about a scene, each complaint with its cure.
 
 An error says why the scene cannot be used, with line and column where a file has them, or that it
-describes nothing real, such as an impossible inertia. A warning
-names what is there and does not act, or what cannot be computed. A note tells what was changed on
-the way, such as 1.5708 that became pi/2."""
+describes nothing real, such as an impossible inertia. A warning names what is there and does not
+act, or what cannot be computed. A note says what was changed on the way, such as 1.5708 that became
+pi/2."""
 
 EPILOG = """\
 examples:

@@ -30,7 +30,7 @@ Everything written goes to out/demo or out/demo-panda below the present folder (
 class Scene:
     """A robot the demo can show: its file, where its motion starts, its damping if not the file's.
 
-    Limits do not act yet: more damping keeps the fingers of the Panda arm from being flung off.
+    Limits do not act: more damping keeps the fingers of the Panda arm from being flung off.
     """
 
     load: str

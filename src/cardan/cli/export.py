@@ -74,5 +74,8 @@ def run(options: argparse.Namespace) -> int:
         return 0
     out = console()
     out.print(f"wrote {folder}: {', '.join(files)}", soft_wrap=True)
-    out.print((folder / "example.c").read_text("utf-8").splitlines()[0], markup=False)
+    # the first line of the example is a comment that says how to compile it
+    first = (folder / "example.c").read_text("utf-8").splitlines()[0]
+    command = first.removeprefix("/* Try it:").removesuffix("*/").strip()
+    out.print(f"try it there:  {command}", soft_wrap=True)
     return 0

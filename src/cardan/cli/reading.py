@@ -30,6 +30,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="do mimic joints follow their leader? (default couple)")  # fmt: skip
     file.add_argument("--no-snap", action="store_true",
                       help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
+    file.add_argument("--packages", metavar="DIR", type=Path, action="append", default=[],
+                      help="folder of package:// paths; give it again for another")  # fmt: skip
 
 
 def method(group: argparse._ArgumentGroup) -> None:
@@ -41,7 +43,13 @@ def load(options: argparse.Namespace) -> Model:
     """The scene."""
     from ..model import load
 
-    return load(options.file, base=options.base, mimic=options.mimic, snap=not options.no_snap)
+    return load(
+        options.file,
+        base=options.base,
+        mimic=options.mimic,
+        snap=not options.no_snap,
+        packages=options.packages,
+    )
 
 
 def read(options: argparse.Namespace) -> Model:

@@ -23,7 +23,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     run.add_argument("--atol", type=positive,
                      help="absolute one (default 1e-3 rtol, at most 1e-9)")  # fmt: skip
     run.add_argument("--step", metavar="SECONDS", type=positive,
-                     help="step of a method of fixed step, else the first one")  # fmt: skip
+                     help="fixed step of RK4, generalized-alpha and others; first step of DOP853 "
+                          "and its like")  # fmt: skip
 
 
 def start(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

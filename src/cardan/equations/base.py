@@ -100,7 +100,7 @@ def base_parameters(equations: Equations) -> BaseParameters:
     return BaseParameters(
         {name: expression for name, expression in expressions.items() if expression != 0},
         tuple(name for k, name in enumerate(names) if k not in every),
-        tuple(name for k, name in enumerate(names) if k in inertial - alone),
+        tuple(name for k, name in enumerate(names) if k in (inertial & every) - alone),
     )
 
 

@@ -19,6 +19,10 @@ from .frame import Place
 
 Limits = tuple[float | None, float | None, float | None, float | None]
 
+# what is said of joints whose data no force acts on; scenes have elements that do
+LIMITS_NOTE = "limits do not act in a run; add a Stop to hold a joint inside them"
+FRICTION_NOTE = "friction does not act; add a Friction"
+
 
 @dataclass(frozen=True)
 class Couple:
@@ -43,7 +47,7 @@ class Joint:
         at: Its place in ground axes at the reference configuration, or None.
         couple: What it follows, or None.
         base: Body in whose axes ``at`` is given, None for the ground.
-        friction: Dry friction of a file [N m or N]; it does not act yet.
+        friction: Dry friction of a file [N m or N]; it does not act.
         cut: Asked to close a circuit.
     """
 

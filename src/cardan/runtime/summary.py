@@ -28,8 +28,8 @@ def summary(motion: Trajectory) -> str:
     lines = [
         f"motion of '{motion.manifest['name']}', {span}: {motion.message}",
         f"  method    {conduct.method}, {conduct.settings}",
-        f"  rows      {len(motion)} times, {motion.q.shape[1]} coordinates, "
-        f"{motion.u.shape[1]} speeds{_own(motion)}",
+        f"  rows      {counted(len(motion), 'time')}, {counted(motion.q.shape[1], 'coordinate')}, "
+        f"{counted(motion.u.shape[1], 'speed')}{_own(motion)}",
         f"  steps     {count['steps']:.0f}, {count['rejections']:.0f} rejected, "
         f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
         f"{count['milliseconds']:.3g} ms",
@@ -40,7 +40,7 @@ def summary(motion: Trajectory) -> str:
     defaulted = set(conduct.defaulted)
     given = {n: v for n, v in conduct.initial.items() if n not in defaulted}
     if count.get("passed"):
-        lines.append(f"            over {count['passed']:.0f} singular positions")
+        lines.append(f"            over {counted(int(count['passed']), 'singular position')}")
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in defaulted}
     inputs = {row["name"] for row in motion.manifest["inputs"]}

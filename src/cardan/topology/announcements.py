@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import ImpossibleWarning
 from ..model.checks import is_number, lone_moment, mass, unphysical
+from ..model.connections import LIMITS_NOTE
 from ..model.model import Model
 from .assembly import Assembly
 from .circuits import SAMPLES, Numbers
@@ -45,7 +46,7 @@ def announce(
             if name not in convert.used
         ]
     limited = [j.name for j in model.joints.values() if any(v is not None for v in j.limits)]
-    stored = f"joints {', '.join(limited)}: limits are stored, but do not act yet"
+    stored = f"joints {', '.join(limited)}: {LIMITS_NOTE}"
     # the reader of a file says so by itself
     if limited and stored not in notes:
         notes.append(stored)

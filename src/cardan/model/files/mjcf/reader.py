@@ -8,6 +8,7 @@ from typing import Any
 
 from ....errors import ModelError
 from ...body import Body
+from ...connections import FRICTION_NOTE, LIMITS_NOTE
 from ...frame import triple
 from ...model import Model
 from ...shape import Shape
@@ -237,8 +238,8 @@ class Reader:
         notes += contacts.notes(self.touching)
         notes += self.unread.notes()
         for what, names in (
-            ("friction is stored, but does not act yet", chain.friction),
-            ("limits are stored, but do not act yet", chain.limited),
+            (FRICTION_NOTE, chain.friction),
+            (LIMITS_NOTE, chain.limited),
         ):
             if names:
                 notes.append(f"joints {', '.join(names)}: {what}")

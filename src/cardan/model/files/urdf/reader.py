@@ -13,6 +13,7 @@ from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
 from ....errors import ModelWarning, warn
 from ...body import Body
+from ...connections import FRICTION_NOTE, LIMITS_NOTE
 from ...model import Model
 from ..angles import turned
 from ..document import Element
@@ -159,8 +160,8 @@ class Reader:
             notes.append(f"{lost}; they move freely")
             warn(f"file '{self.file}': {notes[-1]}", ModelWarning)
         for what, names in (
-            ("friction is stored, but does not act yet", self.friction),
-            ("limits are stored, but do not act yet", limited),
+            (FRICTION_NOTE, self.friction),
+            (LIMITS_NOTE, limited),
             ("mimic is not followed (mimic='free'); the joint moves freely", self.freed),
         ):
             if names:
