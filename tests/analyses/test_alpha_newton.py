@@ -147,11 +147,11 @@ def test_steps_know_no_origin_and_no_unit(
     here, there = counted(rods, 1.0, 0.0, **how), counted(rods, metre, away, **how)
     print(f"{here} here, {there} there")
     assert there == pytest.approx(here, abs=2)
-    # of index 3 accelerations shake by roundings of positions over h^2: which of two steps is
-    # rejected, and so 64 to 88 of them, is chance
+    # times are rounded: what counts steps of one size must not take that for another size
     how["method"] = cd.GeneralizedAlpha(0.8, index=3)
     here, there = counted(rods, 1.0, 0.0, **how), counted(rods, metre, away, **how)
-    assert there[0] == pytest.approx(here[0], rel=0.5)
+    print(f"{here} here, {there} there, of index 3")
+    assert there == pytest.approx(here, abs=2)
 
 
 @INDICES

@@ -19,6 +19,8 @@ static const real SAFETY = 0.9, WORTH = 1.5, GROW = 3, LEAST = 0.2;
 /* Of index 3, whose accelerations answer to a change of the step by a wave that dies out over some
  * steps: what it shows is no error of the motion. */
 static const real WAVE = 8, QUIET = 10, GROW_3 = 1.4;
+/* part of a step by which one of the same size may differ */
+static const real SAME = 1e-9;
 
 int cardan_alpha_init(cardan_run *run)
 {
@@ -57,7 +59,8 @@ static void stand_for(const cardan_alpha *v, real h)
 
     for (ptrdiff_t i = 0; i < v->nu && share != 1; i++)
         v->a[i] = v->udot[i] + share * (v->a[i] - v->udot[i]);
-    if (share != 1)
+    /* the same size again differs by the rounding of times, which starts no wave */
+    if (fabs(share - 1) > SAME)
         v->now[ALPHA_SINCE] = 0;
     v->now[ALPHA_STEP] = h;
 }
