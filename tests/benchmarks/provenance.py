@@ -1,6 +1,7 @@
 """Pages of measurements name the source that was measured and say when the code has changed since.
 
-``python tests/benchmarks/provenance.py`` adds that sentence to the pages that are older.
+``python tests/benchmarks/provenance.py`` adds that sentence, below the title, to the pages that are
+older.
 """
 
 from __future__ import annotations
@@ -11,11 +12,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "cardan"
-PAGES = ROOT / "docs" / "performance"
+DOCS = ROOT / "docs"
 # what the figures do not depend on
 APART = ("cli", "view", "explain")
+KINDS = (".py", ".pyx", ".pxd", ".c", ".h")
 MEASURED = re.compile(r"\nMeasured with the source of fingerprint `([0-9a-f]{12})`\.\n")
-OLDER = "The code has changed since these figures were measured."
+OLDER = "**The code has changed since the figures on this page were measured.**"
+
+
+def pages() -> list[Path]:
+    """Pages whose figures are measured."""
+    return [*sorted((DOCS / "performance").glob("*.md")), *DOCS.glob("hard_cases.md")]
 
 
 def fingerprint() -> str:
@@ -23,7 +30,8 @@ def fingerprint() -> str:
     digest = hashlib.sha256()
     for path in sorted(SOURCE.rglob("*")):
         place = path.relative_to(SOURCE)
-        if path.suffix in (".py", ".pyx", ".c", ".h") and place.parts[0] not in APART:
+        if path.suffix in KINDS and place.parts[0] not in APART:
+            # the compiled wrapper as Cython writes it
             if path.name == "_abi.c":
                 continue
             digest.update(f"{place.as_posix()}\0".encode())
@@ -45,10 +53,11 @@ def current(text: str) -> bool:
 def mark() -> list[str]:
     """Say of pages that are older than the source that they are; their names."""
     older = []
-    for page in sorted(PAGES.glob("*.md")):
+    for page in pages():
         text = page.read_text("utf-8")
         if not current(text):
-            page.write_text(f"{text.rstrip()}\n\n{OLDER}\n", "utf-8")
+            title, _, rest = text.partition("\n")
+            page.write_text(f"{title}\n\n{OLDER}\n{rest}", "utf-8")
             older.append(page.name)
     return older
 

@@ -7,30 +7,36 @@ from pathlib import Path
 import pytest
 
 from benchmarks import provenance
-from benchmarks.provenance import OLDER, PAGES, current, mark, signed
+from benchmarks.provenance import OLDER, current, mark, pages, signed
 
 
-@pytest.mark.parametrize("page", sorted(PAGES.glob("*.md")), ids=lambda page: page.name)
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_pages_are_current_or_say_that_they_are_not(page: Path) -> None:
     assert current(page.read_text("utf-8")), "run: python tests/benchmarks/provenance.py"
 
 
+def test_all_pages_of_measurements_are_looked_at() -> None:
+    names = {page.name for page in pages()}
+    assert names >= {"README.md", "runs.md", "flexible.md", "sympy.md", "hard_cases.md"}
+
+
 def test_a_change_of_the_source_is_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    source, pages = tmp_path / "source", tmp_path / "pages"
+    source, folder = tmp_path / "source", tmp_path / "docs" / "performance"
     source.mkdir()
-    pages.mkdir()
+    folder.mkdir(parents=True)
     (source / "step.c").write_text("int step;\n")
     monkeypatch.setattr(provenance, "SOURCE", source)
-    monkeypatch.setattr(provenance, "PAGES", pages)
-    page = pages / "runs.md"
-    page.write_text(signed("# Runs\n"))
+    monkeypatch.setattr(provenance, "DOCS", folder.parent)
+    page = folder / "runs.md"
+    page.write_text(signed("# Runs\n\nFigures.\n"))
     assert mark() == []
     (source / "notes.txt").write_text("not part of it\n")
     assert mark() == []
     (source / "step.c").write_text("int other;\n")
     assert not current(page.read_text())
     assert mark() == ["runs.md"]
-    assert page.read_text().endswith(f"{OLDER}\n")
+    # where a reader begins, and once
+    assert page.read_text().startswith(f"# Runs\n\n{OLDER}\n\nFigures.\n")
     assert mark() == []
     # measured again
     page.write_text(signed("# Runs\n"))

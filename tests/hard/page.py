@@ -13,6 +13,7 @@ from pathlib import Path
 # the cases and the zoo stand in the folder above
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from benchmarks.provenance import signed
 from cardan.cli.terminal import progress
 from hard import CASES
 from hard.case import FINISHED, METHODS, Case, Cell, Never, Outcome, measure
@@ -110,7 +111,7 @@ def main() -> int:
     lines = [HEAD.format(machine=machine), "", *overview(found)]
     for case in CASES.values():
         lines += section(case, found)
-    PAGE.write_text("\n".join(lines) + "\n", "utf-8")
+    PAGE.write_text(signed("\n".join(lines)), "utf-8")
     wrong = 0
     for (name, method), one in found.items():
         cell = CASES[name].expected[method]
