@@ -79,6 +79,8 @@ def test_a16_one_component_of_a_rotation_is_refused(coordinates: str) -> None:
             missing = {f"'{head}.{component}'", f"'{head}.q{component}'"}
             assert not {own for own in missing if own not in words}, door
             assert ("'base.px'" in words) == (head == "base"), door
+            # nor is another component, or the same under its other name, advised
+            assert "Did you mean" not in words, door
 
 
 @pytest.mark.parametrize("coordinates", ["relative", "absolute"])

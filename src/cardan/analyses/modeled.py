@@ -145,7 +145,6 @@ class Modeled(ABC):
             words = f": {part}" if part else ""
             if not part and name not in entries(self.model.manifest, "q"):
                 words = ": " + missing(self.model.manifest, "q", name).removesuffix(".")
-            raise ModelError(
-                f"hold: '{name}' is no coordinate that can be held{words}.{near(name, known)}"
-            )
+            alike = "" if part else near(name, known)
+            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{words}.{alike}")
         return known[name]

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import checked
+from ..errors import counted
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
@@ -45,10 +46,11 @@ class Stiffness:
     present: float
 
     def __str__(self) -> str:
+        explicit = round(self.explicit_steps(1.0))
         return (
             f"fastest rate {self.fastest:.3g} 1/s, the motion changes at {self.present:.3g} 1/s: "
-            f"over a second, stability asks {self.explicit_steps(1.0):.0f} steps of explicit "
-            f"methods, accuracy {self.implicit_steps(1.0, 1e-6):.0f} of implicit ones at rtol 1e-6"
+            f"over a second, stability asks {counted(explicit, 'step')} of explicit methods, "
+            f"accuracy {self.implicit_steps(1.0, 1e-6):.0f} of implicit ones at rtol 1e-6"
         )
 
     def explicit_steps(self, length: float) -> float:

@@ -104,7 +104,10 @@ def _fill(
         where = f"{letter}={{'{name}': ...}}"
         place = places.get(name)
         if place is None:
-            raise ModelError(f"{where}: {_unknown(letter, name, manifest)}{near(name, places)}")
+            # who names one component of a rotation is not sent to another one
+            part = component(manifest, name) if letter == "q" else ""
+            words = part or f"{_unknown(letter, name, manifest)}{near(name, places)}"
+            raise ModelError(f"{where}: {words}")
         entries = [row["name"] for row in rows[place]]
         if any(covered[place]):
             raise ModelError(
