@@ -17,7 +17,9 @@ import pytest
 import cardan as cd
 from analyses.test_events import servo
 from analyses.test_plain import bare
+from cardan.analyses import run
 from cardan.runtime.trajectory import Trajectory
+from hostile.kinds import records, together
 
 __all__ = ["bare", "servo"]
 
@@ -98,6 +100,24 @@ def test_samples_and_modes_go_on_too(servo: cd.CompiledModel, tmp_path: Path) ->
     motion = servo.simulate(**kept)
     alike(motion, servo.simulate(**options))
     assert len(motion.ticks) == 601
+
+
+def test_a_run_goes_on_from_every_place(
+    servo: cd.CompiledModel, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between a sample and what it changes too: such a file was called damaged."""
+    path, whole = tmp_path / "run", servo.simulate(1.5)
+    kept: dict[str, Any] = {"t": 1.5, "checkpoint": path, "every": 0.0}
+    with monkeypatch.context() as slices:
+        # of one step or sample each, with a record after every one
+        slices.setattr(run, "SLICE", 0.0)
+        servo.simulate(**kept)
+    parts = records(path.read_bytes())
+    places = {one["head"]["record"]["happened"] for one in parts["records"]}
+    assert places == {0, 1}
+    for count in range(1, len(parts["records"])):
+        path.write_bytes(together({**parts, "records": parts["records"][:count]}))
+        alike(servo.simulate(**kept), whole)
 
 
 def test_ctrl_c_and_a_cut_file(double: cd.CompiledModel, tmp_path: Path) -> None:

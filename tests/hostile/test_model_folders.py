@@ -28,6 +28,14 @@ def test_mutants_of_folders_of_models_do_no_harm(name: str, tmp_path: Path) -> N
     assert not tally.failures, str(tally)
 
 
+def test_a_manifest_without_the_functions_that_there_are(tmp_path: Path) -> None:
+    """It was read, and a KeyError came from the run."""
+    name = "manifest.json of double"
+    tally = campaign(folder(name, tmp_path / "good"), 1, 17023, tmp_path, first=1940)
+    print(tally)
+    assert tally.counts == {"refused": 1}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_two_thousand_mutants_of_folders_of_models(name: str, tmp_path: Path) -> None:

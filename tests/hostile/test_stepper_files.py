@@ -20,6 +20,22 @@ def test_mutants_of_checkpoints_of_steppers_do_no_harm(name: str, tmp_path: Path
     assert not tally.failures, str(tally)
 
 
+def test_a_row_that_is_due_in_a_checkpoint(tmp_path: Path) -> None:
+    """Its multipliers were read from an address that a run gets with its first step."""
+    tally = campaign(stepper("alpha", tmp_path / "good"), 1, 17023, tmp_path, first=798)
+    print(tally)
+    assert not tally.failures, str(tally)
+    kind = stepper("alpha", tmp_path / "due")
+    good = kind.use(kind.read(kind.file))
+    assert kind.unpack is not None
+    assert kind.pack is not None
+    for due in (1, 2):
+        parts = kind.unpack(kind.file.read_bytes())
+        parts["head"]["record"]["row_open"] = due
+        kind.file.write_bytes(kind.pack(parts))
+        assert kind.use(kind.read(kind.file)) == good
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", STEPPERS)
 def test_two_thousand_mutants_of_checkpoints_of_steppers(name: str, tmp_path: Path) -> None:

@@ -26,7 +26,7 @@ from .settings import Settings, settings
 from .signals import signals
 from .simulate import runner_of
 
-FORMAT = 3
+FORMAT = 4
 TEXTS = ("key", "method", "model", "words", "over")
 NUMBERS = ("rtol", "atol", "step")
 NEEDED = {*TEXTS, *NUMBERS, "max_step", "kernels", "record", "ticks", "events"}

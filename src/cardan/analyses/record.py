@@ -47,7 +47,7 @@ FIELDS: tuple[tuple[Any, str], ...] = (
     (COUNT, "fresh is_dense rejected on_grid"),
     (REAL, "hold best_hold pass_start pass_length"),
     (COUNT, "held ranks pass_points pass_part pass_parts"),
-    (POINTER, "rows lam"),
+    (POINTER, "rows"),
     (COUNT, "nlam"),
     (POINTER, "spreads times"),
     (COUNT, "time_count next_time capacity count row_open"),

@@ -31,7 +31,7 @@ from .times import Span
 
 # of the record, beside what steppers keep: where it is among its stops and output times
 PLACES = ("next_stop", "next_time")
-MAGIC = b"cardan run 2\n"
+MAGIC = b"cardan run 3\n"
 PARTS = ("head", "memory", "rows", "spreads", "log")
 HEAD = {"record", "ticks", "where", "answer", "method", "reason", *PLACES}
 CURES = {
@@ -141,8 +141,12 @@ class RunFile:
         way = 1.0 if stops[-1] >= run.t_start else -1.0
         if way * run.t > way * stops[run.next_stop]:
             raise impossible(self.path, "its next stop lies behind it")
-        due = [row.next for row in list(runner.ticks)[: run.tick_count]]
-        if run.until != min([stops[run.next_stop], *due]) and run.until != stops[run.next_stop]:
+        ticks = list(runner.ticks)[: run.tick_count]
+        ends = {stops[run.next_stop], min([stops[run.next_stop], *(row.next for row in ticks)])}
+        # a sample that has come, and has not changed anything yet, is still where steps end
+        if run.happened and any(runner.views["e"][row.event] for row in ticks):
+            ends.add(run.t)
+        if run.until not in ends:
             raise impossible(self.path, f"its steps end at {run.until:g} s")
         if way * run.segment > way * run.t or run.h * way < 0:
             raise impossible(self.path, "its steps lead back")

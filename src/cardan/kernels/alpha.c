@@ -27,7 +27,6 @@ int cardan_alpha_init(cardan_run *run)
     const cardan_alpha v = cardan_alpha_at(run);
     int status = 0;
 
-    run->lam = v.lam_old;
     cardan_alpha_extent(run, &v, 1);
     if (v.adaptive)
         status = cardan_alpha_first_step(run, &v, LOCAL);
@@ -259,8 +258,6 @@ int cardan_alpha_step(cardan_run *run)
     real h, t_new, error;
     int status = cardan_refresh(run), failed, taken;
 
-    /* a run that comes from a file has not begun here */
-    run->lam = v.lam_old;
     if (status == 0)
         status = aim(run, &v, &h, &t_new);
     if (status == 0 && run->in_segment == 0) {

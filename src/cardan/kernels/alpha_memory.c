@@ -19,12 +19,13 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     ptrdiff_t used = 0;
 
     v->nq = nq, v->nu = nu, v->mp = mp, v->m = m, v->size = size;
+    /* rows read them at the start of `own` */
+    v->lam_old = piece(own, &used, m);
+    v->lam = piece(own, &used, m);
     v->now = piece(own, &used, ALPHA_NOW);
     v->a = piece(own, &used, nu);
     v->udot = piece(own, &used, nu);
     v->rise = piece(own, &used, nu);
-    v->lam_old = piece(own, &used, m);
-    v->lam = piece(own, &used, m);
     v->amplitude = piece(own, &used, nq);
     v->picked = piece(own, &used, m);
     v->a_new = piece(own, &used, nu);

@@ -40,11 +40,12 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
         if (widest < mesh->groups[k].nu)
             widest = mesh->groups[k].nu;
     }
+    /* rows read them at the start of `own` */
+    v->lam_old = piece(own, &used, m);
+    v->lam = piece(own, &used, m);
     v->now = piece(own, &used, CONSERVING_NOW);
     v->mass = piece(own, &used, CONSERVING_MASS * mesh->places);
     v->pose = piece(own, &used, mesh->places);
-    v->lam_old = piece(own, &used, m);
-    v->lam = piece(own, &used, m);
     v->middle = piece(own, &used, m);
     v->rise = piece(own, &used, nu);
     v->open = piece(own, &used, v->mp);
@@ -117,7 +118,6 @@ int cardan_conserving_init(cardan_run *run)
     const cardan_conserving v = cardan_conserving_at(run);
     int status = cardan_fixed_init(run);
 
-    run->lam = v.lam_old;
     if (status == 0)
         status = cardan_conserving_masses(run, &v);
     return status != 0 ? status : restart(run, &v);
@@ -202,8 +202,6 @@ int cardan_conserving_step(cardan_run *run)
     for (int part = 1; part <= SHORTEST && status == 0; part *= 2) {
         const cardan_conserving v = cardan_conserving_at(run);
         const real t_new = part == 1 ? cardan_grid(run) : run->t + whole / part;
-        /* a run that comes from a file has not begun here */
-        run->lam = v.lam_old;
         if (run->in_segment == 0 && part == 1)
             status = restart(run, &v);
         if (status == 0)

@@ -77,10 +77,10 @@ static int put(cardan_run *run, real t)
         row[1 + run->n + i] = run->r[i];
     for (ptrdiff_t i = 0; i < run->ns; i++)
         row[1 + run->n + run->nr + i] = run->s[i];
-    /* of the second order between the steps too */
+    /* at the start of `own`; of the second order between the steps too */
     for (ptrdiff_t i = 0; i < run->nlam; i++)
         row[1 + run->n + run->nr + run->ns + i] =
-            run->lam[i] + theta * (run->lam[run->nlam + i] - run->lam[i]);
+            run->own[i] + theta * (run->own[run->nlam + i] - run->own[i]);
     run->count++;
     return 0;
 }

@@ -139,7 +139,8 @@ struct cardan_run {
     real *chart;    /* cardan_chart_length(run) numbers, NULL unless charted */
     real *holding;  /* cardan_hold_length(run) numbers */
     real *passing;  /* cardan_passing_length(run) numbers */
-    real *own;      /* memory of the method: cardan_<method>_length(run) numbers */
+    real *own;      /* memory of the method: cardan_<method>_length(run) numbers; the first are
+                       lam (2, nlam) at t_old and t, if the method finds multipliers itself */
     real *e;        /* (ne + watched) 1: happens at t */
     real *board;    /* cardan_board_length(run) numbers: what is known of the events */
     real *ledger;   /* (positions + rates, 4): the largest residual before projection and when,
@@ -173,8 +174,7 @@ struct cardan_run {
 
     /* rows that come out: t, y, r, s, lam */
     real *rows;    /* (capacity, 1 + n + nr + ns + nlam) */
-    real *lam;     /* (2, nlam) at t_old and t, where the method finds multipliers itself */
-    ptrdiff_t nlam;
+    ptrdiff_t nlam; /* 0 unless the method finds multipliers itself */
     real *spreads; /* (capacity, dense_rows, n), NULL if only `times` are wanted */
     const real *times; /* (time_count) wanted times, NULL for a row at every step */
     ptrdiff_t time_count, next_time;

@@ -21,7 +21,7 @@ ABI = 1
 SCHEMA = 1
 LARGEST = 1 << 40  # numbers of a block, a result or work memory
 NAMED = ("coordinates", "speeds", "inputs", "parameters", "frames", "joints", "outputs")
-ROWS = (*NAMED, "bodies", "multipliers", "quaternions", "z", "s")
+ROWS = (*NAMED, "bodies", "multipliers", "quaternions", "z", "s", "available")
 TABLES = ("functions", "sha256")
 SIZES = ("output_size", "work_size", "prepared_size")
 
