@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,20 @@ from cardan.model.files.scene import keys
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "scene_files.md").read_text(encoding="utf-8")
+MISTAKEN = """\
+cardan: 1
+name: crane
+gravity: [0, 0, -9.81]
+bodies:
+  upper: {mass: 1, com: [0, 0, -0.5], inertia: [0.1, 0.1, 0.01]}
+  lower: {mass: 1, com: [0, 0, -0.5], inertia: [0.1, 0.1, 0.01]}
+joints:
+  shoulder: {type: revolute, axis: y, parent: ground, child: upper}
+  elbow:
+    type: revolute
+    parent: {body: upper, at: [0, 0, -1]}
+    child: lover
+"""
 BLOCKS = re.findall(r"```yaml\n(.*?)```", TEXT, flags=re.DOTALL)
 
 
@@ -34,6 +49,24 @@ def test_the_blocks_are_one_scene(tmp_path: Path) -> None:
     assert model.outputs(q, 0 * q)[0] == pytest.approx(model.pose("tip", q)[2, 3], abs=1e-15)
     assert model.parameters["cart.mass"] == 2.5
     assert model.parameters["left.load"] == 3
+
+
+def test_the_beams_are_a_scene(tmp_path: Path) -> None:
+    (block,) = re.findall(r"^    beams:\n(?:     .*\n)+", TEXT, re.MULTILINE)
+    path = tmp_path / "mast.yaml"
+    path.write_text("cardan: 1\nname: mast\n" + textwrap.dedent(block), encoding="utf-8")
+    scene = cd.load(path)
+    assert scene.beams["mast"].elements == 6
+    assert "mast.middle.px" in cd.derive(scene).coordinates
+
+
+def test_the_error_is_that_of_the_page(tmp_path: Path) -> None:
+    (shown,) = re.findall(r"^    (crane\.yaml:.*)$", TEXT, re.MULTILINE)
+    path = tmp_path / "crane.yaml"
+    path.write_text(MISTAKEN, encoding="utf-8")
+    with pytest.raises(cd.ModelError) as problem:
+        cd.load(path)
+    assert str(problem.value).removeprefix(f"{tmp_path}/") == shown
 
 
 def test_lists_are_complete() -> None:

@@ -8,9 +8,10 @@ import textwrap
 import numpy as np
 import pytest
 
+from cardan.elements.forces.friction import Friction
+from cardan.elements.forces.stop import Stop
 from cardan.errors import ModelError, TopologyError
 from cardan.model import load
-from cardan.model.connections import FRICTION_NOTE, LIMITS_NOTE
 from cardan.model.files.angles import snapped
 from cardan.model.files.urdf import Options, from_text
 from cardan.topology import build
@@ -191,10 +192,15 @@ def test_what_acts_and_what_does_not():
     assert model.joints["hinge"].friction == 0.2
     system = build(model)
     assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "damping")]
-    notes = "\n".join(system.notes)
-    assert f"joints hinge: {FRICTION_NOTE}" in notes
-    assert f"joints hinge: {LIMITS_NOTE}" in notes
-    assert FRICTION_NOTE in str(model)
+    ends = "joints hinge: limits do not act in a run; add a Stop to hold a joint inside them"
+    dry = "joints hinge: friction does not act; add a Friction"
+    assert system.notes == (dry, ends)
+    assert dry in str(model)
+    assert ends in str(model)
+    # who does what the notes say is not told again
+    model.force("ends", Stop("hinge", lower=-1, upper=2))
+    model.force("dry", Friction("hinge", coulomb=0.2))
+    assert build(model).notes == ("joints hinge: limits of speed and effort do not act",)
 
 
 def test_limits_of_a_continuous_joint_are_those_of_speed_and_effort():

@@ -84,8 +84,7 @@ def simulate(
         rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
             generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
             atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
-        step: Step of a fixed method, of generalized-alpha too; first step of other adaptive
-            ones [s].
+        step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.

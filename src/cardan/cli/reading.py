@@ -54,7 +54,9 @@ def load(options: argparse.Namespace) -> Model:
 
 def read(options: argparse.Namespace) -> Model:
     """The scene; its notes go to standard error."""
+    from ..model.summary import notes_of
+
     scene = load(options)
-    for note in scene.notes:
+    for note in notes_of(scene):
         print(f"note: {note}", file=sys.stderr)
     return scene

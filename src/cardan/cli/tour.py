@@ -13,6 +13,7 @@ import numpy as np
 
 from ..codegen import generate
 from ..model import load
+from ..model.summary import notes_of
 from ..peers.comparison import BATCH, drawn
 from ..peers.contest import contest, relative
 from ..peers.ours import Ours
@@ -141,7 +142,7 @@ def take(
         simulated=simulated,
         steps=int(motion.statistics["steps"]),
         drift=float(np.abs(motion.drift).max() / kinetic),
-        notes=tuple(scene.notes),
+        notes=tuple(notes_of(scene)),
         files=files,
     )
 

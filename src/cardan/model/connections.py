@@ -19,10 +19,6 @@ from .frame import Place
 
 Limits = tuple[float | None, float | None, float | None, float | None]
 
-# what is said of joints whose data no force acts on; scenes have elements that do
-LIMITS_NOTE = "limits do not act in a run; add a Stop to hold a joint inside them"
-FRICTION_NOTE = "friction does not act; add a Friction"
-
 
 @dataclass(frozen=True)
 class Couple:

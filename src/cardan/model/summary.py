@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..elements.forces.friction import Friction
+from ..elements.forces.stop import Stop
 from ..ir.html import Html, block, details, paragraph, table, text_block
 from .connections import Joint
 
@@ -13,6 +15,25 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 30
 WIDEST = 28
+
+
+def notes_of(model: Model) -> list[str]:
+    """What a user should know: notes of files, and what joints are said to have without effect."""
+    held, rubbing = (
+        {f.element.joint for f in model.forces.values() if isinstance(f.element, kind)}
+        for kind in (Stop, Friction)
+    )
+    joints = model.joints.values()
+    ends = [j.name for j in joints if j.limits[:2] != (None, None) and j.name not in held]
+    rates = [j.name for j in joints if j.limits[2:] != (None, None) and j.name not in ends]
+    dry = [j.name for j in joints if j.friction and j.name not in rubbing]
+    without_effect = (
+        ("friction does not act; add a Friction", dry),
+        ("limits do not act in a run; add a Stop to hold a joint inside them", ends),
+        ("limits of speed and effort do not act", rates),
+    )
+    told = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)
+    return [*model.notes, *told]
 
 
 def summary(model: Model) -> str:
@@ -39,7 +60,7 @@ def summary(model: Model) -> str:
     lines += ["", *_table(_rows(model))] if model.bodies else []
     lines += ["", *_table(_beams(model))] if model.beams else []
     lines += _forces(model)
-    lines += [f"note: {_fit(note, 160)}" for note in model.notes]
+    lines += [f"note: {_fit(note, 160)}" for note in notes_of(model)]
     return "\n".join(lines)
 
 
@@ -59,7 +80,7 @@ def html(model: Model) -> str:
     ]
     if declared:
         parts.append(details("declared", table(("", "name", "value", "unit"), declared)))
-    parts += [paragraph(f"note: {note}") for note in model.notes]
+    parts += [paragraph(f"note: {note}") for note in notes_of(model)]
     return block(*parts, Html(model.graph.svg()))
 
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..errors import ImpossibleWarning
 from ..model.checks import is_number, lone_moment, mass, unphysical
-from ..model.connections import LIMITS_NOTE
 from ..model.model import Model
+from ..model.summary import notes_of
 from .assembly import Assembly
 from .circuits import SAMPLES, Numbers
 from .convert import Converter
@@ -32,7 +32,7 @@ def announce(
     Args:
         placing: Parameters that say where beams are.
     """
-    notes = list(model.notes)
+    notes = notes_of(model)
     notes += [
         f"parameter '{name}' says where a beam is, so that its value is built into the equations; "
         f"for another one give specialize={{'{name}': ...}}"
@@ -45,11 +45,6 @@ def announce(
             for name in names
             if name not in convert.used
         ]
-    limited = [j.name for j in model.joints.values() if any(v is not None for v in j.limits)]
-    stored = f"joints {', '.join(limited)}: {LIMITS_NOTE}"
-    # the reader of a file says so by itself
-    if limited and stored not in notes:
-        notes.append(stored)
     notes += [
         f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it. "
         "Give it a mass or an inertia, or fix or prescribe the joint"

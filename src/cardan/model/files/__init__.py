@@ -63,7 +63,8 @@ def load(
         parameters: Values by dotted name that replace those of the file.
 
     Returns:
-        The model. What the file says and the model does not act on is listed in ``Model.notes``.
+        The model. What the file says and the model does not act on is listed in ``Model.notes``;
+        ``print(model)`` shows these, and joints whose limits or friction no force acts for.
 
     Raises:
         ModelError: the file cannot be read or is at fault.

@@ -111,7 +111,6 @@ class Chain:
         couples: Joint -> what it follows, from <equality>.
         place: A name that is not taken yet, of bodies and frames.
         origin: Remembers where an item stands in the file.
-        friction, limited: Joints with these, for the notes.
         ignored: Joint -> attribute that does not act on its kind.
     """
 
@@ -120,8 +119,6 @@ class Chain:
     couples: dict[str, tuple[Any, ...]]
     place: Callable[[str], str]
     origin: Callable[[str, str, Element], None]
-    friction: list[str] = field(default_factory=list)
-    limited: list[str] = field(default_factory=list)
     ignored: list[str] = field(default_factory=list)
 
     def join(self, parent: Body, pose: Pose, body: Body, hinges: list[Hinge], fixed: str) -> None:
@@ -169,7 +166,6 @@ class Chain:
         friction = hinge.element.number("frictionloss", "0")
         if friction:
             self.scene.joints[joint.name] = dataclasses.replace(joint, friction=friction)
-            self.friction.append(hinge.name)
         self._forces(hinge)
 
     def _limits(self, hinge: Hinge) -> tuple[float, float] | None:
@@ -180,7 +176,6 @@ class Chain:
         if word == "false" or (word == "auto" and not self.compiler.limited):
             return None
         low, high = (bound * hinge.unit for bound in element.numbers("range", 2))
-        self.limited.append(hinge.name)
         return (low, high) if hinge.single else None
 
     def _forces(self, hinge: Hinge) -> None:

@@ -8,7 +8,6 @@ from typing import Any
 
 from ....errors import ModelError
 from ...body import Body
-from ...connections import FRICTION_NOTE, LIMITS_NOTE
 from ...frame import triple
 from ...model import Model
 from ...shape import Shape
@@ -237,11 +236,5 @@ class Reader:
         chain, notes = self.chain, self.scene.notes
         notes += contacts.notes(self.touching)
         notes += self.unread.notes()
-        for what, names in (
-            (FRICTION_NOTE, chain.friction),
-            (LIMITS_NOTE, chain.limited),
-        ):
-            if names:
-                notes.append(f"joints {', '.join(names)}: {what}")
         if chain.ignored:
             notes.append(f"not acted on: {', '.join(chain.ignored)}")

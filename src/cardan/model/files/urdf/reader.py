@@ -13,7 +13,6 @@ from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
 from ....errors import ModelWarning, warn
 from ...body import Body
-from ...connections import FRICTION_NOTE, LIMITS_NOTE
 from ...model import Model
 from ..angles import turned
 from ..document import Element
@@ -32,7 +31,6 @@ class Reader:
     options: Options
     file: str
     folder: Path | None
-    friction: list[str] = field(default_factory=list)
     freed: list[str] = field(default_factory=list)
     orphans: list[str] = field(default_factory=list)
 
@@ -120,7 +118,6 @@ class Reader:
         friction = dynamics.optional("friction")
         if friction:
             scene.joints[edge.name] = dataclasses.replace(joint, friction=friction)
-            self.friction.append(edge.name)
         return xyz, rpy
 
     def _limits(self, element: Element) -> dict[str, float] | None:
@@ -154,14 +151,11 @@ class Reader:
 
     def _announce(self) -> None:
         scene, notes = self.scene, self.scene.notes
-        limited = [j.name for j in scene.joints.values() if any(v is not None for v in j.limits)]
         if self.orphans:
             lost = f"joints {', '.join(self.orphans)} mimic what is no moving joint of the file"
             notes.append(f"{lost}; they move freely")
             warn(f"file '{self.file}': {notes[-1]}", ModelWarning)
         for what, names in (
-            (FRICTION_NOTE, self.friction),
-            (LIMITS_NOTE, limited),
             ("mimic is not followed (mimic='free'); the joint moves freely", self.freed),
         ):
             if names:
