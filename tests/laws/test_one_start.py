@@ -214,16 +214,12 @@ def test_flexible_scenes_hold_what_is_named(name: str) -> None:
 
 
 SOLVED = ("slider_crank", "four_bar", "andrews", "stewart")
-FARTHER = {("four_bar", "last")}
 
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("name", slowly(dict.fromkeys(SOLVED), (*SHOWN, "four_bar")))
-def test_closed_forms_start_alike(name: str, case: str, request: pytest.FixtureRequest) -> None:
+def test_closed_forms_start_alike(name: str, case: str) -> None:
     """With nothing named, and with joints that a loop determines, positions and speeds."""
-    if (name, case) in FARTHER:
-        why = "A3: constraints take the farther of two positions with the last joint named"
-        request.applymarker(pytest.mark.xfail(strict=True, reason=why))
     plain, solved = models(name)[0], closed_form(name)
     q = named(places(name), case)
     first = plain.split(plain.initial(q))[0]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, near, shown
+from ..errors import ArgumentError, ModelError, SolveError, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
@@ -77,8 +77,7 @@ def read(
     for name, value in given.items():
         where, place = f"{what}={{'{name}': ...}}", places.get(name)
         if place is None:
-            words = missing(model.manifest, "u", name)
-            raise ModelError(f"{where}: {words}{near(name, places)}")
+            raise ModelError(f"{where}: {missing(model.manifest, 'u', name, places)}")
         array = np.asarray(value, dtype=np.float64).reshape(-1)
         if array.size != place.stop - place.start:
             names = ", ".join(model.speeds[place])

@@ -141,10 +141,9 @@ class Modeled(ABC):
         """As :meth:`Contract.place`."""
         known = self.places
         if name not in known:
-            part = component(self.model.manifest, name)
-            words = f": {part}" if part else ""
-            if not part and name not in entries(self.model.manifest, "q"):
-                words = ": " + missing(self.model.manifest, "q", name).removesuffix(".")
-            alike = "" if part else near(name, known)
-            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{words}.{alike}")
+            words = f".{near(name, known)}"
+            manifest = self.model.manifest
+            if component(manifest, name) or name not in entries(manifest, "q"):
+                words = ": " + missing(manifest, "q", name, known)
+            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{words}")
         return known[name]

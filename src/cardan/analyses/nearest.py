@@ -6,7 +6,7 @@ unit quaternions by the angle between rotations. What is named is the same in al
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -25,7 +25,8 @@ from .unassembled import explain
 Array = NDArray[np.float64]
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 NAMED = "Name fewer coordinates at the start: loops determine the others"
-NEAR = 0.3  # a position not farther away is the nearest without a second search
+NEAR = 0.3  # a position not farther away is the nearest without further searches
+LOOKS = 6  # searches for others where it is farther away
 EQUAL = 1e-6  # distances that differ by less are equal
 REACHED = 1e-9
 QUATERNION = 0.5  # what its components count in: they change by half of the angle
@@ -61,7 +62,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
 
 
 def nearest(m: Mechanism, goals: list[Target], q: Array, first: Found) -> Found:
-    """The nearest of the positions that are found from a start and from beyond it.
+    """The nearest of the positions that are found from a start and from around it.
 
     Args:
         m, goals, q: As :func:`assembled` takes them.
@@ -71,25 +72,34 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Found) -> Found:
         SolveWarning: two positions are equally near.
     """
     wish = wished(m, goals, q)
-    best = _drawn_near(m, goals, wish, first)
-    away = _distance(m, wish, best.q)
-    if away <= NEAR:
-        return best
-    # another branch as near as this one lies on the other side of the start
-    beyond = m.advance(q, -m.between(q, best.q))
-    second = search_from(m, goals, beyond)
-    if not second.met or outside(m, second.q):
-        return best
-    second = replace(second, q=m.nearest(second.q, q))
-    second = _drawn_near(m, goals, wish, second)
-    other = _distance(m, wish, second.q)
-    if _same(m, best.q, second.q):
-        return best
-    if abs(other - away) <= EQUAL * away:
-        one, two = sorted((best, second), key=lambda end: places(m, end.q))
-        _tell_tie(m, one.q, two.q)
-        return one
-    return best if away < other else second
+    found = [_drawn_near(m, goals, wish, first)]
+    away = _distance(m, wish, found[0].q)
+    for begin in _around(m, q, found[0].q) if away > NEAR else ():
+        end = search_from(m, goals, begin)
+        if not end.met or outside(m, end.q):
+            continue
+        end = _drawn_near(m, goals, wish, replace(end, q=m.nearest(end.q, q)))
+        if not any(_same(m, end.q, other.q) for other in found):
+            found.append(end)
+    least = min(_distance(m, wish, end.q) for end in found)
+    best = [end for end in found if _distance(m, wish, end.q) <= (1 + EQUAL) * least]
+    if len(best) > 1:
+        best = sorted(best, key=lambda end: places(m, end.q))
+        _tell_tie(m, best[0].q, best[1].q)
+    return best[0]
+
+
+def _around(m: Mechanism, q: Array, found: Array) -> Iterator[Array]:
+    """Where to look for positions nearer to a start (nq,) than the one that was found.
+
+    A branch as near as this one lies on the other side of the start; others lie anywhere.
+    """
+    step = m.between(q, found)
+    yield m.advance(q, -step)
+    rng, away = np.random.default_rng(0), float(np.linalg.norm(step))
+    for _ in range(min(LOOKS, m.searches) - 1):
+        direction = rng.standard_normal(m.nu)
+        yield m.advance(q, away / np.linalg.norm(direction) * direction)
 
 
 @dataclass(frozen=True)

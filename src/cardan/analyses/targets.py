@@ -199,8 +199,7 @@ def _target(m: Mechanism, name: str, value: Any) -> Target:
         if kind == "pose":
             _check_pose(where, array)
         return Target(name, kind, array)
-    words = missing(manifest, "q", name)
-    raise ModelError(f"{where}: {words}{near(name, [*places, *frames])}")
+    raise ModelError(f"{where}: {missing(manifest, 'q', name, [*places, *frames])}")
 
 
 def _check_pose(where: str, pose: Array) -> None:

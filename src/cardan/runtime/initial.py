@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -104,10 +104,7 @@ def _fill(
         where = f"{letter}={{'{name}': ...}}"
         place = places.get(name)
         if place is None:
-            # who names one component of a rotation is not sent to another one
-            part = component(manifest, name) if letter == "q" else ""
-            words = part or f"{_unknown(letter, name, manifest)}{near(name, places)}"
-            raise ModelError(f"{where}: {words}")
+            raise ModelError(f"{where}: {missing(manifest, letter, name, places)}")
         entries = [row["name"] for row in rows[place]]
         if any(covered[place]):
             raise ModelError(
@@ -158,17 +155,18 @@ def followers(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
     return found
 
 
-def missing(manifest: Mapping[str, Any], letter: str, name: str) -> str:
-    """Why there is no such entry of q or u, in words."""
-    return _unknown(letter, name, manifest)
+def missing(manifest: Mapping[str, Any], letter: str, name: str, known: Iterable[str]) -> str:
+    """Why there is no such entry of q, u or z, with the known names and the likely one.
+
+    Who names one component of a rotation is not sent to another one.
+    """
+    part = component(manifest, name) if letter == "q" else ""
+    return part or f"{_unknown(letter, name, manifest)}{near(name, known)}"
 
 
 def _unknown(letter: str, name: str, manifest: Mapping[str, Any]) -> str:
     if letter == "z":
         return f"there is no internal state '{name}'."
-    part = component(manifest, name) if letter == "q" else ""
-    if part:
-        return part
     what = {"q": "coordinate", "u": "speed"}[letter]
     joint = next((j for j in manifest["joints"] if j["name"] == name), None)
     if joint is None and name in (row["name"] for row in manifest.get("cuts", [])):

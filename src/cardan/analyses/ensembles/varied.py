@@ -270,8 +270,7 @@ def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
     for name, given in value.items():
         here = f"{where}={{'{name}': ...}}"
         if name not in places:
-            why = missing(model.manifest, letter, name)
-            raise ModelError(f"{here}: {why}{near(name, places)}")
+            raise ModelError(f"{here}: {missing(model.manifest, letter, name, places)}")
         reader.add(letter, name, here, places[name], given)
 
 
