@@ -232,6 +232,16 @@ def test_a_mode_is_played(tmp_path: Path) -> None:
     motion = found.motion(1, amplitude=0.1, periods=1.0)
     assert motion.t[-1] == pytest.approx(1 / found.frequencies[1])
     np.testing.assert_allclose(motion["s0"][0], 0.1 * found.shapes[0, 1], rtol=1e-12)
+    # its speeds are the rates of its coordinates: a difference over two of 120 pictures misses
+    # (2 pi / 120)^2 / 6 of the largest
+    rates = np.gradient(motion.q, motion.t, axis=0)[1:-1]
+    np.testing.assert_allclose(motion.u[1:-1], rates, atol=5e-4 * np.abs(motion.u).max())
+    # of modal mass 1, after a quarter of the period
+    assert motion.energy.kinetic[30] == pytest.approx((0.1 * found.angular[1]) ** 2 / 2, rel=1e-9)
+    motion.save(tmp_path / "mode.nc")
+    for read in (motion, cd.load_motion(tmp_path / "mode.nc")):
+        assert "Hz, played, not integrated" in str(read)
+        assert "drift" not in str(read)
     page = found.animate(1, tmp_path / "mode.html")
     assert "mode 1" in page.read_text("utf-8")
     twist = found.twist(1, "b2")

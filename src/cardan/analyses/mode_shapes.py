@@ -125,13 +125,14 @@ class Modes:
         rate = float(self.angular[k])
         phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
         t = phase / (rate or 2 * np.pi)
-        steps = factor * np.real(np.exp(1j * phase)[:, None] * shape)
-        q = np.array([system.integrate(self.at.q, step) for step in steps])
-        still = np.concatenate([0 * self.at.u, self.at.z])
-        x = np.concatenate([q, np.tile(still, (len(t), 1))], axis=1)
+        turning = factor * np.exp(1j * phase)[:, None] * shape
+        q = np.array([system.integrate(self.at.q, step) for step in np.real(turning)])
+        u = np.real(1j * rate * turning)
+        x = np.concatenate([q, u, np.tile(self.at.z, (len(t), 1))], axis=1)
         r = np.broadcast_to(self.at.r, (len(t), len(self.at.r)))
         words = f"mode {k} at {self.frequencies[k]:.6g} Hz"
-        conduct = Conduct(words, "", {}, (), FINISHED, words, {})
+        counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
+        conduct = Conduct(words, "played, not integrated", {}, (), FINISHED, words, counts)
         manifest = self.model.manifest
         return Trajectory(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, self.model)
 

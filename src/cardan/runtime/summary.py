@@ -114,7 +114,8 @@ def _samples(motion: Trajectory) -> list[str]:
 
 
 def _energy(motion: Trajectory) -> list[str]:
-    if not len(motion):
+    # a mode that is played keeps no ledger
+    if not len(motion) or not motion.conduct.statistics["steps"]:
         return []
     try:
         energy, drift = motion.energy, motion.drift
