@@ -190,6 +190,8 @@ def test_report_measures_every_function(model, capsys):
     assert set(rows) == set(pendulum.FUNCTIONS)
     printed = capsys.readouterr().out
     assert "frame_jacobian__tip" in printed
+    # what a notebook shows of it besides
+    assert repr(report) == f"Report('pendulum': {len(rows)} functions)"
     assert all(0 < row.state_ns < row.python_ns for row in report.rows)
     # three roundings: sine, product, difference
     assert 0 < rows["forward_dynamics"].error < 4e-16

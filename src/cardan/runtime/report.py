@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import CompilerMissing, DerivationError, ModelError
+from ..errors import CompilerMissing, DerivationError, ModelError, counted
 from ..ir.serialize import from_dict
 from . import abi, cache, measuring, samples
 from .batch import one_by_one
@@ -48,6 +48,10 @@ class Report:
     way: str
     note: str = ""
     methods: Precision | None = None
+
+    def __repr__(self) -> str:
+        methods = f", {counted(len(self.methods.points), 'run')}" if self.methods else ""
+        return f"Report('{self.model}': {counted(len(self.rows), 'function')}{methods})"
 
     def table(self) -> Table:
         """As a table for the terminal."""
