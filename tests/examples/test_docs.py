@@ -5,6 +5,7 @@ In what a page shows ``...`` stands for what differs between machines and runs.
 
 from __future__ import annotations
 
+import inspect
 import re
 import shlex
 import subprocess
@@ -14,7 +15,9 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
+from cardan.analyses import outcome
 from cardan.cli import build_parser
+from cardan.runtime.conduct import EVENT, FINISHED
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
@@ -61,6 +64,14 @@ def test_links(page: Path) -> None:
     links = re.findall(r"\]\(([^)#]+)[^)]*\)", page.read_text(encoding="utf-8"))
     missing = [x for x in links if "://" not in x and not (page.parent / x).exists()]
     assert not missing
+
+
+def test_the_table_of_statuses_is_that_of_the_runs() -> None:
+    page = (DOCS / "events.md").read_text(encoding="utf-8")
+    told = {name for row in re.findall(r"^\| (`.*?`) \|", page, re.MULTILINE) for name in
+            re.findall(r"`(\w+)`", row)}  # fmt: skip
+    source = inspect.getsource(outcome)
+    assert told >= {FINISHED, EVENT, *re.findall(r'return "(\w+)", ', source)}
 
 
 def test_the_table_of_modes_is_that_of_the_elements() -> None:

@@ -17,8 +17,9 @@ class Conduct:
         initial: Named initial value of every coordinate and speed.
         defaulted: Those that the caller did not give.
         status: ``finished``, ``event`` (one ended the run), ``interrupted``, ``function_failed``,
-            ``event_storm``, ``chatter``, ``step_too_small``, ``step_too_long``, ``not_solved``,
-            ``not_finite``, ``not_closed``, ``model_failed`` or ``too_large``.
+            ``event_storm``, ``chatter``, ``step_too_small``, ``step_too_long``,
+            ``singular_rotation``, ``not_solved``, ``not_finite``, ``not_closed``,
+            ``model_failed`` or ``too_large``.
         message: The same as a sentence, with time and coordinate.
         reason: Why this method, or what another one would do better.
         statistics: steps, rejections, evaluations, milliseconds.
