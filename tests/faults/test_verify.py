@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,14 @@ import pytest
 import sympy
 
 import cardan as cd
+from cardan.equations.recipes import RECIPES
 from cardan.errors import BuildError, SolveWarning
 from cardan.runtime import truth
 from cardan.runtime.judged import scene_of
+from cardan.runtime.verification.asked import Asked
 from cardan.runtime.verification.elements import judged
 from cardan.runtime.verification.members import Members, members_of
+from cardan.runtime.verify import verify
 from cardan.runtime.verify_tree import BOUND
 from mechanisms import ZOO, flexible
 
@@ -33,7 +37,7 @@ def kinds(model: cd.CompiledModel) -> list[Members]:
 def test_a12_scene_with_beams_is_judged_kind_by_kind() -> None:
     """``verify()`` of a scene with beams checked 0 states and said so between the lines."""
     found = cd.compile(flexible.bend45(elements=2)).verify()
-    assert found.states > 0
+    assert found.states == 3
     assert found.unchecked == ()
     assert str(found).splitlines()[0].endswith("all are checked")
     names = {check.function for check in found.checks}
@@ -65,16 +69,19 @@ def test_a12_wrong_function_of_a_beam_is_found(form: str, monkeypatch: pytest.Mo
     assert any(error > BOUND for _, error, _ in judged(own))
 
 
-def test_a12_custom_joint_is_judged_by_its_pose() -> None:
+def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
     """A scene with a ``Custom`` joint compiled "not checked" without a word."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        model = cd.compile(ZOO["parabola"].build())
-    model.prepare("rhs", "mass_matrix", "bias")
+        # in a folder of its own: the cache may hold functions that others asked for
+        model = cd.compile(ZOO["parabola"].build(), directory=tmp_path)
+    names = [name for name in model.manifest["available"] if not RECIPES[name].of]
+    model.prepare(*names)
     found = model.verify()
-    # the cache may hold other functions of this scene, some of which nothing judges
     assert found.states == 3
-    assert not {"rhs", "mass_matrix", "bias"} & set(found.unchecked)
+    # outputs are what users write: only their own expressions tell of them
+    assert found.unchecked == ("outputs",)
+    assert {*names} - {"outputs"} == set(found.checked)
     # the pose is what judges: that of another joint does not agree
     scene = scene_of(model)
     (number,) = scene.poses
@@ -175,12 +182,12 @@ def braked() -> cd.Model:
 
 
 def test_a12_friction_from_reactions_is_judged_by_free_bodies(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """Friction that follows from reactions was compared with nothing but its own expressions."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        model = cd.compile(braked())
+        model = cd.compile(braked(), directory=tmp_path)
     names = ("rhs", "forward_dynamics", "inverse_dynamics", "applied", "energy", "power")
     model.prepare(
         *names, "qdot", "momentum_rates", "momenta", ("reaction", "rail"), ("reaction", "pin")
@@ -200,6 +207,94 @@ def test_a12_friction_from_reactions_is_judged_by_free_bodies(
         monkeypatch.setattr(truth, "pressed", lambda *given, harmed=harmed: harmed(right(*given)))
         with pytest.raises(BuildError, match="differs"):
             model.verify()
+
+
+def test_a12_elements_are_judged_at_as_many_states_as_are_asked_for() -> None:
+    """They were judged at two, whatever ``states`` was."""
+    model = cd.compile(flexible.bend45(elements=2))
+    elements = model._source.results(model).mesh
+    symbols = [s for g in elements.tables.groups for s in g.kind.functions.values()]
+    codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
+    few, many = (members_of(model, elements, codes, 1, n) for n in (1, 5))
+    for one, five in zip(few, many, strict=True):
+        assert len(five.given["q"]) == 5 * len(one.given["q"])
+    assert model.verify(states=5).states == 5
+
+
+def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
+    """Columns of elements whose numbers are no parameters were skipped, and counted as checked."""
+    names = ("regressor", "energy_regressor", "inertial_parameters", "inverse_dynamics", "power")
+
+    def rail(**how: Any) -> cd.CompiledModel:
+        scene = cd.Model("rail")
+        c = scene.parameter("c", 0.3)
+        cart = scene.body("cart", mass=2.0, com=(0.05, 0, 0.1), inertia=(0.1, 0.2, 0.3))
+        scene.joint("x", cd.Prismatic("x"), scene.ground, cart)
+        how = {name: value(c) for name, value in how.items()}
+        scene.force("spring", cd.TorsionSpring("x", **how))
+        model = cd.compile(scene)
+        model.prepare(*names)
+        return model
+
+    # expressions of parameters change with these
+    model = rail(stiffness=lambda c: c**2, damping=lambda c: 2 * c)
+    found = {check.function: check for check in model.verify().checks}
+    assert found["regressor"].error < 1e-12
+    assert found["energy_regressor"].error < 1e-12
+    plain = Asked.call
+
+    def wrong(self: Asked, name: str, *given: Any) -> np.ndarray:
+        value = plain(self, name, *given)
+        if name in ("regressor", "energy_regressor"):
+            value = value.copy()
+            value[..., -1, -1] *= 1.0001
+        return value
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Asked, "call", wrong)
+        for name in ("regressor", "energy_regressor"):
+            with pytest.raises(BuildError, match=name):
+                verify(model, functions=[*names[2:], name])
+    # a number never changes
+    found = {check.function: check for check in rail(stiffness=lambda c: 3.0).verify().checks}
+    for name in ("regressor", "energy_regressor"):
+        assert "nothing changes 'spring.damping'" in found[name].reason
+
+
+@pytest.mark.parametrize("name", ["q", "u"])
+def test_derivatives_know_that_friction_follows_from_reactions(name: str) -> None:
+    """That friction stood still in them, and in the tangents that equilibria are found by."""
+    model, h = cd.compile(braked()), 1e-6
+    rng = np.random.default_rng(5)
+    q, u, udot = rng.uniform(-1, 1, (3, 2))
+    speeds = np.eye(2)
+    at = {"q": q, "u": u}
+
+    def slope(function: Any) -> np.ndarray:
+        moved = ({**at, name: at[name] + sign * h * e} for e in speeds for sign in (1, -1))
+        values = [np.ravel(function(**m)) for m in moved]
+        return np.stack([(a - b) / (2 * h) for a, b in zip(values[::2], values[1::2], strict=True)])
+
+    def error(found: Any, function: Any) -> float:
+        known = slope(function)
+        return float(np.abs(np.reshape(found, known.T.shape).T - known).max())
+
+    given = model.derivative("inverse_dynamics", name)(q, u, udot)
+    assert error(given, lambda q, u: model.inverse_dynamics(q, u, udot)) < 1e-6
+    given = model.derivative("power", name)(q, u)
+    assert error(given, model.power) < 1e-6
+    names = ("balance", "balance_tangent", "qdot", "inverse_dynamics")
+    model.prepare(*names)
+    found = {check.function: check for check in model.verify().checks}
+    assert found["balance_tangent"].error < BOUND
+
+
+def test_the_power_of_friction_from_reactions_is_no_matter_of_energies() -> None:
+    """It ended in a fault of the build: "energy_regressor reads udot"."""
+    model = cd.compile(braked())
+    with pytest.raises(cd.DerivationError, match=r"friction of 'brake' follows from reactions.*"):
+        model.prepare("energy_regressor")
+    model.prepare("regressor")
 
 
 def test_a12_what_stays_unjudged_is_said_first_and_warned_of() -> None:

@@ -15,10 +15,11 @@ from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from .binding import constraint_rates, constraints
-from .context import Context
-from .derivatives import inverse_columns
-from .directions import directions
+from .context import Context, settled
+from .derivatives import columns_of, inverse_columns
+from .directions import Direction, directions
 from .increments import integrated
+from .pressing import pressed
 
 
 def _constraint_forces(c: Context) -> Matrix:
@@ -41,7 +42,7 @@ def balance_tangent(c: Context) -> tuple[Output, ...]:
     g, nu = c.k.graph, c.k.system.nu
     along = {wrt: directions(c.k, wrt, c.names) for wrt in ("q", "u")}
     flat = [*along["q"], *along["u"]]
-    columns = inverse_columns(c, flat)
+    columns = _force_columns(c, flat)
     speeds, rows = c.names["u"], tuple(row.name for row in c.d.constraints.rows)
     bound: tuple[Output, ...] = ()
     if c.k.system.closed:
@@ -62,6 +63,15 @@ def balance_tangent(c: Context) -> tuple[Output, ...]:
         Output("M", (nu, nu), mass.nodes, _named(speeds, speeds)),
         *bound,
     )
+
+
+def _force_columns(c: Context, along: list[Direction]) -> list[list[int]]:
+    """Changes of M udot + h - f; friction that follows from reactions is that of the model's own
+    motion, as in the balance, and changes as that does."""
+    if not pressed(c.k.system):
+        return inverse_columns(c, along)
+    force = settled(c, c.vector("balance", c.d.inverse(c.udot), "tau"))
+    return columns_of(c, "balance", force, along)
 
 
 def _named(rows: tuple[str, ...], columns: tuple[str, ...]) -> tuple[str, ...]:

@@ -21,11 +21,12 @@ from ..ir.matrix import Matrix
 from ..ir.request import Request
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
-from .context import Context
+from .context import Context, settled
 from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
 from .functions import RECIPES
 from .newton_euler_derivatives import Derivatives
+from .pressing import pressed
 from .treatments import Bound
 from .treatments.treatment import by_multipliers
 
@@ -66,7 +67,7 @@ def derivative(c: Context) -> tuple[Output, ...]:
     c = with_mass_matrix(c)
     parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
     flat = [d for part in parts.values() for d in part]
-    outputs = recipe.build(replace(c, of=request.of))
+    outputs = settled(c, recipe.build(replace(c, of=request.of)))
     columns = columns_of(c, request.function, outputs, flat)
     shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
     rows, found, start = [name for o in outputs for name in _entries(o)], [], 0
@@ -95,7 +96,8 @@ def columns_of(
     c: Context, function: str, outputs: Sequence[Output], along: Sequence[Direction]
 ) -> list[list[int]]:
     """Changes of all entries of the outputs, direction by direction."""
-    if function == "inverse_dynamics":
+    # friction that follows from reactions moves with everything they depend on
+    if function == "inverse_dynamics" and not pressed(c.k.system):
         return inverse_columns(c, along)
     seeds = [dict(d.seeds) for d in along]
     for tau, udot, multipliers in c.d.solutions:

@@ -31,6 +31,7 @@ from .kinematics import Kinematics
 from .loads import Loads, places, summed
 from .outputs import system_accelerations
 from .partial_velocities import partials
+from .pressing import pressed
 
 UNITS = ("kg", *("kg*m",) * 3, *("kg*m^2",) * 6)
 # rows and columns of the tensor's entries, in the order of ENTRIES
@@ -226,8 +227,15 @@ def energy_regressor(c: Context) -> tuple[Output, ...]:
     """Rows (3, n): kinetic energy, potential energy, power without a potential; times phi.
 
     Raises:
-        DerivationError: something moves by itself; what it takes is not among tau.
+        DerivationError: something moves by itself; what it takes is not among tau. Or the friction
+            of a joint follows from its reaction, and so from accelerations.
     """
+    friction = pressed(c.k.system)
+    if friction:
+        raise DerivationError(
+            f"energy_regressor: the friction of '{friction[0].name}' follows from reactions, whose "
+            "power depends on all accelerations; use the regressor of forces"
+        )
     moving = [joint.name for joint in c.k.system.joints if joint.motion is not None]
     if moving or (c.k.system.closed and not c.d.constraints.prescribed.is_zero):
         which = f"joint '{moving[0]}' is" if moving else "constraints are"

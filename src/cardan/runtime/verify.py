@@ -107,9 +107,7 @@ def verify(
 
     Args:
         model: Its functions.
-        states, seed: How many states, and what they are drawn from. Kinds of elements (beams,
-            cables and what else has functions of its own) are judged at two states of the scene,
-            whatever ``states`` is.
+        states, seed: How many states, and what they are drawn from.
         functions: Names, or pairs such as ``("pose", "hand")``; by default every one that is
             compiled or was written.
 
@@ -154,7 +152,8 @@ def _judged(
         whole: Whether C is compared with its expressions where something else judges it too.
     """
     if "mesh" in model.manifest:
-        return _of_elements(model, model._source.results(model).mesh, seed)  # type: ignore[attr-defined]
+        elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
+        return _of_elements(model, elements, states, seed)
     wanted = [name for name in CHECKED if (name, None) in keys]
     others = [key for key in keys if key[1] is not None or key[0] not in CHECKED]
     reason = unknown(model)
@@ -199,12 +198,17 @@ def _judged(
 
 
 def _of_elements(
-    model: CompiledModel, elements: Elements, seed: int, fresh: Iterable[str] | None = None
+    model: CompiledModel,
+    elements: Elements,
+    states: int,
+    seed: int,
+    fresh: Iterable[str] | None = None,
 ) -> Verification:
     """Functions of every kind of element, by laws and by quadrature.
 
     Args:
-        model, elements, seed: Whose, and what states are drawn from.
+        model, elements: Whose.
+        states, seed: As of :func:`verify`.
         fresh: Kinds that have one of these functions are judged; all by default.
     """
     kinds = {group.kind.name: group.kind for group in elements.tables.groups}
@@ -216,13 +220,13 @@ def _of_elements(
         symbols = [s for s in symbols if s in loaded]
     codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
     checks = []
-    for members in members_of(model, elements, codes, seed):
+    for members in members_of(model, elements, codes, seed, states):
         name = members.table.kind.name
         for form, error, why in by_laws(members) if name in kinds else ():
             label = f"{name} {form}"
             own = Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
             checks.append(own)
-    return Verification(model.name, STATES, tuple(checks), LAWS)
+    return Verification(model.name, states, tuple(checks), LAWS)
 
 
 def _said(key: Key, error: float, why: str) -> Check:
@@ -296,7 +300,7 @@ def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[st
         BuildError: one is wrong.
     """
     new = list(fresh)
-    found = _of_elements(model, elements, 1, new)
+    found = _of_elements(model, elements, STATES, 1, new)
     differences: dict[str, float | str] = {}
     if model.manifest["multipliers"] and any(verify_constraints.binds(name) for name in new):
         differences = verify_constraints.said(verify_constraints.of_elements(model, elements, 3, 1))

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..joint_motion import Array
+from ..joint_motion import Array, times
 from ..newton_euler import Scene, inverse_dynamics
 from ..verify_circuits import relative
+from ..verify_tree import BOUND
 from .asked import ELSEWHERE, Asked
 from .bodies import kinetic, weight
 
@@ -68,30 +69,61 @@ def regressor(asked: Asked, of: str | None) -> float | str:
         known = asked.along(inverse_dynamics(scene, q, u, udot, motion))
         column = value[:, :, count - 1]
         worst = max(worst, relative(column - known, known, np.ones_like(known)))
-    more = _elements(asked, value[:, :, count:], count, "inverse_dynamics")
-    return more if isinstance(more, str) else max(worst, more)
+    return _elements(asked, value, count, "inverse_dynamics", worst)
 
 
-def _elements(asked: Asked, columns: Array, first: int, name: str) -> float | str:
-    """Columns of force elements: what changed coefficients change in a function."""
-    model, worst = asked.model, 0.0
-    if not columns.shape[-1]:
-        return 0.0
+def _elements(asked: Asked, value: Array, first: int, name: str, worst: float) -> float | str:
+    """Columns of force elements: what changed coefficients change in a function.
+
+    Args:
+        asked: The model at its states.
+        value: All columns (n, k, columns) of the rows that the function gives.
+        first: Column of the first coefficient.
+        name: The function.
+        worst: Error of the columns of bodies.
+
+    Returns:
+        The largest error; where none is too large, why columns cannot be told: a coefficient that
+        is a number never changes.
+    """
+    model = asked.model
+    if value.shape[-1] == first or worst > BOUND:
+        return worst
     if not asked.knows(name, "inertial_parameters"):
         return ELSEWHERE
-    p = model.parameters
-    entries = model._function("inertial_parameters", None).outputs[0]["entries"]
-    for k, coefficient in enumerate(entries[first:]):
-        if coefficient not in dict(p):
+    known = dict(model.parameters)
+    entries = model._function("inertial_parameters", None).outputs[0]["entries"][first:]
+    left = {k for k, entry in enumerate(entries) if entry not in known}
+    phi = asked.call("inertial_parameters")
+    # those that are parameters, and expressions of other parameters
+    changed = [entry for entry in entries if entry in known]
+    changed += [parameter for parameter in known if left and parameter not in changed]
+    for parameter in changed:
+        new = float(known[parameter]) * (1 + CHANGED) + CHANGED
+        other = replace(asked, model=model.with_parameters({parameter: new}), kept={})
+        change = other.call("inertial_parameters") - phi
+        told = {k for k in left if change[:, first + k].any()}
+        if parameter not in entries and not told:
             continue
-        new = float(dict(p)[coefficient]) * (1 + CHANGED) + CHANGED
-        other = replace(asked, model=model.with_parameters({coefficient: new}), kept={})
+        if parameter not in entries and not np.array_equal(_rows(other, name), value):
+            continue
+        found = times(value, change)
         before, after = asked.call(name), other.call(name)
         if name == "power":
             before, after = before.sum(axis=-1)[:, None], after.sum(axis=-1)[:, None]
-        change = (after - before) / (new - float(dict(p)[coefficient]))
-        worst = max(worst, relative(columns[:, :, k] - change, change, columns[:, :, k], before))
+        error = relative(found - (after - before), after - before, found, before)
+        worst, left = max(worst, error), left - told
+    if left and not worst > BOUND:
+        names = ", ".join(f"'{entries[k]}'" for k in sorted(left)[:3])
+        return f"nothing changes {names}: give numbers of elements as parameters"
     return worst
+
+
+def _rows(asked: Asked, name: str) -> Array:
+    """The columns that give a function."""
+    if name == "power":
+        return asked.call("energy_regressor")[:, 2:]
+    return asked.call("regressor")
 
 
 def energy_regressor(asked: Asked, of: str | None) -> float | str:
@@ -101,8 +133,7 @@ def energy_regressor(asked: Asked, of: str | None) -> float | str:
         one = replace(asked, scene=scene, kept={})
         known = np.stack([kinetic(one), weight(one), np.zeros(len(value))], axis=-1)
         worst = max(worst, relative(value[:, :, count - 1] - known, known, np.ones_like(known)))
-    more = _elements(asked, value[:, 2:, count:], count, "power")
-    return more if isinstance(more, str) else max(worst, more)
+    return _elements(asked, value[:, 2:], count, "power", worst)
 
 
 def inertial_parameters(asked: Asked, of: str | None) -> float:

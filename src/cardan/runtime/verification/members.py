@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 # how far places are moved from where they start: angles [rad], lengths in parts of the scene's
 TURNED, SHIFTED = 0.3, 0.03
 MOST = 2
-# random configurations of the scene
+# random configurations of the scene at which what was compiled just now is judged
 STATES = 2
 NODE = 7
 
@@ -160,16 +160,20 @@ def quaternion_rate(q: Array, w: Array) -> Array:
 
 
 def members_of(
-    model: CompiledModel, elements: Elements, codes: Mapping[str, Code], seed: int
+    model: CompiledModel,
+    elements: Elements,
+    codes: Mapping[str, Code],
+    seed: int,
+    count: int = STATES,
 ) -> list[Members]:
-    """Some members of every kind, of its largest group."""
+    """Some members of every kind, of its largest group, in so many configurations."""
     rng, tables = np.random.default_rng(seed), elements.tables
     groups = tables.groups
     largest: dict[str, int] = {}
     for k in sorted(range(len(groups)), key=lambda k: len(groups[k])):
         largest[groups[k].kind.name] = k
     length = _length(tables)
-    states = [_state(model, elements, rng, length) for _ in range(STATES)]
+    states = [_state(model, elements, rng, length) for _ in range(count)]
     found = []
     for number in sorted(largest.values()):
         group = groups[number]

@@ -150,8 +150,6 @@ def balance_tangent(asked: Asked, of: str | None) -> float | str:
     model = asked.model
     if not asked.knows("balance", "qdot"):
         return ELSEWHERE
-    if asked.truth.pressed is not None:
-        return "friction that follows from reactions stands still in it"
     n, nu, m = len(asked.truth.q), model.nu, len(model.manifest["multipliers"])
     lam = np.random.default_rng(2).uniform(-1, 1, (n, m))
     given = {"lam": lam}
