@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.analyses.contract import contract_of
+from cardan.analyses.settling import _forbidden
+from cardan.analyses.static_problem import Point, Problem
 from mechanisms.loaded import arch, follower_column, shaft
 from spread import some
 
@@ -318,6 +322,43 @@ def test_a14_friction_holds_a_block_on_a_slope() -> None:
     slipped = (path["F"] + weight * np.sin(angle) - most) / 50.0
     # on every row, to rounding of forces of 20 N over 50 N/m; searches end at 1e-9 of these
     np.testing.assert_allclose(path["x"], np.maximum(slipped, 0.0), atol=1e-9)
+
+
+@pytest.mark.parametrize("mass", [1e-9, 1.0])
+def test_a14_what_forbids_a_mode_counts_in_units_of_its_kind(mass: float) -> None:
+    """One number stood for angles, lengths, forces and speeds: light things were forbidden what
+    rounding does, and sliding could end behind where it began."""
+    scene = cd.Model("crane", gravity=(0, 0, -9.81))
+    trolley, hook = (scene.body(name, mass=mass, inertia=(mass,) * 3) for name in ("a", "b"))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, trolley)
+    scene.joint("h", cd.Revolute("y"), trolley.at(0, 0, -1000.0), hook)
+    scene.force("buffer", cd.Stop("x", lower=0.0))
+    scene.force("catch", cd.Stop("h", lower=0.0))
+    scene.force("rub", cd.Friction("x", coulomb=1e-3 * mass))
+    model = cd.compile(scene)
+    system = contract_of(model)
+    assert system.sign_units == ("m", "N", "rad", "N*m", "m/s", "N")
+    none = system.given_inputs(None)
+    moment = system.start(0.0, {"x": 1.0, "h": 1.0}, none, {}, system.changed({}))
+    moment = replace(
+        moment, s=np.where([row["name"] == "rub" for row in model.manifest["s"]], 1.0, moment.s)
+    )
+    problem, start = Problem(system), Point(moment, np.zeros(0))
+
+    def forbidden(x: float, h: float) -> list[str]:
+        end = Point(replace(moment, q=np.array([x, h])), np.zeros(0))
+        named = zip(model.manifest["events"], _forbidden(problem, start, end), strict=True)
+        return [row["name"] for row, happens in named if happens]
+
+    assert forbidden(2.0, 1.0) == []
+    # in parts of 1000 m, and of a radian
+    assert "buffer.lower" not in forbidden(-1e-7, 1.0)
+    assert "buffer.lower" in forbidden(-1e-5, 1.0)
+    assert "catch.lower" not in forbidden(2.0, -1e-10)
+    assert "catch.lower" in forbidden(2.0, -1e-8)
+    # it slides forward
+    assert forbidden(1.0 - 1e-7, 1.0) == []
+    assert forbidden(0.999, 1.0) == ["rub.stop"]
 
 
 def test_a14_a_latch_catches_what_falls_into_it() -> None:

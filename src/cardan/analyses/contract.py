@@ -183,6 +183,10 @@ class Contract(Protocol):
     def events(self) -> tuple[tuple[str, str, str], ...]:
         """Of every event its element, its kind, and what a start with a negative value means."""
 
+    @property
+    def sign_units(self) -> tuple[str, ...]:
+        """Units of the sign functions of events (ne,); "" of numbers, and of what users wrote."""
+
     def labels(self, s: Array) -> dict[str, str]:
         """What modes (ns,) mean, by the name of the mode."""
 

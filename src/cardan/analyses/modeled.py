@@ -85,6 +85,11 @@ class Modeled(ABC):
         rows = self.model.manifest.get("events", ())
         return tuple((row["element"], row["kind"], row.get("beyond", "")) for row in rows)
 
+    @cached_property
+    def sign_units(self) -> tuple[str, ...]:
+        """As :meth:`Contract.sign_units`; models saved earlier do not tell."""
+        return tuple(row.get("unit", "") for row in self.model.manifest.get("events", ()))
+
     def labels(self, s: Array) -> dict[str, str]:
         """As :meth:`Contract.labels`."""
         rows = zip(self.model.manifest["s"], s, strict=True)

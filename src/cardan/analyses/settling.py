@@ -28,7 +28,7 @@ CHANGES = 60  # of modes in one search
 CREEPING, SHORT, THIN = 300, 1e-9, 0.3  # steps, those that rest, and how resistance falls
 BESIDE = 1e-9  # a start so little beyond a stop is at it
 BISECTED = 60
-# forces that a mode may lack, of the loads; and speeds that tell a direction alone
+# what a mode may lack, in units of its kind; and speeds that tell a direction alone
 LACKING, SLOW = 1e-9, 1e-9
 
 
@@ -89,10 +89,17 @@ def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
 
 def _forbidden(problem: Problem, start: Point, point: Point) -> NDArray[np.bool_]:
     """Which events would have happened on the way to a point (ne,)."""
-    system = problem.system
-    way = system.difference(start.at.q, point.at.q)
-    unit = max(1e-300, float(system.loads(point.at).max(initial=0.0)))
-    return np.asarray(_signs(problem, point, way) < -LACKING * min(1.0, unit))
+    way = problem.system.difference(start.at.q, point.at.q)
+    return np.asarray(_signs(problem, point, way) < -LACKING * _scales(problem, point))
+
+
+def _scales(problem: Problem, point: Point) -> Array:
+    """What sign functions count against (ne,): the size of the scene, its loads."""
+    system, size = problem.system, problem.system.size
+    load = max(1e-300, float(system.loads(point.at).max(initial=0.0)))
+    known = {"m": size, "rad": 1.0, "N": load / size, "N*m": load}
+    known |= {"m/s": SLOW * size, "rad/s": SLOW}
+    return np.array([known.get(unit, min(1.0, load)) for unit in system.sign_units])
 
 
 def _at_rest(problem: Problem, point: Point) -> Point:

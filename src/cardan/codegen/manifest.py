@@ -13,12 +13,14 @@ from typing import Any
 from .. import __version__
 from ..elements.internal import TICK
 from ..elements.joints.joint import entries
+from ..elements.quantity import written_unit
 from ..equations import blocks, pressing
 from ..equations.constraints import Row, left_out
 from ..equations.dynamics import Dynamics
 from ..equations.kinematics import Kinematics
 from ..equations.record import Equations
 from ..ir.function import Function
+from ..topology.internals import slides
 from ..topology.segment import Segment
 from ..topology.system import Cut, Force, Frame, Joint, System
 from ..topology.welds import passed
@@ -188,6 +190,7 @@ def _events(system: System) -> list[dict[str, Any]]:
     return [
         {
             **{"name": name, "element": force.name, "kind": event.kind, "about": event.about},
+            "unit": written_unit(event.unit, slides(system.joints, force.joints.values())),
             **({"beyond": event.beyond} if event.beyond else {}),
             **({} if event.decides is None else {"decides": {force.name: event.decides}}),
         }

@@ -54,6 +54,8 @@ class Event:
         period, phase: Of a tick: it happens at phase + k period [s].
         beyond: What a start with a negative value means, in words, where no run may begin so.
         decides: Value of its element's mode from which it is no event but the first decision.
+        unit: Of its sign function; ``"a|b"``: of joints that turn, and of those that slide; ""
+            where it is the user's, or a number.
     """
 
     name: str
@@ -63,6 +65,7 @@ class Event:
     phase: float = 0.0
     beyond: str = ""
     decides: float | None = None
+    unit: str = ""
 
 
 @dataclass(frozen=True)

@@ -190,8 +190,8 @@ class Contact(ForceElement):
         return (Mode("", UNDECIDED, labels),)
 
     def events(self) -> tuple[Event, ...]:
-        touch = Event("touch", MODE, "they touch", decides=UNDECIDED)
-        return touch, Event("part", MODE, "they part")
+        touch = Event("touch", MODE, "they touch", decides=UNDECIDED, unit="m")
+        return touch, Event("part", MODE, "they part", unit="m")
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         mode, depth = at.s[0], self._geometry(at)[0]

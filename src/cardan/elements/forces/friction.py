@@ -194,8 +194,8 @@ class Friction(ForceElement):
         if not self._sticks:
             return self._jams()
         return (
-            Event("stop", MODE, "sliding comes to rest", decides=UNDECIDED),
-            Event("slip", MODE, "sticking gives way"),
+            Event("stop", MODE, "sliding comes to rest", decides=UNDECIDED, unit="rad/s|m/s"),
+            Event("slip", MODE, "sticking gives way", unit="N*m|N"),
             *self._jams(),
         )
 

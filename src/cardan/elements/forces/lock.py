@@ -85,7 +85,8 @@ class Lock(ForceElement):
 
     def events(self) -> tuple[Event, ...]:
         about = {"release": "it is released", "break": "it gives way"}
-        opening = (Event(event, MODE, about[event]) for event, _ in self._opens)
+        units = {"release": "", "break": "N*m|N"}
+        opening = (Event(e, MODE, about[e], unit=units[e]) for e, _ in self._opens)
         return (Event("lock", IMPACT, "it locks"), *opening)
 
     def holding(self) -> tuple[tuple[str, str], ...]:

@@ -97,10 +97,11 @@ class Stop(ForceElement):
                 IMPACT,
                 f"it hits the {name} stop",
                 beyond=f"joint '{self.joint}' starts beyond its {name} stop",
+                unit="rad|m",
             )
             for name, _ in self._sides
         )
-        return (*hits, Event("release", MODE, "it leaves the stop"))
+        return (*hits, Event("release", MODE, "it leaves the stop", unit="N*m|N"))
 
     def holding(self) -> tuple[tuple[str, str], ...]:
         return (("stop", "rad/s|m/s"),)
