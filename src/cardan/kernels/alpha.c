@@ -7,13 +7,9 @@
  * (step size control).
  */
 #include "alpha.h"
-#include <float.h>
 #include <math.h>
 
 enum { LOCAL = 3 }; /* order of the error of a step */
-/* what constraints may be open by at a given step, of the size of the mechanism; what they are
- * rounded by, in units of that */
-static const real OPEN = 1e-4, ROUNDED = 1e3;
 /* steps stay as they are unless they may grow by more: their matrix serves again */
 static const real SAFETY = 0.9, WORTH = 1.5, GROW = 3, LEAST = 0.2;
 /* Of index 3, whose accelerations answer to a change of the step by a wave that dies out over some
@@ -83,56 +79,18 @@ static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status
     return error;
 }
 
-/* How fast the scene moves at either end of a step: radians or sizes per second, at least 1, as
- * accounts of a run have it, but not by more than all of it within the step. */
-static real pace(const cardan_run *run, const cardan_alpha *v, real h)
-{
-    real fastest = 1;
-
-    for (ptrdiff_t i = 0; i < v->nu; i++) {
-        const real unit = run->columns ? run->columns[i] : 1;
-        const real now = run->y[v->nq + i], then = run->trial[v->nq + i];
-        fastest = fmax(fastest, fmax(fabs(now), fabs(then)) / unit);
-    }
-    return fmin(fastest, 1 / fabs(h));
-}
-
 /* Whether the trial closes its constraints: corrections that were small do not say so where the
  * equations behind them were not solved.
  *
- * Of speeds no step size makes gaps small: they count against how fast the scene moves. Of index 3
- * nothing is asked of them where positions bind: speeds are bound there by no equation and miss the
- * constraints by the error of the increment over h, many times the tolerance in healthy runs. */
+ * Of index 3 nothing is asked of rates where positions bind: speeds are bound there by no equation
+ * and miss the constraints by the error of the increment over h, many times the tolerance in healthy
+ * runs. */
 static int closed(const cardan_run *run, const cardan_alpha *v, real h)
 {
     const real reach = fmax(fmax(1, run->size), v->mesh ? v->now[ALPHA_EXTENT] : 1);
     const ptrdiff_t first = v->index == 2 ? 0 : v->mp;
-    real bound = v->adaptive ? run->atol + run->rtol * reach : OPEN * reach, far = reach;
 
-    for (ptrdiff_t i = 0; i < v->nq; i++)
-        far = fmax(far, fabs(run->trial[i]));
-    bound += ROUNDED * DBL_EPSILON * far;
-    for (ptrdiff_t k = 0; k < v->mp; k++)
-        if (!(fabs(v->residual[v->nu + k]) <= bound))
-            return 0;
-    bound *= pace(run, v, h);
-    for (ptrdiff_t k = first; k < v->m; k++)
-        if (!(fabs(v->residual[v->nu + v->mp + k]) <= bound))
-            return 0;
-    return 1;
-}
-
-/* Enter what constraints leave into the ledger. */
-static void note(cardan_run *run, const cardan_alpha *v, real t)
-{
-    for (ptrdiff_t k = 0; k < v->mp + v->m; k++)
-        for (int column = 0; column < 4; column += 2) {
-            real *entry = run->ledger + 4 * k + column;
-            if (fabs(v->residual[v->nu + k]) > entry[0]) {
-                entry[0] = fabs(v->residual[v->nu + k]);
-                entry[1] = t;
-            }
-        }
+    return cardan_gaps_close(run, v->residual + v->nu, first, h, reach, v->adaptive);
 }
 
 /* Derivative at the end of a step into `k`: rates, the accelerations found, power. */
@@ -163,7 +121,7 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         if (status == 0 && !closed(run, v, t - run->t))
             status = CARDAN_UNSOLVED;
         if (status == 0)
-            note(run, v, t);
+            cardan_note_gaps(run, v->residual + v->nu, t);
     }
     if (status == 0)
         status = derivative(run, v, t);

@@ -9,10 +9,14 @@
  * (coordinate projection).
  */
 #include "run.h"
+#include <float.h>
 #include <math.h>
 
 /* residuals relative to the size of the mechanism: what is sought, and what still counts as closed */
 static const real SOUGHT = 1e-15, CLOSED = 1e-11;
+/* what constraints may be open by at a given step, of the size of the mechanism; what they are
+ * rounded by, in units of that */
+static const real OPEN = 1e-4, ROUNDED = 1e3;
 enum { MOST_STEPS = 8 };
 
 /* q or u with the function that closes it */
@@ -52,16 +56,63 @@ static ptrdiff_t worst_of(const real *residuals, ptrdiff_t rows)
     return worst;
 }
 
+/* Enter a residual into the ledger where it is the largest yet. */
+static void enter(real *entry, real residual, real t)
+{
+    if (fabs(residual) > entry[0]) {
+        entry[0] = fabs(residual);
+        entry[1] = t;
+    }
+}
+
+/* How fast the scene moves at either end of a step: radians or sizes per second, at least 1, as
+ * accounts of a run have it, but not by more than all of it within the step. */
+static real pace(const cardan_run *run, real h)
+{
+    real fastest = 1;
+
+    for (ptrdiff_t i = 0; i < run->nu; i++) {
+        const real unit = run->columns ? run->columns[i] : 1;
+        const real now = run->y[run->nq + i], then = run->trial[run->nq + i];
+        fastest = fmax(fastest, fmax(fabs(now), fabs(then)) / unit);
+    }
+    return fmin(fastest, 1 / fabs(h));
+}
+
+/* Whether a trial closes its constraints, by the tolerance or, at a given step, a part of the size:
+ * gaps of positions, then rates from `first` on. Of speeds no step size makes gaps small: they count
+ * against how fast the scene moves. reach: size of the scene, at least 1. */
+int cardan_gaps_close(const cardan_run *run, const real *gaps, ptrdiff_t first, real h, real reach,
+                      int adaptive)
+{
+    real bound = adaptive ? run->atol + run->rtol * reach : OPEN * reach, far = reach;
+
+    for (ptrdiff_t i = 0; i < run->nq; i++)
+        far = fmax(far, fabs(run->trial[i]));
+    bound += ROUNDED * DBL_EPSILON * far;
+    for (ptrdiff_t k = 0; k < run->positions; k++)
+        if (!(fabs(gaps[k]) <= bound))
+            return 0;
+    bound *= pace(run, h);
+    for (ptrdiff_t k = first; k < run->rates; k++)
+        if (!(fabs(gaps[run->positions + k]) <= bound))
+            return 0;
+    return 1;
+}
+
+/* Enter what a trial leaves of all constraints into the ledger, as before and after a projection. */
+void cardan_note_gaps(cardan_run *run, const real *gaps, real t)
+{
+    for (ptrdiff_t k = 0; k < run->positions + run->rates; k++)
+        for (int column = 0; column < 4; column += 2)
+            enter(run->ledger + 4 * k + column, gaps[k], t);
+}
+
 /* Enter residuals into the ledger where they are the largest yet; column 0: before, 2: after. */
 static void note(cardan_run *run, const level *at, real t, const real *residuals, int column)
 {
-    for (ptrdiff_t i = 0; i < at->rows; i++) {
-        real *entry = run->ledger + 4 * (at->first + i) + column;
-        if (fabs(residuals[i]) > entry[0]) {
-            entry[0] = fabs(residuals[i]);
-            entry[1] = t;
-        }
-    }
+    for (ptrdiff_t i = 0; i < at->rows; i++)
+        enter(run->ledger + 4 * (at->first + i) + column, residuals[i], t);
 }
 
 static void copy(real *to, const real *from, ptrdiff_t size)

@@ -123,17 +123,10 @@ int cardan_conserving_init(cardan_run *run)
     return status != 0 ? status : restart(run, &v);
 }
 
-/* Enter what constraints leave into the ledger. */
-static void note(cardan_run *run, const cardan_conserving *v, real t)
+/* Whether the trial closes its positions, whatever corrections said; no equation binds speeds. */
+static int closed(const cardan_run *run, const cardan_conserving *v, real h)
 {
-    for (ptrdiff_t k = 0; k < v->mp + v->m; k++)
-        for (int column = 0; column < 4; column += 2) {
-            real *entry = run->ledger + 4 * k + column;
-            if (fabs(v->gaps[v->nu + k]) > entry[0]) {
-                entry[0] = fabs(v->gaps[v->nu + k]);
-                entry[1] = t;
-            }
-        }
+    return cardan_gaps_close(run, v->gaps + v->nu, v->m, h, fmax(1, run->size), 0);
 }
 
 /* Multipliers at the end of a step from those in the middle of it and of the one before. */
@@ -172,7 +165,7 @@ static int commit(cardan_run *run, const cardan_conserving *v, real h, real t)
     if (!cardan_follows(run, t, run->trial, run->k))
         return CARDAN_WHIRLED;
     if (v->m > 0)
-        note(run, v, t);
+        cardan_note_gaps(run, v->gaps + v->nu, t);
     keep_gaps(v);
     tell_multipliers(v);
     for (ptrdiff_t i = 0; i < run->n; i++) {
@@ -206,6 +199,8 @@ int cardan_conserving_step(cardan_run *run)
             status = restart(run, &v);
         if (status == 0)
             status = cardan_conserving_solve(run, &v, t_new - run->t, t_new);
+        if (status == 0 && !closed(run, &v, t_new - run->t))
+            status = CARDAN_UNSOLVED;
         if (status == 0)
             return commit(run, &v, t_new - run->t, t_new);
         run->rejections++;

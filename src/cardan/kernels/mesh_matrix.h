@@ -38,8 +38,10 @@ real cardan_mesh_sine(const cardan_mesh *mesh, const cardan_mesh_system *system,
 /* Of a factored matrix of masses and constraints: CARDAN_SINGULAR where a motion is left to which
  * nothing has mass or inertia, else 0. */
 int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *system);
-/* found = a^-1 right. Redundant rows may ask for something else: how much of the largest equation
- * that is stands in `unfit`; what may be, the caller knows. Returns 0 or CARDAN_UNSOLVED. */
+/* found = a^-1 right, CARDAN_UNSOLVED where it leaves more of that than rounding does. Redundant rows
+ * may ask for something else: how much of the largest equation that is stands in `unfit`; what may
+ * be, the caller knows. Corrections of gaps are judged by the gaps they leave: those of a step that
+ * is taken close (cardan_gaps_close), and so do positions that are closed. */
 int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system);
 
 #endif

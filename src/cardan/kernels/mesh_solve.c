@@ -208,9 +208,17 @@ static int solve_weak(const cardan_mesh *mesh, cardan_mesh_system *system)
 
 int cardan_mesh_solve(const cardan_mesh *mesh, cardan_mesh_system *system)
 {
+    const cardan_sparse *plan = mesh->plan;
+    const cardan_sparse_factors *factors = &system->factors;
+    real *x = system->found, *room = system->work, error;
+
     system->unfit = 0;
-    if (system->factors.weak > 0)
+    if (factors->weak > 0)
         return solve_weak(mesh, system);
-    cardan_sparse_solve(mesh->plan, &system->factors, 1, system->right, system->found);
-    return cardan_not_finite(system->found, mesh->plan->n) >= 0 ? CARDAN_UNSOLVED : 0;
+    cardan_sparse_solve(plan, factors, 1, system->right, x);
+    /* pivots are looked for inside of a supernode alone: factors may have grown */
+    error = cardan_sparse_residual(plan, factors, system->a, system->right, x, room);
+    if (error > GOOD && error < INFINITY)
+        error = cardan_sparse_refine(plan, factors, system->a, system->right, GOOD, IMPROVE, x, room);
+    return error <= GOOD ? 0 : CARDAN_UNSOLVED;
 }

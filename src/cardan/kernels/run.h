@@ -271,6 +271,9 @@ void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
+int cardan_gaps_close(const cardan_run *run, const real *gaps, ptrdiff_t first, real h, real reach,
+                      int adaptive);
+void cardan_note_gaps(cardan_run *run, const real *gaps, real t);
 ptrdiff_t cardan_chart_length(const cardan_run *run);
 void cardan_leave_inside(const cardan_run *run, real theta, real *y);
 void cardan_first_moment(cardan_run *run);
