@@ -40,7 +40,11 @@ def allowed(row: cd.Equilibrium) -> np.ndarray:
     sizes = system.sizes(at) * system.columns
     loads = system.loads(at) / system.columns
     rounding = K @ sizes + loads
-    # what multipliers bear, and what rounding makes of them
+    # Multipliers lam + e are found from rows f + d = G' (lam + e) with |d| <= 50 eps of the forces
+    # that meet in each: a solve is backward stable for all rows together, not row by row. So
+    # |e| <= |pinv(G')| |d|, and a row in which nothing else acts is left with |G|' |e|: Andrews'
+    # mechanism at rest, 7e-25 of 1e-13 that meet elsewhere. Without this term it alone of 123
+    # equilibria is beyond its bound; with it none has more than 2 % of it, most by far less.
     carried = np.abs(np.linalg.pinv(G.T)) @ rounding
     bears = np.abs(row.lam) + carried if len(row.lam) else np.zeros(0)
     # loads in their own units: forces along lengths, moments along angles

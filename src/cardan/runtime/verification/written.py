@@ -14,9 +14,16 @@ from ...ir.serialize import from_dict
 from ..joint_motion import Array
 from .asked import Asked
 
-# inputs are shaken by this to see what rounding may do where terms cancel, by how much more it may
-# do, and how often: of constraints that say the same rounding chooses the one that is left out
-SHAKEN, LESS, SHAKES = 1e-14, 1e3, 8
+# Inputs are shaken by this, 45 roundings, to see what those inside of a function may do where terms
+# cancel, and by how much more: what C contracts and NumPy does not is rounded in every operation.
+# Zeros are shaken too, by as much of the largest entry: where exact zeros cancel in NumPy, a
+# contracted product leaves its rounding.
+SHAKEN, LESS = 1e-14, 1e3
+# How often: of two constraints that say the same rounding leaves out one or the other, as a coin
+# falls. That C and the expressions choose otherwise and no shake shows it has a chance of
+# 2^-8 / 2, one in 512 of such functions; of more equal constraints it is less. A fault is hidden by
+# no more shakes than one: what they allow is what inputs as good as the given ones give.
+SHAKES = 8
 # of digits that rounding takes, as a part of the result
 LOST = 1e-3
 # operations beyond which expressions take longer than the compiler; loops say so themselves
