@@ -216,7 +216,7 @@ class Trajectory:
         if self.model is None:
             raise ModelError(
                 f"{what} needs the model, which a file does not hold. Compile it and give it: "
-                "load(path, model=...)"
+                "cd.load_motion(path, model)"
             )
         return self.model
 
