@@ -23,8 +23,8 @@ Found = dict[tuple[str, str], Outcome]
 HEAD = """\
 # Hard cases
 
-Written by `make hard`, which runs every integrator of joint coordinates on every case again (those of
-absolute coordinates alone, `EnergyMomentum`, have tests of their own). What is expected, a status
+Written by `make hard`, which runs every integrator of joint coordinates on every case again
+(`EnergyMomentum`, of absolute coordinates alone, has tests of its own). What is expected, a status
 and a bound of the error, stands in `tests/hard`, and the tests hold it. Most bounds were set before
 the first run. Those of micrometers, astronomical units, the free body, stick-slip and of
 EnergyMidpoint on 100 links followed it: they are theory's or at least three times what was found,
