@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from reprlib import Repr
 from typing import Any
@@ -98,6 +98,12 @@ def counted(number: int, one: str, many: str = "") -> str:
         one, many: The noun; many is one with an s if left out.
     """
     return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def miscounted(where: str, size: int, entries: Sequence[str]) -> str:
+    """Why so many values do not fit the entries that they are given for."""
+    names = ", ".join(entries)
+    return f"{where}: {counted(size, 'value')}, expected {len(entries)}: {names}"
 
 
 def listed(word: str, given: object, example: str) -> list[str]:

@@ -201,7 +201,7 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
         (cd.ModelError, "no coordinate 'C'", ({"A": 1.0},), {"branch": {"C": "+"}}),
         (cd.ModelError, r"u=\{'C': ...\}", ({"A": 1.0},), {"u": {"C": 1.0}}),
         (cd.ArgumentError, r"give '\+', '-' or", ({"A": 1.0},), {"branch": {"D": "up"}}),
-        (cd.ArgumentError, "2 values, expected A", ({"A": [1.0, 2.0]},), {}),
+        (cd.ArgumentError, "2 values, expected 1: A", ({"A": [1.0, 2.0]},), {}),
         (cd.ArgumentError, "not a number", ({"A": "one"},), {}),
         (cd.ArgumentError, "takes its position", ({"C.parent": [1.0, 2.0]},), {}),
         (cd.ArgumentError, "this is no pose", ({"C.parent": np.zeros((4, 4))},), {}),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import warnings
 from pathlib import Path
@@ -157,3 +158,65 @@ def test_e9_two_prescribed_joints_in_a_circuit_of_one_freedom() -> None:
     arm = scene.body("arm", mass=1)
     scene.joint("beside", cd.Revolute("z"), "l0", arm, motion=cd.t)
     assert not _said(lambda: cd.derive(scene))
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_a_joint_that_closes_a_loop_is_not_taken_for_a_misspelled_one(coordinates: str) -> None:
+    """In absolute coordinates it was unknown: "Did you mean 'c'?", a body."""
+    scene = cd.Model("four_bar")
+    a, b, c = (scene.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1)) for name in "abc")
+    scene.joint("A", cd.Revolute("z"), scene.ground, a)
+    scene.joint("B", cd.Revolute("z"), a.at(1, 0, 0), b)
+    scene.joint("D", cd.Revolute("z"), scene.ground.at(2, 0, 0), c)
+    scene.joint("C", cd.Revolute("z"), b.at(2, 0, 0), c.at(1.5, 0, 0), cut=True)
+    model = cd.compile(scene, coordinates=coordinates)
+    for given in ({"q": {"C": 0.1}}, {"u": {"C": 0.1}}):
+        with pytest.raises(cd.ModelError, match=r"'C' closes a kinematic loop") as error:
+            model.simulate(0.1, **given)
+        assert "Did you mean" not in str(error.value)
+    with pytest.raises(cd.ModelError, match=r"there is no joint .* 'AA'.*Did you mean 'A'\?"):
+        model.simulate(0.1, q={"AA": 0.1})
+
+
+def test_values_are_counted_and_named() -> None:
+    """ "1 values, expected 7"."""
+    scene = cd.Model("free")
+    scene.joint("base", cd.Free(), scene.ground, scene.body("b", mass=1.0, inertia=(1, 1, 1)))
+    model = cd.compile(scene)
+    with pytest.raises(cd.ArgumentError, match=r"1 value, expected 7: base\.\w+, .*, base\.pz$"):
+        model.simulate(0.1, q={"base": 1.0})
+    with pytest.raises(cd.ArgumentError, match=r"2 values, expected 6: base\.u\.x, "):
+        model.simulate(0.1, u={"base": [1.0, 2.0]})
+
+
+def test_a_path_that_friction_ends_says_so() -> None:
+    """ "the stiffness gives way there (lowest eigenvalue inf J)"."""
+    scene = cd.Model("block", gravity=(0, 0, -9.81))
+    body = scene.body("b", mass=2.0, inertia=(1, 1, 1))
+    scene.joint("x", cd.Prismatic("x"), scene.ground, body)
+    scene.force("dry", cd.Friction("x", coulomb=9.0))
+    scene.force("pull", cd.JointForce("x", scene.parameter("F", 0.0)))
+    with pytest.warns(cd.SolveWarning, match=r"held there by 'dry' \(sticking\), which bear no m"):
+        path = cd.compile(scene).statics(F=(0, 20.0))
+    assert path["F"][-1] == pytest.approx(9.0, rel=1e-6)
+    assert "inf" not in path.message
+
+
+def test_check_names_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It named no file beside a complaint."""
+    robot = tmp_path / "bad.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="base"/><link name="a"><inertial><mass value="1"/><inertia '
+        'ixx="0.1" iyy="0.1" izz="0.5" ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" '
+        'type="continuous"><parent link="base"/><child link="a"/></joint></robot>'
+    )
+    assert main(["check", str(robot)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith(f"{robot}: error: body 'a': its inertia")
+    assert main(["check", str(robot), "--json"]) == 1
+    rows = json.loads(capsys.readouterr().out)
+    assert {row["file"] for row in rows} == {str(robot)}
+    # a message that says where does so once
+    robot.write_text("<robot")
+    assert main(["check", str(robot)]) == 1
+    assert capsys.readouterr().out.count(robot.name) == 1

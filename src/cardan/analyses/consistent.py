@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, shown
+from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
@@ -80,8 +80,7 @@ def read(
             raise ModelError(f"{where}: {missing(model.manifest, 'u', name, places)}")
         array = np.asarray(value, dtype=np.float64).reshape(-1)
         if array.size != place.stop - place.start:
-            names = ", ".join(model.speeds[place])
-            raise ArgumentError(f"{where}: {array.size} values, expected {names}")
+            raise ArgumentError(miscounted(where, array.size, model.speeds[place]))
         if not np.isfinite(array).all():
             raise SolveError(f"{where} is {shown(value)}; it must be finite")
         if set(chosen) & set(range(place.start, place.stop)):

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, shown
+from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
 from ..runtime.closed_states import dependents
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers
@@ -71,13 +71,19 @@ def _following(m: Mechanism, q: Array) -> Array:
     return dependents(m.model, q, np.zeros((len(q), m.model.nu)), m.t, np.tile(r, (len(q), 1)))[0]
 
 
-def _numbers(letter: str, name: str, value: Any, size: int) -> Array:
+def _numbers(m: Mechanism, letter: str, name: str, value: Any) -> Array:
     """Values of a joint or entry that follows, checked."""
-    found = np.asarray(value, dtype=np.float64).reshape(-1)
-    if found.size != size:
-        raise ArgumentError(f"{letter}={{'{name}': ...}}: {found.size} values, expected {size}")
+    found, where = np.asarray(value, dtype=np.float64).reshape(-1), f"{letter}={{'{name}': ...}}"
+    own = {
+        row["name"]: row["solved"][letter]
+        for row in m.model.manifest["joints"]
+        if row.get("solved")
+    }
+    entries = own.get(name, (name,))
+    if found.size != len(entries):
+        raise ArgumentError(miscounted(where, found.size, entries))
     if not np.isfinite(found).all():
-        raise SolveError(f"{letter}={{'{name}': ...}} is {shown(value)}; it must be finite")
+        raise SolveError(f"{where} is {shown(value)}; it must be finite")
     return found
 
 
@@ -118,7 +124,7 @@ def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, 
         _follower(
             m,
             np.arange(count)[places[name]],
-            _numbers("q", name, value, len(range(*places[name].indices(count)))),
+            _numbers(m, "q", name, value),
             name,
         )
         for name, value in given.items()
@@ -199,7 +205,7 @@ def speed(m: Mechanism, q: Array, u: Array, held: list[int], given: Mapping[str,
     for name, value in given.items():
         own = range(*places[name].indices(len(rest)))
         chosen += own
-        values += _numbers("u", name, value, len(own)).tolist()
+        values += _numbers(m, "u", name, value).tolist()
     free = np.setdiff1d(np.arange(m.model.nu), held)
     gap = np.concatenate([np.array(values) - rest[chosen] - G[chosen] @ u, -m.rates(q, u)])
     rows = np.concatenate([G[chosen], m.jacobian(q) / m.columns])[:, free]

@@ -180,6 +180,15 @@ def _stopped(
             "the largest load that equilibria lead to. The path up to there is kept"
             f"{_onward(system, way, limit.standing.direction)}"
         )
+    if not np.isfinite(last.standing.least):
+        # nothing is left to have a stiffness
+        modes = system.labels(last.point.at.s).items()
+        by = ", ".join(f"'{name}' ({label})" for name, label in modes)
+        along = f" along {moving}" if moving else ""
+        return (
+            f"{ended}: all motion is held there by {by or 'constraints'}, which bear no more"
+            f"{along}. The path up to there is kept; from there on it moves: simulate()"
+        )
     return (
         f"{ended}: the stiffness gives way there{where} (lowest eigenvalue "
         f"{last.standing.least:.3g} J): a limit point, a bifurcation, or the "

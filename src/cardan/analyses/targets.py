@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, listed, near, shown
+from ..errors import ArgumentError, ModelError, SolveError, listed, miscounted, near, shown
 from ..runtime.initial import entries, missing
 from ..runtime.named_rotations import check_units, refuse_components
 from .mechanism import Mechanism
@@ -187,8 +187,7 @@ def _target(m: Mechanism, name: str, value: Any) -> Target:
     place = places.get(name)
     if place is not None and not (name in frames and array.shape == (4, 4)):
         if array.size != place.stop - place.start:
-            names = ", ".join(m.model.coordinates[place])
-            raise ArgumentError(f"{where}: {array.size} values, expected {names}")
+            raise ArgumentError(miscounted(where, array.size, m.model.coordinates[place]))
         return Target(name, "coordinate", array.reshape(-1), place)
     if name in frames:
         kind = FRAMES.get(array.shape)

@@ -36,7 +36,7 @@ examples:
   cardan check pendulum.yaml
         complaints, the worst first
   cardan check arm.urdf --json
-        a list of {"level": "error" | "warning" | "note", "says": "..."}
+        a list of {"file": "arm.urdf", "level": "error" | "warning" | "note", "says": "..."}
 
 exit status: 0 no errors, 1 errors."""
 
@@ -61,10 +61,14 @@ def run(options: argparse.Namespace) -> int:
     """Print the complaints. Returns the exit status."""
     found = complaints(options)
     if options.json:
-        print(json.dumps([asdict(complaint) for complaint in found], indent=1))
+        rows = [{"file": str(options.file), **asdict(complaint)} for complaint in found]
+        print(json.dumps(rows, indent=1))
     else:
         for complaint in found:
-            print(f"{complaint.level}: {complaint.says}")
+            # what was found in the text says file and line itself
+            named = str(options.file) in complaint.says
+            where = "" if named else f"{options.file}: "
+            print(f"{where}{complaint.level}: {complaint.says}")
         counts = [(sum(c.level == level for c in found), level) for level in LEVELS]
         words = ", ".join(f"{n} {level}{'s' * (n != 1)}" for n, level in counts)
         print(f"{options.file}: {words}", file=sys.stderr)

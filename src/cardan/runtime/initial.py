@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import ArgumentError, ModelError, SolveError, near, shown
+from ..errors import ArgumentError, ModelError, SolveError, miscounted, near, shown
 from ..ir.rows import column, having
 from .calling import Array
 from .named_rotations import check_units, component, refuse_components
@@ -161,30 +161,42 @@ def missing(manifest: Mapping[str, Any], letter: str, name: str, known: Iterable
     Who names one component of a rotation is not sent to another one.
     """
     part = component(manifest, name) if letter == "q" else ""
-    return part or f"{_unknown(letter, name, manifest)}{near(name, known)}"
-
-
-def _unknown(letter: str, name: str, manifest: Mapping[str, Any]) -> str:
+    if part:
+        return part
     if letter == "z":
-        return f"there is no internal state '{name}'."
+        return f"there is no internal state '{name}'.{near(name, known)}"
     what = {"q": "coordinate", "u": "speed"}[letter]
+    # what is there is not misspelled
+    follows = _follows(name, what, manifest)
+    if follows:
+        return f"{follows}{near('', known)}"
+    return f"there is no joint or {what} '{name}'.{near(name, known)}"
+
+
+def _follows(name: str, what: str, manifest: Mapping[str, Any]) -> str:
+    """Why a joint that is there has nothing of its own; "" where there is no such joint."""
     joint = next((j for j in manifest["joints"] if j["name"] == name), None)
-    if joint is None and name in (row["name"] for row in manifest.get("cuts", [])):
+    closing = {row["name"] for row in manifest.get("cuts", ())}
+    if joint is None and name in closing:
         return (
-            f"joint '{name}' closes a circuit and has no {what} of its own: the others determine "
-            "it. Name others, or let cut=True cut another joint of the circuit."
+            f"joint '{name}' closes a kinematic loop and has no {what} of its own: the others "
+            "determine it. Name others, or let cut=True cut another joint of the loop."
         )
     if joint is not None and joint.get("coupled"):
         return (
             f"joint '{name}' follows '{joint['coupled']['leader']}' and has no {what} of its own."
         )
     if joint is not None and joint.get("solved"):
-        return (
-            f"joint '{name}' follows from the circuit that '{joint['solved']['circuit']}' closes."
-        )
+        return f"joint '{name}' follows from the loop that '{joint['solved']['circuit']}' closes."
     if joint is not None:
         return f"joint '{name}' moves as prescribed and has no {what} of its own."
-    return f"there is no joint or {what} '{name}'."
+    # in absolute coordinates every joint has multipliers, and one that closes a loop nothing else
+    if "mesh" in manifest and name in {row["joint"] for row in manifest["multipliers"]}:
+        return (
+            f"'{name}' closes a kinematic loop and has no {what} of its own: the others determine "
+            "it. Name others."
+        )
+    return ""
 
 
 def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
@@ -194,9 +206,7 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
         raise ArgumentError(f"{where}: {shown(value)} is not a number")
     array = np.atleast_1d(array.astype(np.float64))
     if array.shape != (len(entries),):
-        raise ArgumentError(
-            f"{where}: {array.size} values, expected {len(entries)}: {', '.join(entries)}"
-        )
+        raise ArgumentError(miscounted(where, array.size, entries))
     for entry, number in zip(entries, array, strict=True):
         if not np.isfinite(number):
             raise SolveError(f"{where}: '{entry}' is {number}. Every initial value must be finite")

@@ -21,8 +21,7 @@ from .asked import Asked
 SHAKEN, LESS = 1e-14, 1e3
 # How often: of two constraints that say the same rounding leaves out one or the other, as a coin
 # falls. That C and the expressions choose otherwise and no shake shows it has a chance of
-# 2^-8 / 2, one in 512 of such functions; of more equal constraints it is less. A fault is hidden by
-# no more shakes than one: what they allow is what inputs as good as the given ones give.
+# 2^-8 / 2, one in 512 of such functions; of more equal constraints it is less.
 SHAKES = 8
 # of digits that rounding takes, as a part of the result
 LOST = 1e-3
