@@ -8,6 +8,7 @@ import sys
 import warnings
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import (
@@ -66,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
     else:
         for complaint in found:
             # what was found in the text says file and line itself
-            named = str(options.file) in complaint.says
+            named = Path(options.file).name in complaint.says
             where = "" if named else f"{options.file}: "
             print(f"{where}{complaint.level}: {complaint.says}")
         counts = [(sum(c.level == level for c in found), level) for level in LEVELS]
