@@ -258,6 +258,9 @@ class Objects:
         with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             made = together([partial(self._made, symbol) for symbol in missing])
+            if any(code.function is not None for code in made):
+                # said here: the threads of a pool know no line of the caller's
+                interpreted.announce()
             self._loaded.update(zip(missing, made, strict=True))
             return [self._loaded[s] for s in symbols]
 
@@ -304,7 +307,7 @@ class Objects:
         )
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
-        """The saved Function of a symbol; says once what to do about the compiler.
+        """The saved Function of a symbol.
 
         Raises:
             CompilerMissing: it is not saved.
@@ -315,7 +318,6 @@ class Objects:
         saved = self.saved()
         if symbol not in saved:
             raise missing
-        interpreted.announce()
         try:
             return from_dict(saved[symbol])
         except (ValueError, RecursionError) as error:
