@@ -45,6 +45,20 @@ def test_a12_scene_with_beams_is_judged_kind_by_kind() -> None:
     assert found.worst < 1e-10
 
 
+def test_a12_a_model_without_functions_is_not_said_to_be_checked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """ "At 0 random states: all are checked"."""
+    monkeypatch.setenv("CARDAN_CACHE", str(tmp_path / "cache"))
+    scene = cd.Model("bob", gravity=(0, 0, -9.81))
+    bob = scene.body("bob", mass=1.0, com=(0, 0, -0.731))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
+    model = cd.compile(scene)
+    assert "NOTHING CHECKED" in str(model.verify())
+    model.prepare("forward_dynamics")
+    assert str(model.verify()).splitlines()[0].endswith("all are checked")
+
+
 @pytest.mark.parametrize("form", BEAM)
 def test_a12_wrong_function_of_a_beam_is_found(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """No function of an element was compared with anything."""

@@ -88,6 +88,11 @@ class Verification:
         return tuple(c.function for c in self.checks if not c.reason)
 
     def __str__(self) -> str:
+        if not self.checks:
+            return (
+                f"'{self.model}': NOTHING CHECKED: no function is built yet. Each is built and "
+                "checked at its first call, or by model.prepare('forward_dynamics')"
+            )
         missing = ", ".join(self.unchecked)
         head = f"'{self.model}' at {self.states} random states against {self.judge}"
         lines = [f"{head}; NOT CHECKED: {missing}" if missing else f"{head}: all are checked"]
