@@ -15,7 +15,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-__version__ = "0.1.0"
+from .version import VERSION as __version__
 
 # public name -> module that holds it (None: the module itself), in the order of use
 _PUBLIC: dict[str, str] = {
@@ -128,14 +128,17 @@ _PUBLIC: dict[str, str] = {
 _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
+# what pickles name, for ever -> module that holds it
+_PICKLED = {"_unpickled_model": "runtime.saved", "_unpickled_motion": "runtime.pickled"}
+
 __all__ = ["__version__", *_PUBLIC]
 
 
 def __getattr__(name: str) -> Any:
     """Public names are loaded when they are first used."""
-    if name not in _PUBLIC:
+    if name not in _PUBLIC and name not in _PICKLED:
         raise AttributeError(f"module 'cardan' has no attribute '{name}'")
-    module = import_module(f".{_PUBLIC[name]}", __name__)
+    module = import_module(f".{_PUBLIC.get(name) or _PICKLED[name]}", __name__)
     value = module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
     globals()[name] = value
     return value

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.version import RUN
 
 
 @cache
@@ -112,11 +113,11 @@ def test_e3_what_does_not_fit_is_refused(change: str, tmp_path: Path) -> None:
     from cardan.runtime import netcdf, storage
 
     path = _run("relative").save(tmp_path / "run.nc")
-    held = netcdf.load(path, "run", storage.VERSIONS, ("title", *storage.NOTES))
+    held = netcdf.load(path, RUN, ("title", *storage.NOTES))
     notes = {k: json.loads(v) for k, v in held.notes.items() if k != "title"}
     CHANGES[change](notes)
     told = {k: json.dumps(v) for k, v in notes.items()} | {"title": held.notes["title"]}
-    netcdf.save(path, "run", 2, netcdf.Contents(held.variables, told), "")
+    netcdf.save(path, RUN, netcdf.Contents(held.variables, told), "")
     with pytest.raises(cd.ModelError, match=re.escape(str(path))):
         cd.load_motion(path)
 

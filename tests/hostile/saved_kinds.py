@@ -17,6 +17,7 @@ import cardan as cd
 from cardan.analyses.ensembles import stored_schema
 from cardan.analyses.growing import DIGEST, LENGTH
 from cardan.runtime import netcdf, storage
+from cardan.version import ENSEMBLE, RUN, Format
 from hostile.harness import Kind
 from hostile.kinds import double
 
@@ -81,12 +82,12 @@ def motion(name: str, folder: Path) -> Kind:
             here.with_suffix(suffix).unlink()
         return found.digest()
 
-    pack, unpack = _packing("run", storage.VERSIONS, ("title", *storage.NOTES))
+    pack, unpack = _packing(RUN, ("title", *storage.NOTES))
     return Kind(f"motion {name}", good, cd.load_motion, use, unpack, pack, lambda place: True)
 
 
 def _packing(
-    what: str, versions: tuple[int, ...], notes: tuple[str, ...]
+    form: Format, notes: tuple[str, ...]
 ) -> tuple[Callable[[dict[str, Any]], bytes], Callable[[bytes], dict[str, Any]]]:
     """From parts to the content of a netCDF file whose hash is right, and back."""
 
@@ -108,7 +109,7 @@ def _packing(
                 axes += [f"{name}_{k}" for k in range(len(axes), values.ndim)]
                 variables[name] = netcdf.Variable(tuple(axes), values, one["attributes"])
             told = {k: json.dumps(v) for k, v in parts["notes"].items()}
-            netcdf.save(path(), what, versions[-1], netcdf.Contents(variables, told), "")
+            netcdf.save(path(), form, netcdf.Contents(variables, told), "")
             return path().read_bytes()
         except Exception as error:
             raise ValueError("no such file can be written") from error
@@ -118,7 +119,7 @@ def _packing(
     def unpack(content: bytes) -> dict[str, Any]:
         path().write_bytes(content)
         try:
-            held = netcdf.load(path(), what, versions, notes)
+            held = netcdf.load(path(), form, notes)
         finally:
             path().unlink()
         variables = {
@@ -173,7 +174,7 @@ def ensemble(folder: Path) -> Kind:
         return repr(again).encode() + _results(again) + b"".join(x.tobytes() for x in parts)
 
     notes = ("title", *stored_schema.NOTES)
-    pack, unpack = _packing("ensemble", stored_schema.VERSIONS, notes)
+    pack, unpack = _packing(ENSEMBLE, notes)
     return Kind("ensemble", good, cd.load_ensemble, use, unpack, pack, lambda place: True)
 
 

@@ -17,6 +17,7 @@ from cardan.model.dh import CONVENTIONS
 from cardan.model.dh import KINDS as DH_TYPES
 from cardan.model.files.scene import keys
 from cardan.model.files.scene.keys import Key
+from cardan.version import SCENE
 
 Schema = dict[str, Any]
 EXPRESSION: Schema = {"$ref": "#/$defs/expression"}
@@ -115,7 +116,7 @@ def chosen(what: str) -> Schema:
 
 # kinds of values; filled in the order in which records need them
 KINDS: dict[str, Schema] = {
-    "version": {"const": keys.VERSION},
+    "version": {"const": SCENE.version},
     "text": TEXT,
     "texts": NAMES,
     "members": one_or(TEXT),

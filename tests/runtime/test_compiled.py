@@ -13,7 +13,7 @@ import pytest
 from cardan.errors import BuildError, ModelError
 from cardan.runtime import report as reports
 from cardan.runtime.compiled import CompiledModel
-from cardan.runtime.saved import digest, load
+from cardan.runtime.saved import digest, load, parts, restore
 from runtime import pendulum
 
 
@@ -82,7 +82,7 @@ def test_saved_model_is_checked(directory):
         load(directory)
     manifest["abi"] = 2
     (directory / "manifest.json").write_text(json.dumps(manifest))
-    with pytest.raises(ModelError, match="abi version 2 cannot be read"):
+    with pytest.raises(ModelError, match="C interface format 2; this is cardan"):
         load(directory)
     with pytest.raises(ModelError, match=r"manifest\.json is missing"):
         load(directory / "elsewhere")
@@ -156,7 +156,7 @@ HARMS = {
     with_other_code: r"rhs\.c is not the file its manifest speaks of",
     without_a_file: r"rhs\.c is not the file",
     without_json: "is no JSON",
-    of_another_version: "abi version 7",
+    of_another_version: "C interface format 7; this is cardan",
     with_absurd_sizes: "work_size is",
     with_a_symbol_that_is_none: "no name in C",
 }
@@ -164,7 +164,7 @@ HARMS = {
 
 @pytest.mark.parametrize("harm", HARMS)
 def test_harmed_pickle_is_refused_before_anything_is_written(model, cache_directory, harm):
-    restore, (files, values, reproducible, stated) = model.__reduce__()
+    files, values, reproducible, stated = parts(model)
     there = sorted(cache_directory.rglob("*"))
     files = dict(files)
     harm(files)
@@ -177,7 +177,7 @@ def test_harmed_pickle_is_refused_before_anything_is_written(model, cache_direct
 
 
 def test_pickle_with_other_than_its_parameters_is_refused(model):
-    restore, (files, values, reproducible, stated) = model.__reduce__()
+    files, values, reproducible, stated = parts(model)
     with pytest.raises(ModelError, match="one value per parameter"):
         restore(files, values[1:], reproducible, stated)
     with pytest.raises(ModelError, match="holds no texts"):

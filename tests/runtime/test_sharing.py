@@ -12,7 +12,6 @@ import sys
 import threading
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -143,10 +142,10 @@ def test_harmed_motion_is_refused(double):
         pickled.restore({"t": values["t"]}, stated)
     short = {**values, "x": values["x"][:, 1:]}
     with pytest.raises(cd.ModelError, match=r"x has shape"):
-        pickled.restore(short, pickled.digest(short))
-    lost = {**values, "dense": replace(motion.dense, spreads=motion.dense.spreads[1:])}
+        pickled.restore(short, pickled.digest(pickled.read(short)))
+    lost = {**values, "dense": {**values["dense"], "spreads": motion.dense.spreads[1:]}}
     with pytest.raises(cd.ModelError, match="between its times"):
-        pickled.restore(lost, pickled.digest(lost))
+        pickled.restore(lost, pickled.digest(pickled.read(lost)))
 
 
 TOGETHER = """\

@@ -12,10 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from .. import __version__, regular_file
+from .. import regular_file
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.number_file import packed, plain, unpacked
+from ..version import STEPPER, VERSION, written_by
 from ..whole_file import replaced
 from .happenings import happenings
 from .integrators import INTEGRATORS
@@ -26,7 +27,6 @@ from .settings import Settings, settings
 from .signals import signals
 from .simulate import runner_of
 
-FORMAT = 4
 TEXTS = ("key", "method", "model", "words", "over")
 NUMBERS = ("rtol", "atol", "step")
 NEEDED = {*TEXTS, *NUMBERS, "max_step", "kernels", "record", "ticks", "events"}
@@ -59,8 +59,8 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         )
     numbers = {"rtol": how.rtol, "atol": how.atol, "step": how.step}
     head = {
-        "cardan_checkpoint": FORMAT,
-        "cardan": __version__,
+        STEPPER.word: STEPPER.version,
+        "cardan": VERSION,
         "model": runner.model.name,
         "key": _key(runner),
         "kernels": isinstance(runner, Runner),
@@ -103,23 +103,28 @@ def read(
             another version; one of a machine with a compiler on a machine without.
     """
     head, memory = _parts(path)
+    writer = head.get("cardan")
     how = _settings(head, path)
     given = signals(model.manifest["inputs"], None, None, (0.0, 0.0))
     runner = runner_of(model, how, given, happenings(model, events))
     if head["key"] != _key(runner):
         raise ModelError(
             f"{path} is a checkpoint of '{head['model']}' with other equations or parameters than "
-            f"'{model.name}' has: give the model it was made with, with_parameters(...) included"
+            f"'{model.name}' has here: {written_by(writer)} wrote it. Give the model it was made "
+            "with, with_parameters(...) included, or start the run anew"
         )
     if head["events"] != [dict(row) for row in runner.may.rows]:
-        raise ModelError(f"{path}: its run watches for {_names(head)}: give the same events=")
+        raise ModelError(
+            f"{path}: its run watches for {_names(head)}: give the same events=. "
+            f"{written_by(writer)} wrote it; where that had other events, start the run anew"
+        )
     if bool(head["kernels"]) != isinstance(runner, Runner):
         raise ModelError(
-            f"{path} was made {'with' if head['kernels'] else 'without'} a C compiler, this run "
-            "would go on otherwise: bits differ"
+            f"{path} was made {'with' if head['kernels'] else 'without'} a C compiler by "
+            f"{written_by(writer)}; this run would go on otherwise: bits differ. Start the run anew"
         )
     runner.want(None, dense=False)
-    runner.restore(saved_of(runner, head["record"], memory, head["ticks"], path))
+    runner.restore(saved_of(runner, head["record"], memory, head["ticks"], path, writer))
     sound(runner, path)
     return runner, how, str(head["over"])
 
@@ -127,7 +132,10 @@ def read(
 def _settings(head: dict[str, Any], path: Path) -> Settings:
     """How a run is stepped, of which the same is asked as of callers."""
     if head["method"] not in INTEGRATORS:
-        raise ModelError(f"{path}: this cardan has no method '{head['method']}'")
+        raise ModelError(
+            f"{path}: this cardan has no method '{head['method']}'; "
+            f"{written_by(head.get('cardan'))} wrote it. Start the run anew by another method"
+        )
     method = INTEGRATORS[head["method"]]
     taken = {name: head[name] or None for name in ("step", "max_step")}
     try:
@@ -174,10 +182,10 @@ def _parts(path: Path) -> tuple[dict[str, Any], Any]:
         head = plain(text.tobytes())
     except (ValueError, KeyError) as error:
         raise ModelError(f"{path} is no checkpoint, or is damaged: {NONE}") from error
-    if not isinstance(head, dict) or "cardan_checkpoint" not in head:
+    if not isinstance(head, dict) or STEPPER.word not in head:
         raise ModelError(f"{path} is no checkpoint: {NONE}")
-    if head["cardan_checkpoint"] != FORMAT:
-        raise ModelError(f"{path} was written by another version of cardan; start the run anew")
+    if not STEPPER.reads(head[STEPPER.word]):
+        raise ModelError(STEPPER.refusal(path, head[STEPPER.word], head.get("cardan")))
     if stated.tobytes() != digest(text.tobytes(), memory.tobytes()):
         raise impossible(path, "its hash is that of another content")
     _check(head, path)

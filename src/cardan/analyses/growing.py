@@ -12,6 +12,7 @@ import fcntl
 import hashlib
 import json
 import os
+import re
 import struct
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -23,32 +24,43 @@ from .. import regular_file
 from ..errors import ModelError, SolveError
 from ..runtime import number_file
 from ..runtime.compiled import CompiledModel
+from ..version import VERSION, Format, written_by
 
 packed = number_file.packed
 
 LENGTH = struct.Struct("<Q")
 DIGEST = 32
 LONGEST = 1 << 31  # bytes of a record
+HEAD = re.compile(rb"cardan ([a-z]+) (\d+)\n")
+DIGITS = 8  # that a version may have more than ours
+
+
+def magic(form: Format) -> bytes:
+    """The first line of a file."""
+    return f"cardan {form.word} {form.version}\n".encode()
 
 
 class Growing:
     """An open file of records; one process at a time."""
 
     def __init__(
-        self, path: Path, magic: bytes, whose: Mapping[str, str], cures: Mapping[str, str]
+        self, path: Path, form: Format, whose: Mapping[str, str], cures: Mapping[str, str]
     ) -> None:
         """Open or begin a file.
 
         Args:
             path: The file.
-            magic: Its first line, such as ``b"cardan ensemble 1\\n"``.
+            form: Its format; the first line is such as ``b"cardan ensemble 1\\n"``.
             whose: Hashes of what decides about its content, by name.
             cures: What it means that one of them differs, in words.
 
         Raises:
             ModelError: it belongs to something else or another process, or is no such file.
         """
-        self.path, self._magic, self._whose, self._cures = path, magic, dict(whose), cures
+        self.path, self._form, self._cures = path, form, cures
+        self._whose = {"cardan": VERSION, **whose}
+        self._magic = magic(form)
+        self.writer: object = VERSION
         try:
             self._file = regular_file.grown(path)
         except OSError as error:
@@ -69,14 +81,10 @@ class Growing:
             os.close(self._file)
             self._file = -1
 
-    @property
-    def _kind(self) -> str:
-        return self._magic.split()[1].decode()
-
     def _open(self) -> None:
         head = self._read(len(self._magic), 0)
         if head != self._magic[: len(head)]:
-            raise ModelError(f"checkpoint {self.path} is no file of an {self._kind}: name another")
+            raise self._foreign()
         self._end = len(self._magic)
         first = next(self._records(), None) if len(head) == len(self._magic) else None
         if first is None:
@@ -89,12 +97,26 @@ class Growing:
             stated = None
         if not isinstance(stated, dict):
             raise ModelError(f"checkpoint {self.path} is damaged: name another file, or remove it")
-        wrong = [self._cures[k] for k, value in self._whose.items() if stated.get(k) != value]
+        self.writer = stated.get("cardan")
+        wrong = [why for k, why in self._cures.items() if stated.get(k) != self._whose[k]]
         if wrong:
             raise ModelError(
-                f"checkpoint {self.path} belongs to another {self._kind}: {'; '.join(wrong)}. Name "
-                "another file, or remove it to begin anew"
+                f"checkpoint {self.path} belongs to another {self._form.word}: {'; '.join(wrong)}; "
+                f"{written_by(self.writer)} wrote it. Name another file, or remove it to begin anew"
             )
+
+    def _foreign(self) -> ModelError:
+        """Why a file that begins otherwise is not read."""
+        line = HEAD.match(self._read(len(self._magic) + DIGITS, 0))
+        if line is None or line[1].decode() != self._form.word:
+            word = self._form.word
+            return ModelError(f"checkpoint {self.path} is no file of an {word}: name another")
+        self._end = line.end()
+        try:
+            writer = number_file.plain(next(self._records(), b"")).get("cardan")
+        except (ValueError, AttributeError):
+            writer = ""
+        return ModelError(self._form.refusal(f"checkpoint {self.path}", int(line[2]), writer))
 
     def _read(self, length: int, start: int) -> bytes:
         """As many bytes as there are; one call gives 2 GiB at most, less the last page."""

@@ -18,6 +18,7 @@ from ..errors import ModelError, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
 from ..runtime.number_file import packed, plain, unpacked
+from ..version import RUN_FILE
 from . import record as abi
 from .growing import Growing, build_key, digest, model_key, text
 from .happenings import Happenings
@@ -31,7 +32,6 @@ from .times import Span
 
 # of the record, beside what steppers keep: where it is among its stops and output times
 PLACES = ("next_stop", "next_time")
-MAGIC = b"cardan run 3\n"
 PARTS = ("head", "memory", "rows", "spreads", "log")
 HEAD = {"record", "ticks", "where", "answer", "method", "reason", *PLACES}
 CURES = {
@@ -63,7 +63,7 @@ class RunFile:
             ModelError: it belongs to another run or another process, or is no such file.
         """
         self.path, self.every = path, every
-        self._file = Growing(path, MAGIC, whose, CURES)
+        self._file = Growing(path, RUN_FILE, whose, CURES)
         try:
             self._records = [_parts(content, path) for content in self._file.contents()]
         except BaseException:
@@ -99,7 +99,9 @@ class RunFile:
         kept.fresh()
         last, run = self._records[-1], runner.record
         head = last["head"]
-        saved = saved_of(runner, head["record"], last["memory"], head["ticks"], self.path)
+        saved = saved_of(
+            runner, head["record"], last["memory"], head["ticks"], self.path, self._file.writer
+        )
         self._check(head, runner)
         # the stops are those of this run again, of which some lie behind it
         stops = run.stops, run.stop_count

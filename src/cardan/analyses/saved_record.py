@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError
+from ..version import written_by
 from . import record as abi
 from .plain import PlainRunner
 from .plain_record import Progress
@@ -89,6 +90,7 @@ def saved_of(
     memory: Any,
     ticks: Any,
     path: Path,
+    writer: object,
 ) -> Saved:
     """The checkpoint as the run takes it.
 
@@ -98,15 +100,20 @@ def saved_of(
         memory: Of the run.
         ticks: As :func:`ticks_of` gave them.
         path: The file they come from, for messages.
+        writer: The cardan that wrote it.
 
     Raises:
         ModelError: another version of cardan wrote them, or they are of no run of this model.
     """
     run, whole = runner.record, runner.save()
-    if not isinstance(numbers, Mapping) or set(numbers) != set(record_of(runner)):
-        raise ModelError(f"{path} was written by another version of cardan; start the run anew")
-    if getattr(memory, "dtype", None) != np.float64 or memory.nbytes != len(whole.memory):
-        raise impossible(path, "its memory has not the size of this run's")
+    if getattr(memory, "dtype", None) != np.float64:
+        raise impossible(path, "its memory holds no numbers")
+    names = set(numbers) if isinstance(numbers, Mapping) else set()
+    if names != set(record_of(runner)) or memory.nbytes != len(whole.memory):
+        raise ModelError(
+            f"{path} was written by {written_by(writer)}, whose runs go on from other numbers; "
+            "start the run anew"
+        )
     checked(numbers, limits(runner), path)
     if isinstance(run, Progress):
         record: Any = replace(run, **numbers)

@@ -16,8 +16,8 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, NoReturn, cast
 
-from .. import __version__
 from ..errors import BuildWarning, CardanError, ModelWarning, SolveWarning
+from ..version import VERSION
 
 INTERRUPTED = 128 + signal.SIGINT
 # command -> module of this package and what it does, in one line
@@ -97,7 +97,7 @@ class Completion(argparse.Action):
 def build_parser(*loaded: str) -> Parser:
     """The parser; only the named commands are loaded and get their options."""
     top = Parser(prog="cardan", description=DESCRIPTION, epilog=EPILOG)
-    top.add_argument("--version", action="version", version=f"cardan {__version__}")
+    top.add_argument("--version", action="version", version=f"cardan {VERSION}")
     top.add_argument("--completion", metavar="SHELL", choices=("bash", "zsh", "fish"),
                      action=Completion, help="print completion for bash, zsh or fish")  # fmt: skip
     commands = top.add_subparsers(dest="command", metavar="COMMAND", parser_class=Parser)

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from .. import __version__
 from ..errors import BuildError, CompilerMissing
 from ..runtime import abi, batch, bounded, cache, folder, lanes, prune, toolchain
+from ..version import VERSION
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
 # what may be missing: package -> what it is for, and the extra that brings it
@@ -54,7 +54,7 @@ class Finding:
 def findings() -> list[Finding]:
     """Everything there is to say about this machine."""
     return [
-        Finding("cardan", True, f"{__version__}, Python {platform.python_version()}"),
+        Finding("cardan", True, f"{VERSION}, Python {platform.python_version()}"),
         *map(_needed, NEEDED),
         _extension(),
         _compiler(),

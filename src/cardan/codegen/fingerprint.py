@@ -7,9 +7,9 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .. import __version__
 from ..equations.absolute.record import Absolute
 from ..equations.record import Equations
+from ..version import VERSION
 from . import mesh
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> s
     system: System = equations.system
     digest = hashlib.sha256()
     for part in (
-        __version__,
+        VERSION,
         _compiler_state(),
         *_choices(equations),
         loops,

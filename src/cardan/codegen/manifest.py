@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
-from .. import __version__
 from ..elements.internal import TICK
 from ..elements.joints.joint import entries
 from ..elements.quantity import written_unit
@@ -24,10 +23,9 @@ from ..topology.internals import slides
 from ..topology.segment import Segment
 from ..topology.system import Cut, Force, Frame, Joint, System
 from ..topology.welds import passed
+from ..version import ABI, MANIFEST, VERSION
 from . import flat
 
-ABI = 1
-SCHEMA = 1
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 LIMITS = ("lower", "upper", "speed", "effort")
 
@@ -59,9 +57,9 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     limits = [row for force in once for row in _limits(system, force)]
     absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
     data: dict[str, Any] = {
-        "abi": ABI,
-        "schema": SCHEMA,
-        "cardan": __version__,
+        "abi": ABI.version,
+        "schema": MANIFEST.version,
+        "cardan": VERSION,
         "name": system.name,
         "method": equations.method,
         "coordinates": _coordinates(system),

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from .. import __version__
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
+from ..version import ABI, MANIFEST, VERSION
 from . import flat, layout
-from .manifest import ABI, SCHEMA, Base, isolated, parameter_rows
+from .manifest import Base, isolated, parameter_rows
 from .mesh_rows import plane_of, rows
 from .writing import generate
 
@@ -34,9 +34,9 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
     system, places = absolute.system, absolute.places
     coordinates, speeds, joints = rows(absolute)
     data: dict[str, Any] = {
-        "abi": ABI,
-        "schema": SCHEMA,
-        "cardan": __version__,
+        "abi": ABI.version,
+        "schema": MANIFEST.version,
+        "cardan": VERSION,
         "name": system.name,
         "method": "absolute",
         "coordinates": coordinates,

@@ -17,7 +17,7 @@ from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
 from .generated import Generated, Source
-from .layout import DEMANDED, FUNCTIONS, NAMED, Layout
+from .layout import FUNCTIONS, Layout
 from .loaded import LoadedFunction
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -369,13 +369,7 @@ class CompiledModel(Analyzed):
 
         return step(self, x, dt, **options)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        # source and manifest travel, never a binary; functions of a frame or joint as far as used
-        from .saved import digest, restore, texts
+    def __reduce__(self) -> tuple[object, ...]:
+        from .saved import reduced
 
-        self._objects.write(
-            name for name in self.manifest["available"] if name not in (*NAMED, *DEMANDED)
-        )
-        values = self._parameters.vector.tolist()
-        files = texts(self.directory)
-        return restore, (files, values, self._objects.reproducible, digest(files))
+        return reduced(self)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 import struct
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from math import prod
 from pathlib import Path
@@ -20,18 +20,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import __version__
 from ..errors import ModelError
 from ..regular_file import content
+from ..version import VERSION, Format
 from ..whole_file import replaced
 
 LIMIT = 2**31 - 4  # bytes of one variable that every netCDF-3 reader takes
 ENDINGS = ("", ".nc", ".nc3", ".cdf")
 HASH = "sha256"
+SOURCE, WRITER = "source", "cardan "  # the text that names the writer, and what is before it
 KINDS = ("run", "ensemble")  # what files hold
 # number of a type in a file -> NumPy's name
 TYPES = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8"}
-VERSIONS = {b"CDF\x01": ">I", b"CDF\x02": ">Q"}  # -> how the place of data is written
+MAGIC = {b"CDF\x01": ">I", b"CDF\x02": ">Q"}  # -> how the place of data is written
 DIMENSIONS, VARIABLES, ATTRIBUTES, ABSENT = 10, 11, 12, 0
 AXES = 8  # of one variable
 MOST = 1 << 40  # bytes of a file
@@ -87,13 +88,12 @@ def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:
     return Variable((dimension, f"{name or dimension}_letters"), values, {"_Encoding": "utf-8"})
 
 
-def save(path: Path, what: str, version: int, made: Contents, cure: str) -> Path:
+def save(path: Path, form: Format, made: Contents, cure: str) -> Path:
     """Write a file; one with its name is replaced in one step.
 
     Args:
         path: The file.
-        what: ``"run"`` or ``"ensemble"``.
-        version: Of the format.
+        form: Of a run or an ensemble.
         made: What it shall hold; arrays without numbers are left out.
         cure: What to do where a variable is too large.
 
@@ -105,8 +105,8 @@ def save(path: Path, what: str, version: int, made: Contents, cure: str) -> Path
 
     if path.suffix not in ENDINGS:
         raise ModelError(
-            f"{path}: {what}s are written as netCDF, whose files end in .nc; to_xarray() gives the "
-            "numbers to writers of other formats"
+            f"{path}: {form.kind}s are written as netCDF, whose files end in .nc; to_xarray() "
+            "gives the numbers to writers of other formats"
         )
     kept = {name: one for name, one in made.variables.items() if one.values.size}
     for name, one in kept.items():
@@ -116,9 +116,9 @@ def save(path: Path, what: str, version: int, made: Contents, cure: str) -> Path
                 f"one variable. {cure}"
             )
     made = Contents(kept, made.notes)
-    notes = {"source": f"cardan {__version__}", HASH: made.digest(), **made.notes}
+    notes = {SOURCE: f"{WRITER}{VERSION}", HASH: made.digest(), **made.notes}
     with replaced(path) as new, netcdf_file(new, "w", version=2) as file:
-        setattr(file, f"cardan_{what}", version)
+        setattr(file, f"cardan_{form.word}", form.version)
         for name, text in notes.items():
             setattr(file, name, text.encode("ascii"))
         for name, one in kept.items():
@@ -137,18 +137,18 @@ def _write(file: Any, name: str, one: Variable) -> None:
         setattr(variable, key, text.encode("ascii"))
 
 
-def load(path: Path, what: str, versions: tuple[int, ...], notes: Iterable[str]) -> Contents:
+def load(path: Path, form: Format, notes: Collection[str]) -> Contents:
     """Read a file that :func:`save` wrote.
 
     Args:
         path: The file.
-        what: As of :func:`save`.
-        versions: Those that can be read; the first ones have no hash.
+        form: As of :func:`save`; files of its oldest version have no hash.
         notes: Names of the texts that count.
 
     Raises:
         ModelError: no such file, one of another kind or version, or a damaged one.
     """
+    what = form.word
     try:
         attributes, variables = _parsed(content(path, MOST))
     except FileNotFoundError:
@@ -161,19 +161,43 @@ def load(path: Path, what: str, versions: tuple[int, ...], notes: Iterable[str])
             f"{what} again"
         ) from None
     version = attributes.get(f"cardan_{what}", 0)
-    if version not in versions:
-        raise ModelError(f"{path} is no {what} of cardan, or of a newer one than this")
-    texts = {name: attributes[name] for name in notes if isinstance(attributes.get(name), str)}
+    if not form.reads(version):
+        if f"cardan_{what}" not in attributes:
+            raise ModelError(f"{path} is no {what} of cardan")
+        writer = str(attributes.get(SOURCE, "")).removeprefix(WRITER)
+        raise ModelError(form.refusal(path, version, writer))
+    today = {name: form.today((name,), version) for name in attributes}
+    counting = {name for name, now in today.items() if now in notes}
+    texts = {name: attributes[name] for name in counting if isinstance(attributes[name], str)}
     found = Contents(variables, texts)
     # damage may have made a file of an early version out of this one
-    if (version > versions[0] or HASH in attributes) and attributes.get(HASH) != found.digest():
+    if (version > form.oldest or HASH in attributes) and attributes.get(HASH) != found.digest():
         others = [k for k in KINDS if k != what and f"cardan_{k}" in attributes]
         if others and f"cardan_{what}" not in attributes:
             raise ModelError(f"{path} is no {what} that cardan can read: it holds a {others[0]}")
         raise ModelError(
             f"{path} is not what was saved: its hash differs. Copy it or save the {what} again"
         )
-    return found
+    return _today(found, form, version)
+
+
+def _today(contents: Contents, form: Format, version: int) -> Contents:
+    """What an older file holds, under the names of today."""
+    if not any(older >= version for older in form.renamed):
+        return contents
+
+    def translated(name: str, text: str) -> str:
+        try:
+            return json.dumps(form.translated(json.loads(text), (name,), version))
+        except ValueError:
+            # a title, which holds no names
+            return text
+
+    notes = {name: translated(name, text) for name, text in contents.notes.items()}
+    return Contents(
+        {form.today((name,), version): one for name, one in contents.variables.items()},
+        {form.today((name,), version): text for name, text in notes.items()},
+    )
 
 
 class _Bytes:
@@ -241,9 +265,9 @@ def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
     Raises:
         ValueError: the header is damaged, or speaks of more data than there are.
     """
-    if data[:4] not in VERSIONS:
+    if data[:4] not in MAGIC:
         raise ValueError("it is not a netCDF-3 file")
-    wide, head = VERSIONS[data[:4]], _Bytes(data)
+    wide, head = MAGIC[data[:4]], _Bytes(data)
     head.take(4)
     head.take(4)  # records, of which there are none
     dimensions = [(head.text(), head.integer()) for _ in head.many(DIMENSIONS)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
@@ -10,14 +11,21 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError
-from ..ir.rows import dumped
+from ..ir.rows import dumped, opened
+from ..version import PICKLE, VERSION
 from . import schema
 from .conduct import Conduct
 from .dense import Dense
-from .ledger import Ledger
+from .events import Happened
+from .ledger import Ledger, Worst
+from .recorded import Pieces, Recorded
 from .trajectory import Trajectory
 
 ARRAYS = ("t", "x", "r", "given")
+RECORDS: dict[str, type[Any]] = {
+    kind.__name__: kind for kind in (Conduct, Dense, Happened, Ledger, Pieces, Recorded, Worst)
+}
+RECORD = ""  # the key of the name of a record
 
 
 def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
@@ -32,7 +40,35 @@ def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
     # histories are computed again; those of a file, and what the method found, cannot be
     found = {name: x for name, x in motion.stored.items() if name == "multipliers"}
     values["stored"] = found if motion.model is not None else dict(motion.stored)
-    return values, digest(values)
+    stated = digest(values)
+    # data only: a pickle names no class that may move
+    values["manifest"] = dumped(values["manifest"])
+    return {name: plain(value) for name, value in values.items()}, stated
+
+
+def plain(value: object) -> object:
+    """Records as dictionaries that say what they are."""
+    name = type(value).__name__
+    if RECORDS.get(name) is type(value):
+        entries = {one.name: plain(getattr(value, one.name)) for one in fields(RECORDS[name])}
+        return {RECORD: name, **entries}
+    if isinstance(value, Mapping):
+        return {key: plain(one) for key, one in value.items()}
+    return tuple(map(plain, value)) if isinstance(value, tuple) else value
+
+
+def read(values: Mapping[str, object]) -> dict[str, Any]:
+    """The fields of a motion that :func:`parts` made data of."""
+    entries = {name: x if name == "model" else records(x) for name, x in values.items()}
+    return {**entries, "manifest": opened(json.loads(str(entries["manifest"])))}
+
+
+def records(value: object) -> object:
+    """The inverse of :func:`plain`."""
+    if isinstance(value, dict):
+        entries = {key: records(one) for key, one in value.items() if key != RECORD}
+        return RECORDS[value[RECORD]](**entries) if RECORD in value else entries
+    return tuple(map(records, value)) if isinstance(value, tuple) else value
 
 
 def digest(values: Mapping[str, Any]) -> str:
@@ -55,6 +91,26 @@ def _sorted(values: Mapping[str, Any]) -> list[Any]:
     return [values[name] for name in sorted(values)]
 
 
+def reduced(motion: Trajectory) -> tuple[object, ...]:
+    """What ``__reduce__`` of a motion returns."""
+    return _unpickled_motion, (PICKLE.version, VERSION, *parts(motion))
+
+
+def _unpickled_motion(version: int, writer: str, values: dict[str, Any], stated: str) -> Trajectory:
+    """The motion of a pickle, which names this function as one of ``cardan`` itself.
+
+    Raises:
+        ModelError: it is of another version, was damaged or changed.
+    """
+    if not PICKLE.reads(version):
+        raise ModelError(PICKLE.refusal("this pickle of a motion", version, writer))
+    return restore(values, stated)
+
+
+# pickles find it wherever it stands
+_unpickled_motion.__module__ = "cardan"
+
+
 def restore(values: dict[str, Any], stated: str) -> Trajectory:
     """The motion of a pickle.
 
@@ -62,6 +118,7 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
         ModelError: it was damaged or changed.
     """
     try:
+        values = read(values)
         whole = digest(values) == stated and set(values) == {f.name for f in fields(Trajectory)}
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _damaged(f"a part is missing or of another kind ({error})") from None

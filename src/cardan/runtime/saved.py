@@ -13,7 +13,9 @@ from .. import regular_file
 from ..arguments import checked
 from ..errors import BuildError, ModelError
 from ..ir.seal import unsealed
+from ..version import PICKLE, VERSION
 from . import cache, folder, schema
+from .layout import DEMANDED, NAMED
 from .parameters import Parameters
 
 if TYPE_CHECKING:
@@ -82,6 +84,44 @@ def load(directory: str | Path) -> CompiledModel:
 def digest(files: Mapping[str, str]) -> str:
     """Hash of the texts of a model."""
     return hashlib.sha256(json.dumps(dict(files), sort_keys=True).encode()).hexdigest()
+
+
+def parts(model: CompiledModel) -> tuple[dict[str, str], list[float], bool, str]:
+    """What :func:`restore` takes: source and manifest, never a binary.
+
+    Functions of a frame or joint travel as far as they were used.
+    """
+    single = (*NAMED, *DEMANDED)
+    model._objects.write(name for name in model.manifest["available"] if name not in single)
+    files, values = texts(model.directory), model.parameters.vector.tolist()
+    return files, values, model._objects.reproducible, digest(files)
+
+
+def reduced(model: CompiledModel) -> tuple[object, ...]:
+    """What ``__reduce__`` of a model returns."""
+    return _unpickled_model, (PICKLE.version, VERSION, *parts(model))
+
+
+def _unpickled_model(
+    version: int,
+    writer: str,
+    files: dict[str, str],
+    values: list[float],
+    reproducible: bool,
+    stated: str,
+) -> CompiledModel:
+    """The model of a pickle, which names this function as one of ``cardan`` itself.
+
+    Raises:
+        ModelError: it is of another version, was damaged or changed.
+    """
+    if not PICKLE.reads(version):
+        raise ModelError(PICKLE.refusal("this pickle of a model", version, writer))
+    return restore(files, values, reproducible, stated)
+
+
+# pickles find it wherever it stands
+_unpickled_model.__module__ = "cardan"
 
 
 def restore(

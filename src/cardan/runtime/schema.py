@@ -13,12 +13,11 @@ from typing import Any
 
 from ..errors import ModelError
 from ..ir.rows import Rows
+from ..version import ABI, MANIFEST
 from . import motion_rows
 from .motion_rows import HAPPENING, Check, count, listed, named_numbers, number, row_of, text
 from .slots import ORDER
 
-ABI = 1
-SCHEMA = 1
 LARGEST = 1 << 40  # numbers of a block, a result or work memory
 NAMED = ("coordinates", "speeds", "inputs", "parameters", "frames", "joints", "outputs")
 ROWS = (*NAMED, "bodies", "multipliers", "quaternions", "z", "s", "available")
@@ -74,12 +73,10 @@ def check(manifest: Any, where: str) -> None:
     """
     if not isinstance(manifest, dict):
         raise ModelError(f"{where} is not a manifest")
-    for name, known in (("abi", ABI), ("schema", SCHEMA)):
-        if manifest.get(name) != known:
-            raise ModelError(
-                f"{where}: {name} version {manifest.get(name)!r} cannot be read, this cardan "
-                f"reads {known}. Compile the model again"
-            )
+    for form in (ABI, MANIFEST):
+        version = manifest.get(form.word)
+        if not form.reads(version):
+            raise ModelError(form.refusal(where, version, manifest.get("cardan")))
     for key, kind in (*((k, list) for k in ROWS), *((k, dict) for k in TABLES), ("name", str)):
         right = isinstance(manifest.get(key), (kind, Rows) if kind is list else kind)
         _require(right, where, f"'{key}' is no {kind.__name__}")

@@ -18,6 +18,7 @@ import numpy as np
 from ..arguments import checked
 from ..errors import ModelError
 from ..ir.rows import column, dumped
+from ..version import RUN
 from . import balance, motion_schema, netcdf
 from .calling import Array
 from .conduct import Conduct
@@ -31,7 +32,6 @@ from .trajectory import Trajectory
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-VERSIONS = (1, 2)  # the first ones have no hash
 NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 KEPT = ("kinetic", "potential", "constraints", "multipliers", "losses")
@@ -48,7 +48,7 @@ def save(motion: Trajectory, path: Path) -> Path:
             that cannot be written.
     """
     made = Contents(_variables(motion), _notes(motion))
-    return netcdf.save(path, "run", VERSIONS[-1], made, FEWER)
+    return netcdf.save(path, RUN, made, FEWER)
 
 
 def _variables(motion: Trajectory) -> dict[str, Variable]:
@@ -174,7 +174,7 @@ def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
             coordinates.
     """
     path = Path(path)
-    held = netcdf.load(path, "run", VERSIONS, ("title", *NOTES))
+    held = netcdf.load(path, RUN, ("title", *NOTES))
     try:
         notes, values, poses = motion_schema.checked(held)
         made = _made(notes, values, model)

@@ -105,11 +105,11 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.t)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         # the arrays, the names and the model's source; what can be computed again stays behind
-        from .pickled import parts, restore
+        from .pickled import reduced
 
-        return restore, parts(self)
+        return reduced(self)
 
     # states
 

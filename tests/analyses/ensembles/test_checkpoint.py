@@ -17,7 +17,8 @@ import pytest
 import cardan as cd
 from analyses.ensembles.test_bits import same
 from cardan.analyses.ensembles import hands, job
-from cardan.analyses.ensembles.checkpoint import MAGIC
+from cardan.analyses.growing import magic
+from cardan.version import ENSEMBLE_FILE
 
 OPTIONS: dict[str, Any] = {
     "t": 1.0,
@@ -115,7 +116,7 @@ def test_a_file_cut_at_its_head_begins_anew(double: cd.CompiledModel, tmp_path: 
     path = tmp_path / "runs"
     options = OPTIONS | {"reduce": None}
     made = double.ensemble(**options)
-    for size in (0, 5, len(MAGIC), len(MAGIC) + 20):
+    for size in (0, 5, len(magic(ENSEMBLE_FILE)), len(magic(ENSEMBLE_FILE)) + 20):
         double.ensemble(**options, checkpoint=path)
         os.truncate(path, size)
         same(double.ensemble(**options, checkpoint=path), made)

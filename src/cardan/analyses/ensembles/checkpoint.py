@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from ...errors import ModelError
+from ...version import ENSEMBLE_FILE
 from ..growing import Growing, packed, text, unpacked
 from .crew import NUMBERS
 from .hands import Block
 from .job import Job, Piece
 from .reductions import FREE
 
-MAGIC = b"cardan ensemble 1\n"
 WORD = re.compile(r"[a-z_]{1,40}")  # of a status
 CURES = {
     "model": "it was computed with another model",
@@ -47,7 +47,7 @@ class Checkpoint:
             ModelError: it belongs to other runs or another process, or is no such file.
         """
         self.path, self.runs = path, 0
-        self._file = Growing(path, MAGIC, whose, CURES)
+        self._file = Growing(path, ENSEMBLE_FILE, whose, CURES)
 
     def close(self) -> None:
         """Let others have the file."""

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...errors import ArgumentError, BuildError, CardanError, SolveError, shown
 from ...runtime.compiled import CompiledModel
-from ...runtime.saved import restore
+from ...runtime.saved import parts, restore
 from ..growing import build_key
 from .crew import suits, width_of
 from .job import Job, Piece, compute
@@ -141,7 +141,7 @@ class Client:
         """
         rest = {f.name: getattr(job, f.name) for f in fields(job) if f.name != "model"}
         # source and manifest travel, never a binary; once to every worker
-        model: Any = job.model.__reduce__()[1]
+        model: object = parts(job.model)
         options = {"pure": False} if self.is_dask else {}
         if self.is_dask:
             model = self.client.scatter([model], broadcast=True, hash=False)[0]

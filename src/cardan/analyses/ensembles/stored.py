@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from ...errors import ModelError
 from ...runtime import netcdf
 from ...runtime.netcdf import Contents, Variable
+from ...version import ENSEMBLE
 from .crew import NUMBERS
 from .reductions import Bins
-from .stored_schema import NOTES, VERSIONS, Read, checked
+from .stored_schema import NOTES, Read, checked
 
 if TYPE_CHECKING:
     from .result import Asked, Ensemble
@@ -97,7 +98,7 @@ def save(ensemble: Ensemble, path: Path) -> Path:
         "messages": json.dumps({str(k): text for k, text in ensemble.messages.items()}),
         "ensemble": json.dumps(_told(ensemble)),
     }
-    return netcdf.save(path, "ensemble", VERSIONS[-1], Contents(found, notes), FEWER)
+    return netcdf.save(path, ENSEMBLE, Contents(found, notes), FEWER)
 
 
 def _told(ensemble: Ensemble) -> dict[str, Any]:
@@ -141,7 +142,7 @@ def load(path: str | Path) -> Ensemble:
     from .result import Ensemble
 
     path = Path(path)
-    held = netcdf.load(path, "ensemble", VERSIONS, ("title", *NOTES))
+    held = netcdf.load(path, ENSEMBLE, ("title", *NOTES))
     try:
         read = checked(held)
         asked = _asked(read)

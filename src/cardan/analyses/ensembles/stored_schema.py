@@ -18,7 +18,6 @@ from .crew import NUMBERS
 from .reductions import Bins
 
 Array = NDArray[np.float64]
-VERSIONS = (0, 1)  # the first ones said neither their version nor what their variables are
 NOTES = ("messages", "ensemble")
 MOST = 127  # words of a status
 AXES = ("run", "time", "entry", "bin")

@@ -22,8 +22,6 @@ from ....elements.sections import SECTIONS, Section
 from ... import inertia, shape
 from ...beam_arguments import ROLES, STRAINS
 
-VERSION = 1
-
 
 @dataclass(frozen=True)
 class Key:

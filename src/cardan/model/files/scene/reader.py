@@ -10,6 +10,7 @@ from typing import Any
 from ....elements.forces import FORCES
 from ....elements.joints import JOINTS
 from ....errors import ModelError, near
+from ....version import SCENE
 from ...dh import add_dh
 from ...frame import Frame, triple
 from ...model import Model
@@ -19,7 +20,7 @@ from ..options import Options
 from . import keys, tables
 from .item import Item
 from .scope import FIXED, MOVING
-from .tree import decoded, parse
+from .tree import decoded, parse, renamed
 from .values import Values
 
 MOST_BODIES = 100_000
@@ -67,7 +68,7 @@ class _Reader:
 
     def __init__(self, root: Item, options: Options, folder: Path | None) -> None:
         self.options = options
-        given = self._sections(root)
+        given = self._sections(self._today(root))
         title = given["name"].text() if "name" in given else Path(root.file).stem
         with given.get("name", root).placed():
             self.model = Model(title)
@@ -88,16 +89,26 @@ class _Reader:
         """The keys of the document.
 
         Raises:
-            ModelError: no mapping, no version or one that is not read, an unknown key.
+            ModelError: an unknown key.
+        """
+        return root.fields(keys.TOP, "a scene")
+
+    @staticmethod
+    def _today(root: Item) -> Item:
+        """The document under the names that keys have today.
+
+        Raises:
+            ModelError: no mapping, no version, or one that is not read.
         """
         version = root.items("a scene, 'cardan: 1' and more keys,").get("cardan")
         if version is None:
             raise root.error("the key 'cardan' is missing; a scene begins with 'cardan: 1'")
-        if version.number() != keys.VERSION:
-            raise version.error(
-                f"version {version.described()} is not read; this program reads {keys.VERSION}"
-            )
-        return root.fields(keys.TOP, "a scene")
+        number = version.number()
+        if not isinstance(number, int):
+            raise version.error(f"version {version.described()} is not read; say 'cardan: 1'")
+        if not SCENE.reads(number):
+            raise version.error(SCENE.refusal("the scene", number, ""))
+        return dataclasses.replace(root, node=renamed(root.node, (), number))
 
     def _each(self, section: Item, kind: str, read: Callable[[str, Item], None]) -> None:
         """Read the items of a section and remember where they stand."""

@@ -7,10 +7,11 @@ while the text is read, aliases before anything walks over what they repeat.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ....errors import ModelError
+from ....version import SCENE
 
 LARGEST_TEXT = 8 * 2**20
 MOST_NODES = 500_000
@@ -104,6 +105,22 @@ def parse(text: str, name: str) -> Node:
     except (YAMLError, ValueError, OverflowError) as problem:
         words = " ".join(str(problem).split())[:200]
         raise ModelError(f"file '{name}' is no YAML: {words}") from problem
+
+
+def renamed(node: Node, place: tuple[str, ...], version: int) -> Node:
+    """A scene of an older version under the names that keys have today."""
+    if not any(older >= version for older in SCENE.renamed):
+        return node
+    if isinstance(node, Listing):
+        entries = [renamed(n, (*place, str(k)), version) for k, n in enumerate(node.entries)]
+        return replace(node, entries=entries)
+    if isinstance(node, Scalar):
+        return node
+    names = {name: SCENE.today((*place, name), version) for name in node.entries}
+    # a name of today in an older scene is as unknown as it was
+    names = {name: name if new in node.entries else new for name, new in names.items()}
+    inner = {names[n]: renamed(x, (*place, n), version) for n, x in node.entries.items()}
+    return replace(node, entries=inner, keys={names[n]: x for n, x in node.keys.items()})
 
 
 @dataclass

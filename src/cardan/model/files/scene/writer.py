@@ -10,6 +10,7 @@ from typing import Any
 
 from ....elements.written import AXES
 from ....errors import ModelError
+from ....version import SCENE
 from ....whole_file import written
 from ...beam import Beam
 from ...beam_arguments import ELEMENT, INERTIA, ROLES
@@ -73,7 +74,7 @@ class _Writer:
         """The document: sections that say nothing are left out."""
         model = self.model
         sections: dict[str, Any] = {
-            "cardan": Number(str(keys.VERSION)),
+            "cardan": Number(str(SCENE.version)),
             "name": model.name,
             "gravity": [self.value(g, "gravity") for g in model.gravity],
             "parameters": {n: self._declared(d, "value") for n, d in model.parameters.items()},

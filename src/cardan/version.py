@@ -1,0 +1,100 @@
+"""The version of cardan, and the versions of the files that it writes.
+
+Every kind of file says which version of its format it has and which cardan wrote it. ``FORMATS`` is
+the one place that says which versions are read and what its names were called before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+VERSION = "0.1.0"
+
+
+@dataclass(frozen=True)
+class Format:
+    """A kind of file.
+
+    Attributes:
+        kind: In messages, such as ``"run"``.
+        word: In files of this kind.
+        version: That is written.
+        oldest: The first that is read.
+        cure: What helps where a version is not read.
+        renamed: Version -> place of a name -> the name it has in the next version. Places are
+            dotted; ``*`` stands for any one name or number of an entry, as in ``"bodies.*.mass"``.
+    """
+
+    kind: str
+    word: str
+    version: int
+    oldest: int
+    cure: str
+    renamed: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
+
+    def reads(self, version: object) -> bool:
+        """Whether files of a version are read."""
+        return version in range(self.oldest, self.version + 1)
+
+    def refusal(self, where: object, version: object, writer: object) -> str:
+        """Why a file is not read, and the cure.
+
+        Args:
+            where: The file.
+            version: Of its format.
+            writer: The cardan that wrote it, as the file says.
+        """
+        versions = " to ".join(str(k) for k in dict.fromkeys((self.oldest, self.version)))
+        return (
+            f"{where} was written by {written_by(writer)}, {self.kind} format {version}; this is "
+            f"cardan {VERSION}, which reads {self.kind} format {versions}. Take the cardan that "
+            f"wrote it, or {self.cure}"
+        )
+
+    def today(self, place: tuple[str, ...], version: int) -> str:
+        """The name that the last part of a place of an older file has today."""
+        for older in range(version, self.version):
+            for old, new in self.renamed.get(older, {}).items():
+                if _is_at(old.split("."), place):
+                    place = (*place[:-1], new)
+                    break
+        return place[-1]
+
+    def translated(self, data: object, place: tuple[str, ...], version: int) -> object:
+        """Plain data of an older file under the names of today."""
+        if isinstance(data, list):
+            rows = enumerate(data)
+            return [self.translated(row, (*place, str(k)), version) for k, row in rows]
+        if not isinstance(data, dict):
+            return data
+        return {
+            self.today((*place, name), version): self.translated(one, (*place, name), version)
+            for name, one in data.items()
+        }
+
+
+def _is_at(pattern: list[str], place: tuple[str, ...]) -> bool:
+    return len(pattern) == len(place) and all(
+        a in ("*", b) for a, b in zip(pattern, place, strict=True)
+    )
+
+
+def written_by(writer: object) -> str:
+    """The cardan that a file names, or that none is named."""
+    return f"cardan {writer}" if isinstance(writer, str) and writer else "another cardan"
+
+
+ANEW = "start the run anew"
+# scenes, runs and ensembles are read for ever
+SCENE = Format("scene", "cardan", 1, 1, "write the scene for this one")
+RUN = Format("run", "run", 2, 1, "save the run again")
+ENSEMBLE = Format("ensemble", "ensemble", 1, 0, "save the ensemble again")
+# these are read by the version that wrote them, and refused by others
+STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 4, 4, ANEW)
+RUN_FILE = Format("run checkpoint", "run", 3, 3, ANEW)
+ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 1, 1, "start the ensemble anew")
+MANIFEST = Format("manifest", "schema", 1, 1, "compile the model again")
+ABI = Format("C interface", "abi", 1, 1, "compile the model again")
+PICKLE = Format("pickle", "pickle", 1, 1, "pickle again what it was made of")
+FORMATS = (SCENE, RUN, ENSEMBLE, STEPPER, RUN_FILE, ENSEMBLE_FILE, MANIFEST, ABI, PICKLE)

@@ -1,0 +1,20 @@
+"""A cache that one test has to itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from cardan.runtime import folder
+
+
+@pytest.fixture
+def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where it is; empty, and no temporary one beside it."""
+    path = tmp_path / "cache"
+    monkeypatch.setenv("CARDAN_CACHE", str(path))
+    monkeypatch.setattr(folder, "_SCRATCH", {})
+    for remembered in (folder._usable, folder._temporary):
+        remembered.cache_clear()
+    return path

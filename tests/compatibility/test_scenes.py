@@ -1,0 +1,87 @@
+"""Scenes that were written once are read for ever."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from cardan import version
+from cardan.model.files.scene import reader, tree
+from compatibility.write import FILES, PARTS, described
+from spread import some
+
+# of every version of the format
+CASES = [
+    pytest.param(path, id=f"{path.parent.name}-{path.stem}")
+    for path in sorted(FILES.glob("scene_*/*.yaml"))
+    if path.stem not in PARTS
+]
+
+
+def told(path: Path) -> dict[str, object]:
+    """What a scene said when it was kept."""
+    return dict(json.loads(path.parent.with_suffix(".json").read_text("utf-8"))[path.stem])
+
+
+@pytest.mark.parametrize("path", CASES)
+def test_a_scene_says_what_it_said(path: Path) -> None:
+    expected, found = told(path), described(cd.load(path))
+    assert found == {name: expected[name] for name in found}
+
+
+@pytest.mark.parametrize("path", some(CASES, 8))
+def test_a_scene_moves_as_it_moved(path: Path) -> None:
+    scene, expected = cd.load(path), told(path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cd.SolveWarning)
+        if scene.beams:
+            model = cd.compile(scene, coordinates="absolute")
+            found, x = "energy", np.array(expected["x"])
+            values = list(model.energy(*model.split(x)[:2]))
+        else:
+            model = cd.compile(scene, functions=["rhs"])
+            found, x = "xdot", np.array(expected["x"])
+            values = model.rhs(0.0, x)
+    scale = np.abs(expected[found]).max()
+    np.testing.assert_allclose(values, expected[found], rtol=1e-9, atol=1e-9 * scale)
+
+
+OLDER = """\
+cardan: 1
+name: pendulum
+bodies:
+  rod: {weight: 2.0, com: [0, 0, -1]}
+joints:
+  pivot: {type: revolute, axis: y, parent: ground, child: rod}
+"""
+
+
+def renaming(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A cardan of tomorrow, to which masses were once weights."""
+    form = version.Format("scene", "cardan", 2, 1, "", {1: {"bodies.*.weight": "mass"}})
+    for module in (reader, tree):
+        monkeypatch.setattr(module, "SCENE", form)
+
+
+def test_a_renamed_key_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    renaming(monkeypatch)
+    scene = reader.from_text(OLDER)
+    assert scene.bodies["rod"].mass == 2
+    # a place of another name stays
+    assert "pivot" in scene.joints
+
+
+@pytest.mark.parametrize(
+    "text",
+    [OLDER.replace("cardan: 1", "cardan: 2"), OLDER.replace("weight: 2.0", "weight: 2, mass: 1")],
+    ids=["in a new file", "beside the new one"],
+)
+def test_the_former_name_is_refused(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    renaming(monkeypatch)
+    with pytest.raises(cd.ModelError, match="a body has no key 'weight'"):
+        reader.from_text(text)
