@@ -13,13 +13,19 @@ PACKAGE = ROOT / "src" / "cardan"
 
 @dataclass(frozen=True)
 class Import:
-    """One import: of ``name`` from ``target``, in ``source``, inside ``function`` ("" outside)."""
+    """One import: of ``name`` from ``target``, in ``source``, inside ``function`` ("" outside).
+
+    Attributes:
+        kind: ``"module"`` and ``"function"`` run; ``"type"`` stands under ``if TYPE_CHECKING``,
+            ``"string"`` is the dotted name of a module in a text.
+    """
 
     source: str
     target: str
     name: str
     function: str
     line: int
+    kind: str
 
     def __str__(self) -> str:
         inside = f" in {self.function}" if self.function else ""
@@ -44,13 +50,14 @@ def tree(path: Path) -> ast.Module:
 
 
 class _Reader(ast.NodeVisitor):
-    """Collects imports; what stands under ``if TYPE_CHECKING`` never runs and is left out."""
+    """Collects imports."""
 
     def __init__(self, name: str, path: Path) -> None:
         self.name = name
         self.package = name if path.name == "__init__.py" else name.rpartition(".")[0]
         self.scope: list[str] = []
         self.depth = 0
+        self.typing = False
         self.found: list[Import] = []
 
     def _enter(self, node: ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef) -> None:
@@ -65,12 +72,24 @@ class _Reader(ast.NodeVisitor):
 
     def visit_If(self, node: ast.If) -> None:
         names = {getattr(node.test, "id", ""), getattr(node.test, "attr", "")}
-        for child in node.orelse if "TYPE_CHECKING" in names else [*node.body, *node.orelse]:
+        self.visit(node.test)
+        before, self.typing = self.typing, self.typing or "TYPE_CHECKING" in names
+        for child in node.body:
+            self.visit(child)
+        self.typing = before
+        for child in node.orelse:
             self.visit(child)
 
-    def _add(self, target: str, name: str, line: int) -> None:
+    def visit_Constant(self, node: ast.Constant) -> None:
+        # such as "cardan.analyses.modes:modes"
+        target = node.value.partition(":")[0] if isinstance(node.value, str) else ""
+        if target in modules() and target != "cardan":
+            self._add(target, "", node.lineno, "string")
+
+    def _add(self, target: str, name: str, line: int, kind: str = "") -> None:
         function = ".".join(self.scope) if self.depth else ""
-        self.found.append(Import(self.name, target, name, function, line))
+        usual = "type" if self.typing else "function" if function else "module"
+        self.found.append(Import(self.name, target, name, function, line, kind or usual))
 
     def visit_Import(self, node: ast.Import) -> None:
         for alias in node.names:
@@ -89,14 +108,23 @@ class _Reader(ast.NodeVisitor):
 
 
 @cache
+def imports_of(name: str) -> tuple[Import, ...]:
+    """Every import of a module, whatever its kind."""
+    reader = _Reader(name, modules()[name])
+    reader.visit(tree(modules()[name]))
+    return tuple(reader.found)
+
+
+@cache
+def all_imports() -> tuple[Import, ...]:
+    """Every import of the package, whatever its kind."""
+    return tuple(found for name in modules() for found in imports_of(name))
+
+
+@cache
 def imports() -> tuple[Import, ...]:
     """Every import statement of the package that can run."""
-    found: list[Import] = []
-    for name, path in modules().items():
-        reader = _Reader(name, path)
-        reader.visit(tree(path))
-        found.extend(reader.found)
-    return tuple(found)
+    return tuple(found for found in all_imports() if found.kind in ("module", "function"))
 
 
 def room(module: str) -> str:
