@@ -89,6 +89,8 @@ def test_quaternions_of_either_sign_and_lie_groups() -> None:
 def test_what_rests_is_not_compared() -> None:
     made = precision(pendulum(), 0.1, ["RK45", "RK4"])
     assert made.recommendation.startswith("nothing moves from this start")
+    # not all settings, none of which has anything to do
+    assert made.table().row_count == len({point.method for point in made.points})
 
 
 def test_patience_ends_a_method_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:

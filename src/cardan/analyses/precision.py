@@ -126,7 +126,7 @@ class Precision:
             )
 
     def table(self) -> Table:
-        """As a table for the terminal."""
+        """As a table for the terminal; of what does not move, one setting of each method."""
         from rich.table import Table
 
         first, last = self.span
@@ -137,7 +137,9 @@ class Precision:
         for name in ("error", "ms", "steps", "evaluations"):
             table.add_column(name, justify="right", no_wrap=True)
         before = ""
-        for point in self.points:
+        loosest = {point.method: point for point in reversed(self.points)}
+        shown = [p for p in self.points if not self.still or loosest[p.method] is p]
+        for point in shown:
             done = point.status == "finished"
             table.add_row(
                 point.method if point.method != before else "",
