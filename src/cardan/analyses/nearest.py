@@ -160,7 +160,7 @@ def _tell_tie(m: Mechanism, one: Array, other: Array) -> None:
     said = [", ".join(f"{names[k]} = {q[k]:.6g}" for k in apart.tolist()) for q in (one, other)]
     warn(
         f"the start of '{m.model.name}' is equally near to two positions: {said[0]}; or {said[1]}. "
-        f"The first is taken. Name '{names[apart[0]]}' to say which one is meant",
+        f"The first is taken. Give '{names[apart[0]]}' a value at the start to say which is meant",
         SolveWarning,
     )
 
