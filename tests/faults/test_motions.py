@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-import resource
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,6 +14,7 @@ import pytest
 
 import cardan as cd
 from cardan.version import RUN
+from full_disk import full_disk
 
 
 @cache
@@ -133,17 +132,6 @@ def test_e3_a_changed_number_is_found(tmp_path: Path) -> None:
         cd.load_motion(path)
 
 
-@contextmanager
-def _full_disk() -> Iterator[None]:
-    """Every file ends after 1000 bytes."""
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, hard))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-
-
 def _stepper(path: Path) -> Any:
     stepper = _door("relative").stepper(q={"hinge": 0.3})
     stepper.step(0.01)
@@ -173,18 +161,22 @@ WRITERS: dict[str, Callable[[Path], Any]] = {
 @pytest.mark.parametrize("name", WRITERS)
 def test_e7_a_full_disk_is_told_and_the_old_file_kept(name: str, tmp_path: Path) -> None:
     """A full disk ended in a bare OSError without the name of the file, or left half a file."""
-    path = tmp_path / name
+    (tmp_path / "before").mkdir()
+    # what is compiled, and kept, is compiled with room
+    WRITERS[name](tmp_path / "before" / name)
+    path = tmp_path / "now" / name
+    path.parent.mkdir()
     path.write_text("what was there")
-    with _full_disk(), pytest.raises(cd.ModelError) as told:
+    with full_disk(1000), pytest.raises(cd.ModelError) as told:
         WRITERS[name](path)
     assert str(path) in str(told.value)
     assert "cannot be written: File too large. Make room" in str(told.value)
     assert path.read_text() == "what was there"
-    assert [one.name for one in tmp_path.iterdir()] == [name]
+    assert [one.name for one in path.parent.iterdir()] == [name]
     # with room, the same call replaces it
     WRITERS[name](path)
     assert path.stat().st_size > 1000
-    assert [one.name for one in tmp_path.iterdir()] == [name]
+    assert [one.name for one in path.parent.iterdir()] == [name]
 
 
 @pytest.mark.parametrize("name", WRITERS)

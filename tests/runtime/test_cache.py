@@ -306,7 +306,11 @@ SMALL = (
 
 def test_file_limit_of_the_process_is_a_clear_error(source, cache_directory):
     done = subprocess.run(
-        [sys.executable, "-c", SMALL, str(source)], capture_output=True, text=True, timeout=60
+        # bytecode would be cut short too, and kept
+        [sys.executable, "-B", "-c", SMALL, str(source)],
+        capture_output=True,
+        text=True,
+        timeout=60,
     )
     assert done.returncode == 1
     assert "cardan.errors.BuildError" in done.stderr

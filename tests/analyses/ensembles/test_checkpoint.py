@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import resource
 import signal
 import subprocess
 import sys
@@ -19,6 +18,7 @@ from analyses.ensembles.test_bits import same
 from cardan.analyses.ensembles import hands, job
 from cardan.analyses.growing import magic
 from cardan.version import ENSEMBLE_FILE
+from full_disk import full_disk
 
 OPTIONS: dict[str, Any] = {
     "t": 1.0,
@@ -166,13 +166,9 @@ def test_one_process_at_a_time(double: cd.CompiledModel, tmp_path: Path) -> None
 
 def test_a_full_disk(double: cd.CompiledModel, tmp_path: Path) -> None:
     path = tmp_path / "runs"
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (30_000, hard))
-    try:
-        with pytest.raises(cd.SolveError, match=r"written to: File too large.*go on from"):
-            double.ensemble(**OPTIONS, checkpoint=path)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    full = r"written to: File too large.*go on from"
+    with full_disk(30_000), pytest.raises(cd.SolveError, match=full):
+        double.ensemble(**OPTIONS, checkpoint=path)
     assert path.stat().st_size > 10_000
     alike(double.ensemble(**OPTIONS, checkpoint=path), double.ensemble(**OPTIONS))
 
