@@ -6,6 +6,7 @@ unit quaternions by the angle between rotations. What is named is the same in al
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -187,8 +188,8 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
 
     def order(one: Found) -> tuple[bool, int, bool, float]:
         worse = one.cost > best + REACHED
-        away = float(np.linalg.norm(m.between(begin, one.q)))
-        return worse, outside(m, one.q), not one.first, round(away / EQUAL)
+        away = math.hypot(*m.between(begin, one.q))
+        return worse, outside(m, one.q), not one.first, float(np.rint(away / EQUAL))
 
     return min(allowed, key=order)
 

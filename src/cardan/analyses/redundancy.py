@@ -84,8 +84,13 @@ class Redundancy:
             for components, names in alike.items()
         ]
 
+    @checked
     def loose(self, joint: str) -> str:
-        """Components of the reaction of a joint that are not determined: ``"Mx, My, Fz"``."""
+        """Components of the reaction of a joint that are not determined: ``"Mx, My, Fz"``.
+
+        Returns:
+            ``""`` where all are, as those of joints in no loop.
+        """
         own = self.components.get(joint, ())
         return ", ".join(name for name, held in zip(COMPONENTS, own, strict=False) if not held)
 

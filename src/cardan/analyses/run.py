@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError
+from ..errors import ModelError, SolveError
 from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.ledger import Ledger
@@ -271,11 +271,20 @@ class Runner:
         Args:
             times: Output times, in the direction of the run.
             dense: Keep the dense output of every step.
+
+        Raises:
+            SolveError: there is no memory for the rows.
         """
         run = self.record
         run.capacity = ROWS if times is None else len(times)
         width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
-        self.rows = np.empty((run.capacity, width))
+        try:
+            self.rows = np.empty((run.capacity, width))
+        except MemoryError:
+            raise SolveError(
+                f"there is no memory for {run.capacity} rows of {width} numbers. Give fewer "
+                "output times"
+            ) from None
         run.rows = self.rows.ctypes.data
         if times is not None:
             self._times = np.ascontiguousarray(times)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..ir.rows import column
+from .absolute.frames import standing
 from .calling import Array
 from .ledger import Ledger
 
@@ -99,7 +100,7 @@ def _measured(model: CompiledModel) -> float:
         if "mesh" in model.manifest:
             # where the ground has frames says nothing
             carried = [row["node"] is not None for row in model.manifest["frames"]]
-            places = np.asarray(found["position"], dtype=np.float64).reshape(-1, 3)[carried]
+            places = standing(model)[1][carried]
         else:
             parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
             places = np.concatenate(parts).reshape(-1, 3)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import Count, Seed, checked, kinds_of, read
-from ..errors import ArgumentError, counted, shown
+from ..errors import ArgumentError, ModelError, counted, shown
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
@@ -200,7 +200,13 @@ class CompiledModel(Analyzed):
         """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`."""
         from ..ir.interpreter import evaluate
 
-        return evaluate(self._objects.function(name), values, arithmetic)
+        try:
+            return evaluate(self._objects.function(name), values, arithmetic)
+        except ValueError as error:
+            raise ModelError(
+                f"{self._objects.directory}: what manifest.json and functions.json say differs: "
+                f"{error}. Compile the model again"
+            ) from error
 
     def _kernels(self) -> ctypes.CDLL:
         """The library of integrators and loops."""

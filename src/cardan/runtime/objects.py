@@ -202,7 +202,10 @@ class Objects:
         """A saved Function by its C name, made of plain data once."""
         from ..ir.serialize import from_dict
 
-        data = self.saved()[name]
+        data = self.saved().get(name)
+        if data is None:
+            path = self.directory / "functions.json"
+            raise ModelError(f"{path} does not hold '{name}'. Compile or export the model again")
         known = self._parsed.get(name)
         if known is None or known[0] is not data:
             # the data themselves say whether the file was read again
@@ -329,7 +332,12 @@ class Objects:
         Raises:
             BuildError: it is missing or was changed.
         """
-        entry = self.manifest["functions"][symbol]
+        entry = self.manifest["functions"].get(symbol)
+        if entry is None:
+            raise BuildError(
+                f"{self.directory}: its manifest has no function '{symbol}'. It was changed, or "
+                "removed while this process used it: compile the model again"
+            )
         path: Path = self.directory / entry["file"]
         if path.parent != self.directory:
             raise BuildError(f"the manifest of {self.directory} names a file outside: {path}")

@@ -20,8 +20,12 @@ from .slots import ORDER
 
 LARGEST = 1 << 40  # numbers of a block, a result or work memory
 NAMED = ("coordinates", "speeds", "inputs", "parameters", "frames", "joints", "outputs")
-ROWS = (*NAMED, "bodies", "multipliers", "quaternions", "z", "s", "available")
-TABLES = ("functions", "sha256")
+TEXTS = ("name", "cardan", "method")
+ROWS = (
+    *(*NAMED, "bodies", "multipliers", "quaternions", "z", "s", "available"),
+    *("fixed", "shapes", "notes", "snaps"),
+)
+TABLES = ("structural", "scene", "functions", "sha256")
 SIZES = ("output_size", "work_size", "prepared_size")
 
 
@@ -45,14 +49,18 @@ def _event(row: Any) -> bool:
 
 
 # what saved runs do not hold, or hold otherwise
-NUMBERED = row_of(name=text, maybe_default=number, maybe_unit=text, maybe_joint=text)
+NUMBERED = row_of(name=text, unit=text, maybe_default=number, maybe_joint=text)
 OWN: dict[str, Check] = {
-    **dict.fromkeys(("coordinates", "speeds", "inputs", "z", "s"), NUMBERED),
+    **dict.fromkeys(("coordinates", "speeds", "inputs", "z"), NUMBERED),
+    "s": row_of(name=text, maybe_default=number),
+    "cuts": row_of(name=text, kind=text, parent_frame=text, child_frame=text),
+    **dict.fromkeys(("fixed", "notes", "snaps"), text),
     "parameters": row_of(name=text, default=number, kind=text, maybe_unit=text),
     "joints": lambda row: (
         motion_rows.ROWS["joints"](row)
+        and row_of(maybe_domain=text, maybe_rotation=text)(row)
         and all(map(_starts(row), "qu"))
-        and isinstance(row.get("limits", {}), dict)
+        and isinstance(row.get("limits"), dict)
     ),
     "events": _event,
     "ticks": row_of(event=count, period=lambda x: number(x) and x > 0, phase=number),
@@ -77,9 +85,10 @@ def check(manifest: Any, where: str) -> None:
         version = manifest.get(form.word)
         if not form.reads(version):
             raise ModelError(form.refusal(where, version, manifest.get("cardan")))
-    for key, kind in (*((k, list) for k in ROWS), *((k, dict) for k in TABLES), ("name", str)):
-        right = isinstance(manifest.get(key), (kind, Rows) if kind is list else kind)
-        _require(right, where, f"'{key}' is no {kind.__name__}")
+    for kind, keys in ((list, ROWS), (dict, TABLES), (str, TEXTS)):
+        for key in keys:
+            right = isinstance(manifest.get(key), (kind, Rows) if kind is list else kind)
+            _require(right, where, f"'{key}' is no {kind.__name__}")
     for key in NAMED:
         rows = manifest[key]
         rows = rows.kinds if isinstance(rows, Rows) else rows
@@ -92,6 +101,10 @@ def check(manifest: Any, where: str) -> None:
         _require(bool(good), where, f"{name!r} is no file with its hash")
     for symbol, entry in manifest["functions"].items():
         _function(symbol, entry, f"{where}: function {symbol!r}")
+    if "constraints" in manifest["functions"]:
+        size = manifest["functions"]["constraints"]["output_size"]
+        rows = sum(row["level"] == "position" for row in manifest["multipliers"])
+        _require(size == rows, where, f"{rows} rows tell of {size} constraints of positions")
 
 
 def _rows(manifest: Mapping[str, Any], where: str) -> None:
@@ -113,6 +126,7 @@ def _places(manifest: Mapping[str, Any], where: str) -> None:
     events = len(manifest.get("events", ()))
     due = all(tick["event"] < events for tick in manifest.get("ticks", ()))
     _require(due, where, "a sample is of no event")
+    _require("mesh" not in manifest or "beams" in manifest, where, "it has no beams")
 
 
 def _function(symbol: str, entry: Any, where: str) -> None:

@@ -90,7 +90,7 @@ class Base:
     @checked
     def regressor(self, Y: ArrayLike) -> Array:
         """Y_b (..., nb) of a regressor Y (..., n): its independent columns."""
-        return np.asarray(self._all("regressor", Y)[..., self.columns])
+        return np.asarray(self._all("regressor Y", Y)[..., self.columns])
 
     def _all(self, word: str, values: ArrayLike) -> Array:
         """Numbers (..., n) for all parameters."""

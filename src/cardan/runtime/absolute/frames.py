@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...errors import ModelError
 from ..calling import Array
 from .standing import Plane, pose, speeds
 
@@ -47,7 +48,7 @@ class Frames:
     @classmethod
     def of(cls, model: CompiledModel) -> Frames:
         """The frames of a model at its parameters."""
-        return cls(model.manifest["frames"], *_standing(model))
+        return cls(model.manifest["frames"], *standing(model))
 
     def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
         """R (..., 3, 3) and origin (..., 3) of the node that carries a frame."""
@@ -111,11 +112,18 @@ class Frames:
 
 def numbers(model: CompiledModel) -> dict[str, Array]:
     """``frame_rotation`` and ``frame_position`` on the places of all frames."""
-    return dict(zip(("frame_rotation", "frame_position"), _standing(model), strict=True))
+    return dict(zip(("frame_rotation", "frame_position"), standing(model), strict=True))
 
 
-def _standing(model: CompiledModel) -> tuple[Array, Array]:
+def standing(model: CompiledModel) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and origins (n, 3) of all frames on their places."""
     at = model._evaluate_saved(model.manifest["mesh"]["frames"], p=model.parameters.vector)
     rotations, positions = (np.asarray(at[k], dtype=np.float64) for k in ("rotation", "position"))
-    return rotations.reshape(-1, 3, 3), positions.reshape(-1, 3)
+    rotations, positions = rotations.reshape(-1, 3, 3), positions.reshape(-1, 3)
+    count = len(model.manifest["frames"])
+    if len(rotations) != count:
+        raise ModelError(
+            f"{model.directory}: the manifest has {count} frames, functions.json {len(rotations)}. "
+            "Compile the model again"
+        )
+    return rotations, positions

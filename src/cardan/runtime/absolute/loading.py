@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from ... import regular_file
 from ...errors import ModelError
 from ..calling import Array
+from ..motion_rows import count, listed, number, text
 from ..number_file import unpacked
 from ..objects import Code
 from .elements import Elements
@@ -40,13 +41,14 @@ def tables(manifest: dict[str, Any], directory: Path) -> Tables:
             raise ValueError("it is not the file its manifest speaks of")
         sizes = (len(manifest[block]) for block in ("inputs", "z", "s"))
         found = _tables(told, unpacked(content), *sizes)
-        _fit(found, len(manifest["coordinates"]), len(manifest["speeds"]))
+        _fit(found, manifest)
+        _told(found, manifest)
         return found
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
         raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
 
 
-def _fit(found: Tables, nq: int, nu: int) -> None:
+def _fit(found: Tables, manifest: Mapping[str, Any]) -> None:
     """Make sure that the places that the kernels take from tables exist.
 
     Raises:
@@ -54,17 +56,81 @@ def _fit(found: Tables, nq: int, nu: int) -> None:
     """
     kinds, places = len(found.kinds), len(found.kind)
     inside = found.kind.ndim == 1 and bool(np.all((found.kind >= 0) & (found.kind < kinds)))
-    if not inside or (found.nq, found.nu) != (nq, nu):
+    sizes = (found.nq, found.nu) if inside else ()
+    if sizes != (len(manifest["coordinates"]), len(manifest["speeds"])):
         raise ValueError("its nodes are not those of the coordinates")
     for group in found.groups:
         n = len(group.place)
-        for most, table in ((places, group.place), (found.nz, group.z), (found.ns, group.s)):
+        limits = (
+            (places, group.place),
+            (found.nz, group.z),
+            (found.ns, group.s),
+            (len(manifest["outputs"]), group.outputs),
+            (len(found.powers), group.powers),
+        )
+        for most, table in limits:
             if table is not None and not (
                 table.ndim == 2 and len(table) == n and np.all((table >= -1) & (table < most))
             ):
                 raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
+        _own_sizes(found, group)
         if group.own is not None and (group.own.ndim != 2 or len(group.own) != n):
             raise ValueError(f"the data of '{group.kind.name}' are not those of its elements")
+
+
+def _own_sizes(found: Tables, group: Table) -> None:
+    """Make sure that elements are as large as what they couple.
+
+    Raises:
+        ValueError: they are not.
+    """
+    kind, sums = group.kind, {}
+    for name in ("nq", "nu"):
+        sizes = np.array([getattr(each, name) for each in found.kinds], dtype=np.intp)
+        # place -1 is the ground
+        sums[name] = np.append(sizes[found.kind], 0)[group.place].sum(axis=1)
+    sums |= {
+        name: np.array([0 if table is None else table.shape[1]])
+        for name, table in (("nz", group.z), ("ns", group.s))
+    }
+    for name, sizes in sums.items():
+        own = getattr(kind, name)
+        if type(own) is not int or not np.all(sizes == own):
+            raise ValueError(f"elements of '{kind.name}' have {name} = {own!r:.40}")
+    if not (type(kind.m) is type(kind.mp) is int and 0 <= kind.mp <= kind.m):
+        raise ValueError(f"elements of '{kind.name}' have {kind.m!r:.40} constraints")
+
+
+def _told(found: Tables, manifest: Mapping[str, Any]) -> None:
+    """Make sure that what the manifest says about elements is of these.
+
+    Raises:
+        ValueError: it is not.
+    """
+    told, written, places = manifest["mesh"], manifest["functions"], len(found.kind)
+    levels = [row["level"] for row in manifest["multipliers"]]
+    kinds = [group.kind for group in found.groups]
+    functions = [kind.functions for kind in found.kinds] + [kind.functions for kind in kinds]
+    lost = [name for each in functions for name in each.values() if name not in written]
+    if lost:
+        raise ValueError(f"functions of elements are not there: {lost!r:.80}")
+    for kind in kinds:
+        most = written[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
+        if not all(type(at) is int and 0 <= at < most for at in kind.parts.values()):
+            raise ValueError(f"matrices of '{kind.name}' begin outside of its tangent")
+    inside = all(np.all((line >= -1) & (line < places)) for line in found.beams)
+    names = [told["frames"], told["states"], *found.powers, *(g.common for g in found.groups)]
+    for right, what in (
+        ((found.mp, found.m) == (levels.count("position"), len(levels)), "multipliers"),
+        (inside and len(found.beams) == len(manifest["beams"]), "beams"),
+        (listed(count)(told["loose"]) and all(k < places for k in told["loose"]), "loose nodes"),
+        (all(map(text, names)), "saved functions and powers"),
+        # squares of them are numbers
+        (listed(number)(told["rest"]) and all(abs(x) < 1e150 for x in told["rest"]), "rest"),
+        (isinstance(told["reactions"], dict), "reactions"),
+    ):
+        if not right:
+            raise ValueError(f"its {what} are not those of the manifest")
 
 
 def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns: int) -> Tables:

@@ -87,7 +87,7 @@ def reaction(asked: Asked, of: str) -> float | str:
     """What a joint hands on: what the bodies behind it need, less what acts on them otherwise."""
     manifest, model = asked.model.manifest, asked.model
     joints = [row["name"] for row in manifest["joints"]]
-    cuts = [row["name"] for row in manifest["cuts"]]
+    cuts = [row["name"] for row in manifest.get("cuts", ())]
     why = _why_not(asked, of, joints, cuts)
     if why:
         return why
