@@ -158,3 +158,17 @@ def test_the_table_of_a_scene_file_is_the_same_robot() -> None:
     assert {key.name for key in keys.LINK} == set(Row.__dataclass_fields__)
     with pytest.raises(ModelError, match=r"text:2:\d+: dh.arm.rows\[0\].*'alfa'"):
         from_text("cardan: 1\ndh: {arm: {rows: [{alfa: 1}]}}\n")
+
+
+def test_a_table_may_start_on_a_frame() -> None:
+    """Of the ground, or of a body in the middle of a scene."""
+    from cardan.model.files.scene.reader import from_text
+
+    rows = str(heavy(ROWS[:2])).replace("'", "").replace("(", "[").replace(")", "]")
+    place = "at: [0.2, -0.1, 0.4], rotation: [XYZ, 0.1, 0.5, -0.3]"
+    text = f"cardan: 1\ndh: {{arm: {{parent: {{body: ground, {place}}}, rows: {rows}}}}}\n"
+    there = cd.compile(from_text(text)).pose("arm.link2", Q[:2])
+    base = shift(0, 0.2) @ shift(1, -0.1) @ shift(2, 0.4)
+    base = base @ turn(0, 0.1) @ turn(1, 0.5) @ turn(2, -0.3)
+    alone = cd.compile(cd.from_dh(heavy(ROWS[:2]))).pose("link2", Q[:2])
+    np.testing.assert_allclose(there, base @ alone, rtol=0, atol=1e-15)

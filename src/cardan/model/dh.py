@@ -18,12 +18,14 @@ from typing import Any
 from ..arguments import checked
 from ..elements.forces.damping import Damping
 from ..elements.forces.drive import Drive
+from ..elements.joints.fixed import Fixed
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..elements.written import is_expression
 from ..errors import ModelError, near, shown
 from .checks import is_number
 from .files.angles import snap as quarter
+from .frame import Frame
 from .model import Model
 from .rotation import cosine_sine
 
@@ -108,7 +110,8 @@ def add_dh(
     """Add the links and joints of a table to a scene; see :func:`from_dh`.
 
     Args:
-        parent: Frame or body that carries the first joint; the ground by default.
+        parent: Body that carries the first joint, or a frame, on which a body ``base`` is mounted;
+            the ground by default.
         prefix: Before the names of all joints and links.
         snap: Whether printed roundings of quarter turns become exact.
     """
@@ -121,6 +124,10 @@ def add_dh(
         raise ModelError(f"dh: rows={shown(rows)} is no table; give a list of rows")
     table = [_row(k, row) for k, row in enumerate(rows, 1)]
     inner = scene.ground if parent is None else parent
+    if isinstance(inner, Frame):
+        base = scene.body(f"{prefix}base")
+        scene.joint(f"{prefix}mount", Fixed(), inner, base)
+        inner = base
     for k, row in enumerate(table, 1):
         joint, link = prefix + (row.name or f"joint{k}"), prefix + (row.link or f"link{k}")
         if snap:
