@@ -24,31 +24,32 @@ from .tables import Kind, PlaceKind, Table, Tables
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
+Manifest = Mapping[str, Any]
 FILE = "mesh.npz"
 WHOLE = ("z", "s", "outputs", "powers")
 
 
-def tables(manifest: dict[str, Any], directory: Path) -> Tables:
+def tables(manifest: Manifest, directory: Path) -> Tables:
     """The tables of a model.
 
     Raises:
         ModelError: the file with its numbers is missing or damaged.
     """
-    told = manifest["mesh"]
+    mesh = manifest["mesh"]
     try:
         content = regular_file.content(directory / FILE)
         if hashlib.sha256(content).hexdigest() != manifest["sha256"].get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
         sizes = (len(manifest[block]) for block in ("inputs", "z", "s"))
-        found = _tables(told, unpacked(content), *sizes)
+        found = _tables(mesh, unpacked(content), *sizes)
         _fit(found, manifest)
-        _told(found, manifest)
+        _check_mesh(found, manifest)
         return found
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
         raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
 
 
-def _fit(found: Tables, manifest: Mapping[str, Any]) -> None:
+def _fit(found: Tables, manifest: Manifest) -> None:
     """Make sure that the places that the kernels take from tables exist.
 
     Raises:
@@ -73,12 +74,12 @@ def _fit(found: Tables, manifest: Mapping[str, Any]) -> None:
                 table.ndim == 2 and len(table) == n and np.all((table >= -1) & (table < most))
             ):
                 raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
-        _own_sizes(found, group)
+        _check_sizes(found, group)
         if group.own is not None and (group.own.ndim != 2 or len(group.own) != n):
             raise ValueError(f"the data of '{group.kind.name}' are not those of its elements")
 
 
-def _own_sizes(found: Tables, group: Table) -> None:
+def _check_sizes(elements: Tables, group: Table) -> None:
     """Make sure that elements are as large as what they couple.
 
     Raises:
@@ -86,54 +87,54 @@ def _own_sizes(found: Tables, group: Table) -> None:
     """
     kind, sums = group.kind, {}
     for name in ("nq", "nu"):
-        sizes = np.array([getattr(each, name) for each in found.kinds], dtype=np.intp)
+        sizes = np.array([getattr(each, name) for each in elements.kinds], dtype=np.intp)
         # place -1 is the ground
-        sums[name] = np.append(sizes[found.kind], 0)[group.place].sum(axis=1)
+        sums[name] = np.append(sizes[elements.kind], 0)[group.place].sum(axis=1)
     sums |= {
         name: np.array([0 if table is None else table.shape[1]])
         for name, table in (("nz", group.z), ("ns", group.s))
     }
     for name, sizes in sums.items():
-        own = getattr(kind, name)
-        if type(own) is not int or not np.all(sizes == own):
-            raise ValueError(f"elements of '{kind.name}' have {name} = {own!r:.40}")
+        stated = getattr(kind, name)
+        if type(stated) is not int or not np.all(sizes == stated):
+            raise ValueError(f"elements of '{kind.name}' have {name} = {stated!r:.40}")
     if not (type(kind.m) is type(kind.mp) is int and 0 <= kind.mp <= kind.m):
         raise ValueError(f"elements of '{kind.name}' have {kind.m!r:.40} constraints")
 
 
-def _told(found: Tables, manifest: Mapping[str, Any]) -> None:
+def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     """Make sure that what the manifest says about elements is of these.
 
     Raises:
         ValueError: it is not.
     """
-    told, written, places = manifest["mesh"], manifest["functions"], len(found.kind)
+    mesh, available, places = manifest["mesh"], manifest["functions"], len(elements.kind)
     levels = [row["level"] for row in manifest["multipliers"]]
-    kinds = [group.kind for group in found.groups]
-    functions = [kind.functions for kind in found.kinds] + [kind.functions for kind in kinds]
-    lost = [name for each in functions for name in each.values() if name not in written]
-    if lost:
-        raise ValueError(f"functions of elements are not there: {lost!r:.80}")
+    kinds = [group.kind for group in elements.groups]
+    functions = [kind.functions for kind in elements.kinds] + [kind.functions for kind in kinds]
+    missing = [name for each in functions for name in each.values() if name not in available]
+    if missing:
+        raise ValueError(f"functions of elements are not there: {missing!r:.80}")
     for kind in kinds:
-        most = written[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
+        most = available[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
         if not all(type(at) is int and 0 <= at < most for at in kind.parts.values()):
             raise ValueError(f"matrices of '{kind.name}' begin outside of its tangent")
-    inside = all(np.all((line >= -1) & (line < places)) for line in found.beams)
-    names = [told["frames"], told["states"], *found.powers, *(g.common for g in found.groups)]
+    inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
+    names = [mesh["frames"], mesh["states"], *elements.powers, *(g.common for g in elements.groups)]
     for right, what in (
-        ((found.mp, found.m) == (levels.count("position"), len(levels)), "multipliers"),
-        (inside and len(found.beams) == len(manifest["beams"]), "beams"),
-        (listed(count)(told["loose"]) and all(k < places for k in told["loose"]), "loose nodes"),
+        ((elements.mp, elements.m) == (levels.count("position"), len(levels)), "multipliers"),
+        (inside and len(elements.beams) == len(manifest["beams"]), "beams"),
+        (listed(count)(mesh["loose"]) and all(k < places for k in mesh["loose"]), "loose nodes"),
         (all(map(text, names)), "saved functions and powers"),
         # squares of them are numbers
-        (listed(number)(told["rest"]) and all(abs(x) < 1e150 for x in told["rest"]), "rest"),
-        (isinstance(told["reactions"], dict), "reactions"),
+        (listed(number)(mesh["rest"]) and all(abs(x) < 1e150 for x in mesh["rest"]), "rest"),
+        (isinstance(mesh["reactions"], dict), "reactions"),
     ):
         if not right:
             raise ValueError(f"its {what} are not those of the manifest")
 
 
-def _tables(told: dict[str, Any], numbers: dict[str, Any], nr: int, nz: int, ns: int) -> Tables:
+def _tables(told: Manifest, numbers: Manifest, nr: int, nz: int, ns: int) -> Tables:
     kinds = {row["name"]: Kind(**row) for row in told["kinds"]}
     groups = []
     for k, row in enumerate(told["groups"]):
