@@ -202,6 +202,16 @@ def test_a_run_says_it_in_print_and_keeps_it_in_its_file(tmp_path: Any) -> None:
     assert loaded.conduct.warning == texts[0]
 
 
+def test_what_rests_says_nothing() -> None:
+    """Speeds that rounding leaves carry an energy that no ledger can account for."""
+    crank = cd.compile(CLOSED["slider_crank"].build())
+    crank = crank.with_parameters({n: 0.0 for n in crank.parameters if n.startswith("gravity")})
+    start = crank.equilibrium(q={"A": -1.0}, stable=True)
+    motion, texts = simulated(crank, 1.0, x0=start, method="GeneralizedAlpha")
+    assert texts == []
+    assert np.abs(motion.u).max() < 1e-15
+
+
 @pytest.mark.parametrize(("name", "coordinates"), some([(n, c) for n in ZOO for c in KINDS], 16))
 def test_healthy_runs_of_the_zoo_say_nothing(name: str, coordinates: str) -> None:
     try:

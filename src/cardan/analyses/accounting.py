@@ -11,8 +11,8 @@ with N = max(1, duration / fastest period resolved). W is what potential energie
 gone up and down by, P what single speeds have carried. A run that misses more than :data:`EXCESS`
 times as much, or more than :data:`CEILING` of the whole, says so whatever its status. Methods of
 order 2 take rtol^(2/3) for rtol, which their error in the end follows; atol counts beside rtol by
-its part of the largest speed. Given steps name no tolerance: theirs is taken as :data:`GIVEN`. What
-rounding adds is never an excess.
+its part of the largest speed, and speeds below it are rest. Given steps name no tolerance: theirs
+is taken as :data:`GIVEN`. What rounding adds is never an excess.
 """
 
 from __future__ import annotations
@@ -90,10 +90,14 @@ def accounts(motion: Trajectory, how: Settings, slack: float = 0.0) -> list[Acco
     if len(motion) < 2:
         return []
     rows = _some(len(motion), LOOKED)
-    rtol, periods = float(in_the_end(how, np.abs(motion.u).max(initial=0.0))), _periods(motion)
-    found = _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods)
-    atol, rtol = (how.atol, how.rtol) if how.method.adaptive else (0.0, GIVEN)
-    return found + _closure(motion, rtol, atol, slack)
+    fastest = float(np.abs(motion.u).max(initial=0.0))
+    rtol, periods = float(in_the_end(how, fastest)), _periods(motion)
+    atol, of_whole = (how.atol, how.rtol) if how.method.adaptive else (0.0, GIVEN)
+    found = _closure(motion, of_whole, atol, slack)
+    if fastest <= max(atol, ROUNDING):
+        # at rest, as far as the tolerance tells: what is left of speeds is rounding
+        return found
+    return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + found
 
 
 def excess(motion: Trajectory, how: Settings, slack: float = 0.0) -> str:
