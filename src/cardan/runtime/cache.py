@@ -67,8 +67,9 @@ class Object:
             return ctypes.CDLL(str(self.path))
         except OSError as error:
             raise BuildError(
-                f"compiled code cannot be loaded: {error}. Does {self.path.parent} lie on a file "
-                "system without permission to execute, or was it removed? Set CARDAN_CACHE to "
+                f"compiled code cannot be loaded: {error}. Is memory full, does "
+                f"{self.path.parent} lie on a file system without permission to execute, or was "
+                "it removed? Free memory, or set CARDAN_CACHE to "
                 "another folder"
             ) from error
 
