@@ -93,11 +93,11 @@ def accounts(motion: Trajectory, how: Settings, slack: float = 0.0) -> list[Acco
     fastest = float(np.abs(motion.u).max(initial=0.0))
     rtol, periods = float(in_the_end(how, fastest)), _periods(motion)
     atol, of_whole = (how.atol, how.rtol) if how.method.adaptive else (0.0, GIVEN)
-    found = _closure(motion, of_whole, atol, slack)
+    closures = _closure(motion, of_whole, atol, slack)
     if fastest <= max(atol, ROUNDING):
         # at rest, as far as the tolerance tells: what is left of speeds is rounding
-        return found
-    return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + found
+        return closures
+    return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + closures
 
 
 def excess(motion: Trajectory, how: Settings, slack: float = 0.0) -> str:
