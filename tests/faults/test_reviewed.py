@@ -116,7 +116,8 @@ def test_names_for_control_are_those_of_the_system() -> None:
 def test_columns_that_are_compared_with_nothing_are_not_checked() -> None:
     """Columns of springs passed where the forces that they follow from were not compiled."""
     scene = double_pendulum()
-    scene.force("spring", cd.TorsionSpring("elbow", stiffness=scene.parameter("k", 3.0)))
+    k, d = scene.parameter("k", 3.0), scene.parameter("d", 0.1)
+    scene.force("spring", cd.TorsionSpring("elbow", stiffness=k, damping=d))
     model = cd.compile(cd.derive(scene))
     assert verify(model, functions=["regressor"]).unchecked == ("regressor",)
     model.prepare("inverse_dynamics", "inertial_parameters")

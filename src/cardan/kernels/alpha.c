@@ -90,7 +90,7 @@ static int closed(const cardan_run *run, const cardan_alpha *v, real h)
     const real reach = fmax(fmax(1, run->size), v->mesh ? v->now[ALPHA_EXTENT] : 1);
     const ptrdiff_t first = v->index == 2 ? 0 : v->mp;
 
-    return cardan_gaps_close(run, v->residual + v->nu, first, h, reach, v->adaptive);
+    return cardan_gaps_close(run, v->residual + v->nu, first, h, reach, v->adaptive != 0);
 }
 
 /* Derivative at the end of a step into `k`: rates, the accelerations found, power. */
