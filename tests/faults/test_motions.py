@@ -101,6 +101,7 @@ CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "no steps": lambda notes: notes["conduct"]["statistics"].pop("steps"),
     "a word more": lambda notes: notes["conduct"].__setitem__("x", 1),
     "scene of texts": lambda notes: notes["scene"].__setitem__("mass", ["x"]),
+    "a tree of nothing": lambda notes: notes["manifest"].__setitem__("scene", {"x": 1}),
     "no frames": lambda notes: notes["scene"].__setitem__("frame_rotation", [1.0]),
     "sources": lambda notes: notes.__setitem__("sources", ["a", "b", "c"]),
 }

@@ -207,14 +207,14 @@ def _places(manifest: dict[str, Any]) -> None:
 def _tree(scene: Any, joints: Sequence[Any]) -> None:
     """What poses follow from."""
     _require(isinstance(scene, dict), "its scene is not a table")
-    if "kinds" not in scene:
+    if not scene:
         return
     count = len(joints)
     parents = scene.get("parents")
     _require(listed(number, count)(parents), "its tree is damaged")
     good = all(isinstance(p, int) and -1 <= p < i for i, p in enumerate(parents or ()))
     _require(good, "its tree is damaged")
-    _require(listed(text, count)(scene["kinds"]), "its tree has joints of no kind")
+    _require(listed(text, count)(scene.get("kinds")), "its tree has joints of no kind")
     known = listed(lambda value: value is None or text(value), count)
     _require(known(scene.get("rotations")), "its tree is damaged")
     curves = scene.get("curves", [])
