@@ -161,6 +161,7 @@ def beam(**changes: Any) -> Callable[[cd.Model], Any]:
 WRONG: dict[str, Callable[[cd.Model], Any]] = {
     "elements is 0;": beam(elements=0),
     "elements is 2.5;": beam(elements=2.5),
+    "elements; a beam has at most 100000": beam(elements=10**400),
     "elements is True;": beam(elements=True),
     "elements is nan;": beam(elements=float("nan")),
     "elements is inf;": beam(elements=float("inf")),

@@ -154,7 +154,7 @@ def count_of(who: str, elements: Any) -> int:
     if not (number and elements >= 1 and elements % 1 == 0):
         raise ModelError(f"{who}: elements is {shown(elements)}; give a whole number, 1 or more")
     if elements > MOST_ELEMENTS:
-        raise ModelError(f"{who}: {elements:.6g} elements; a beam has at most {MOST_ELEMENTS}")
+        raise ModelError(f"{who}: {shown(elements)} elements; a beam has at most {MOST_ELEMENTS}")
     return int(elements)
 
 
