@@ -6,6 +6,7 @@ from __future__ import annotations
 ORDER = (
     "version",
     "errors",
+    "processes",
     "regular_file",
     "whole_file",
     "arguments",
@@ -40,6 +41,7 @@ RUNNING = frozenset({"runtime", "analyses", "view"})
 RUNNING_MAY_IMPORT = RUNNING | {
     "version",
     "errors",
+    "processes",
     "regular_file",
     "whole_file",
     "arguments",

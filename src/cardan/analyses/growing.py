@@ -8,7 +8,6 @@ Nothing in it is ever executed.
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
 import os
@@ -20,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import regular_file
+from .. import processes, regular_file
 from ..errors import ModelError, SolveError
 from ..runtime import number_file
 from ..runtime.compiled import CompiledModel
@@ -67,7 +66,7 @@ class Growing:
             raise ModelError(f"checkpoint {path} cannot be opened: {error.strerror}") from error
         try:
             try:
-                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                processes.lock(self._file, wait=False)
             except BlockingIOError:
                 raise ModelError(f"checkpoint {path} is in use by another process") from None
             self._open()

@@ -6,7 +6,6 @@ renamed into place, and whoever changes the manifest holds a lock.
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
 import os
@@ -16,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from .. import regular_file
+from .. import processes, regular_file
 from ..errors import CodegenError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
@@ -277,5 +276,5 @@ def _write(path: Path, text: str | bytes) -> str:
 def _locked(directory: Path) -> Iterator[None]:
     """Alone with the manifest, across threads and processes."""
     with open(directory / LOCK, "w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+        processes.lock(file.fileno())
         yield

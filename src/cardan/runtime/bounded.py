@@ -9,6 +9,7 @@ import threading
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from .. import processes
 from ..errors import BuildError
 
 # The shell keeps the program and a watcher in one process group. The watcher reads a pipe that
@@ -85,7 +86,7 @@ def _let_go(end: int) -> None:
 
 
 # a forked child must not keep the compilers of its parent alive
-os.register_at_fork(after_in_child=stop)
+processes.after_fork(stop)
 
 
 def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) -> Answer:

@@ -3,13 +3,12 @@
 A file is ``<key>.so``: the object as the linker wrote it, then the SHA-256 of it. Loaders ignore
 what follows the last section, so the check travels with the file and one rename publishes both.
 Processes never wait for each other: each compiles in a folder of its own, ``.new-...``, and
-renames. A lock on that folder says that its process lives; the system drops it with the process.
+renames. A lock in that folder says that its process lives; the system drops it with the process.
 """
 
 from __future__ import annotations
 
 import ctypes
-import fcntl
 import hashlib
 import json
 import os
@@ -23,6 +22,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
+from .. import processes
 from ..errors import BuildError
 from . import folder
 from .toolchain import Compiler, compile_shared, find_compiler, processor
@@ -32,6 +32,7 @@ DIGEST = 32
 VERSION = "3"
 NEW = ".new-"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
+LOCK = "lock"  # file in a folder that a living process compiles in
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 
 
@@ -92,9 +93,10 @@ class Object:
     def discard(self) -> None:
         """Forget it unless it is published: nobody finds it any more."""
         if self.place is not None:
-            shutil.rmtree(self.path.parent, ignore_errors=True)
+            # first the lock: an open file cannot be removed on every system
             with suppress(OSError):
                 os.close(self.lock)
+            shutil.rmtree(self.path.parent, ignore_errors=True)
 
 
 @lru_cache(maxsize=8)
@@ -275,9 +277,9 @@ def _made(
     """Compile and sign, in a folder of this process."""
     sweep(place.parent)
     own = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
-    made = Object(own / "object.so", True, place, os.open(own, os.O_RDONLY))
+    made = Object(own / "object.so", True, place, os.open(own / LOCK, os.O_RDWR | os.O_CREAT))
     try:
-        fcntl.flock(made.lock, fcntl.LOCK_EX)
+        processes.lock(made.lock)
         scratch = place.parent / "zig"
         compile_shared(by, sources, include, made.path, reproducible, scratch, words)
         with open(made.path, "r+b") as file:
@@ -305,9 +307,12 @@ def sweep(cache: Path) -> list[Path]:
 
 def _abandoned(path: Path) -> bool:
     """Whether no living process holds the lock of a path."""
-    handle = os.open(path, os.O_RDONLY)
     try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        handle = os.open(path / LOCK if path.is_dir() else path, os.O_RDWR)
+    except FileNotFoundError:
+        return True
+    try:
+        processes.lock(handle, wait=False)
     except BlockingIOError:
         return False
     finally:

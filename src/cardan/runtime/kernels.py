@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import threading
 from functools import lru_cache
 from pathlib import Path
 
+from .. import processes
 from . import cache
 
 DIRECTORY = Path(__file__).resolve().parent.parent / "kernels"
@@ -22,7 +22,7 @@ def _unlocked() -> None:
     _LOCK = threading.Lock()
 
 
-os.register_at_fork(after_in_child=_unlocked)
+processes.after_fork(_unlocked)
 
 
 def library(reproducible: bool = False, only: str = "*") -> ctypes.CDLL:

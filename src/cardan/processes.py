@@ -1,0 +1,79 @@
+"""Locks between processes, and what a forked child does first, on every operating system.
+
+A lock belongs to an open file and is dropped with it, also where its process is killed: it says
+that a process lives. Where ``flock`` is missing (Windows) the last byte that the C library can name
+is locked, because others cannot read a locked byte there.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import os
+from collections.abc import Callable
+from importlib import import_module
+from types import ModuleType
+
+LAST_BYTE = (1 << 31) - 2
+# of flock, on every system that has it
+LOCK_EX, LOCK_NB = 2, 4
+
+
+def _module(name: str) -> ModuleType | None:
+    try:
+        return import_module(name)
+    except ImportError:
+        return None
+
+
+_FCNTL, _MSVCRT = _module("fcntl"), _module("msvcrt")
+
+
+def lock(handle: int, wait: bool = True) -> None:
+    """Lock an open file against other processes until it is closed.
+
+    Args:
+        handle: Its descriptor, open for writing.
+        wait: For the one that has the lock.
+
+    Raises:
+        BlockingIOError: another process has it, and ``wait`` is false.
+    """
+    if _FCNTL is not None:
+        _FCNTL.flock(handle, _FCNTL.LOCK_EX | (0 if wait else _FCNTL.LOCK_NB))
+    elif _MSVCRT is not None:
+        _lock_byte(_MSVCRT, handle, wait)
+    else:
+        _lock_by_library(handle, wait)
+
+
+def _lock_byte(msvcrt: ModuleType, handle: int, wait: bool) -> None:
+    here = os.lseek(handle, 0, os.SEEK_CUR)
+    try:
+        while True:
+            os.lseek(handle, LAST_BYTE, os.SEEK_SET)
+            try:
+                msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
+                return
+            except OSError as error:
+                # it gives up after ten seconds, with the same error as where it does not wait
+                if not wait:
+                    raise BlockingIOError(*error.args) from error
+    finally:
+        os.lseek(handle, here, os.SEEK_SET)
+
+
+def _lock_by_library(handle: int, wait: bool) -> None:
+    """``flock`` of the C library, for a Python that was built without it."""
+    library = ctypes.CDLL(None, use_errno=True)
+    while library.flock(handle, LOCK_EX | (0 if wait else LOCK_NB)):
+        number = ctypes.get_errno()
+        # after a signal, whose handler has run by now
+        if number != errno.EINTR:
+            raise OSError(number, os.strerror(number))
+
+
+def after_fork(action: Callable[[], object]) -> None:
+    """Call something first in every forked child; nothing where processes are not forked."""
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=action)

@@ -1,0 +1,103 @@
+"""Locks and fork hooks on systems that lack what POSIX has."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+# what each kind of system lacks or has; locks of Windows belong to a handle, as those of flock do
+POSIX = ""
+NEITHER = "import os, random, sys; sys.modules['fcntl'] = None; del os.register_at_fork"
+WINDOWS = """
+import fcntl, os, random, subprocess, sys, types
+
+def locking(handle, mode, count):
+    fcntl.flock(handle, fcntl.LOCK_EX | (0 if mode == 1 else fcntl.LOCK_NB))
+
+sys.modules["msvcrt"] = types.SimpleNamespace(LK_LOCK=1, LK_NBLCK=2, locking=locking)
+sys.modules["fcntl"] = None
+del os.register_at_fork
+"""
+SYSTEMS = pytest.mark.parametrize(
+    "system", [POSIX, NEITHER, WINDOWS], ids=["posix", "neither", "windows"]
+)
+SCENE = Path(__file__).parents[2] / "examples" / "double_pendulum.yaml"
+
+HOLD = """
+import os, sys
+from cardan import processes
+handle = os.open(sys.argv[1], os.O_RDWR | os.O_CREAT)
+processes.lock(handle)
+print("locked", flush=True)
+sys.stdin.read()
+"""
+TRY = """
+import os, sys
+from cardan import processes
+handle = os.open(sys.argv[1], os.O_RDWR)
+try:
+    processes.lock(handle, wait=False)
+except BlockingIOError:
+    print("in use", os.lseek(handle, 0, os.SEEK_CUR))
+else:
+    print("free", os.lseek(handle, 0, os.SEEK_CUR))
+"""
+COMPILE = """
+import os, subprocess, sys
+
+import cardan as cd
+from cardan.runtime import cache
+
+real, swept = cache.compile_shared, []
+
+def compile_beside_another(by, sources, include, path, *rest):
+    # another process sweeps while this one compiles, long after it began
+    os.utime(path.parent, (0, 0))
+    subprocess.run([*sys.argv[3:], str(path.parent.parent)], check=True)
+    swept.append(not path.parent.exists())
+    real(by, sources, include, path, *rest)
+
+cache.compile_shared = compile_beside_another
+scene = cd.load(sys.argv[1])
+model = cd.compile(scene, directory=sys.argv[2])
+motion = model.simulate(1.0)
+print(motion.success, len(swept), sum(swept))
+"""
+SWEEP = """
+import sys
+from pathlib import Path
+from cardan.runtime import cache
+cache.sweep(Path(sys.argv[1]))
+"""
+
+
+def child(system: str, text: str, *arguments: object) -> list[str]:
+    """Command of a process on a system."""
+    return [sys.executable, "-c", system + "\n" + text, *map(str, arguments)]
+
+
+@SYSTEMS
+def test_a_lock_lasts_as_long_as_its_process(system: str, tmp_path: Path) -> None:
+    place = tmp_path / "file"
+    ask = child(system, TRY, place)
+    with subprocess.Popen(
+        child(system, HOLD, place), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == "locked\n"
+        assert subprocess.check_output(ask, text=True) == "in use 0\n"
+        holder.kill()
+    assert subprocess.check_output(ask, text=True) == "free 0\n"
+
+
+@SYSTEMS
+def test_a_scene_compiles_and_runs_and_its_cache_is_locked(system: str, tmp_path: Path) -> None:
+    command = child(system, COMPILE, SCENE, tmp_path / "model", *child(system, SWEEP))
+    answer = subprocess.check_output(command, text=True).split()
+    # compiles, and none of their folders was swept away
+    assert answer[0] == "True"
+    assert int(answer[1]) > 0
+    assert answer[2] == "0"
