@@ -15,6 +15,7 @@ import cardan as cd
 from cardan.equations.recipes import RECIPES
 from cardan.errors import BuildError, SolveWarning
 from cardan.runtime import truth
+from cardan.runtime.joint_motion import JointData, joint_data
 from cardan.runtime.judged import scene_of
 from cardan.runtime.verification.asked import Asked
 from cardan.runtime.verification.elements import judged
@@ -98,15 +99,25 @@ def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
     assert {*names} - {"outputs"} == set(found.checked)
     # the pose is what judges: that of another joint does not agree
     scene = scene_of(model)
-    (number,) = scene.poses
-    right = scene.poses[number]
-    other = replace(scene, poses={number: lambda q: (right(q)[0], 1.001 * right(q)[1])})
+    kinds = enumerate(scene.kinds)
+    other = replace(
+        scene,
+        joints=tuple(
+            _stretched(scene.joints[i]) if k == "custom" else scene.joints[i] for i, k in kinds
+        ),
+    )
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("cardan.runtime.verify.scene_of", lambda model: other)
         # what was found of the right scene is kept for its next functions
         patch.setattr(model._objects, "truth", None)
         with pytest.raises(BuildError, match="differs"):
             model.verify()
+
+
+def _stretched(joint: JointData) -> JointData:
+    """The joint with a pose that is 0.1 % farther away."""
+    right = joint.pose.pose
+    return joint_data(lambda q: (right(q)[0], 1.001 * right(q)[1]), "", joint.rotation)
 
 
 X = sympy.Symbol("x")

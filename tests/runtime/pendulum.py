@@ -167,8 +167,12 @@ def saved() -> dict[str, Any]:
     tau = Block("tau", ("swing.u.tau",), ("N*m",))
     swing = g.mul(g.div(gravity, l), g.apply("sin", g.var("q", 0)))
     udot = g.sub(g.div(g.var("tau", 0), point), swing)
+    c, s = (g.apply(name, g.var("q", 0)) for name in ("cos", "sin"))
+    turned = (c, 0, s, 0, g.const(1.0), 0, g.neg(s), 0, c)
+    pose = Output("rotation", (3, 3), turned), Output("position", (3,), zeros[:3])
     functions = [
         Function("scene", g, (p,), scene),
+        Function("scene_pose_0", g, (q, p), pose),
         Function("applied", g, (p,), f),
         Function("forward_dynamics", g, (q, p, tau), (Output("udot", (1,), (udot,)),)),
     ]
@@ -224,7 +228,10 @@ def manifest(names: list[str]) -> dict[str, Any]:
         "snaps": [],
         "functions": {n: entry(n, FUNCTIONS[n]) for n in names},
         "available": list(FUNCTIONS),
-        "scene": {"parents": [-1], "kinds": ["revolute"], "rotations": [None]},
+        "scene": {
+            **{"parents": [-1], "kinds": ["revolute"], "rotations": [None]},
+            "poses": ["scene_pose_0"],
+        },
         "sha256": {},
     }
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cardan.elements.joints import JOINTS
 from cardan.runtime.circle_means import CIRCLES
-from cardan.runtime.joint_motion import KINDS, REVERSED, Curve, joint_motion
+from cardan.runtime.joint_motion import REVERSED, joint_data, joint_motion
+from cardan.runtime.kind_poses import POSES, Curve, KindNumbers, pose_of
 from cardan.runtime.newton_euler import Scene, inverse_dynamics, mass_matrix
 from cardan.runtime.rotations import PARAMETERS, about
 from cardan.spatial.rotations import ROTATIONS
@@ -44,7 +44,7 @@ def pose(q):
     return turned, np.stack([np.sin(a), a * b, np.cos(b)], axis=-1)
 
 
-ALL = [*KINDS, *(REVERSED + kind for kind in KINDS)]
+ALL = [*SIZES]
 
 
 def scene(kinds, parents=None, leaders=None, prescribed=None, gravity=(0.0, 0.0, 0.0)):
@@ -77,21 +77,26 @@ def scene(kinds, parents=None, leaders=None, prescribed=None, gravity=(0.0, 0.0,
         "pitch": rng.uniform(0.1, 0.3, n),
         "ratio": rng.uniform(0.5, 1.5, n),
         "offset": rng.uniform(-0.5, 0.5, n),
-        "sizes": np.array([[0.9, 0.2]] * n),
     }
     curve = Curve(np.array([-2.0, 0.3, 2.0]), rng.uniform(-0.1, 0.1, (3, 2, 4)))
+    rotations = tuple("quaternion" if k in TURNING else None for k in kinds)
+    joints = []
+    for i, (kind, rotation) in enumerate(zip(kinds, rotations, strict=True)):
+        own = KindNumbers(rotation, axis[i], axis2[i], numbers["pitch"][i], (0.9, 0.2), curve)
+        declared = kind.removeprefix(REVERSED)
+        of_kind = pose_of(declared, own) if declared in POSES else pose
+        joints.append(joint_data(of_kind, kind, rotation))
     return Scene(
         parents=tuple(parents or range(-1, n - 1)),
         kinds=tuple(kinds),
-        rotations=tuple("quaternion" if k in TURNING else None for k in kinds),
+        rotations=rotations,
         q=tuple(q),
         u=tuple(u),
         leaders=tuple(leaders),
         prescribed=tuple(prescribed),
         numbers=numbers,
         nu=nu,
-        curves=(curve,) * n,
-        poses={i: pose for i, kind in enumerate(kinds) if kind.endswith("custom")},
+        joints=tuple(joints),
     )
 
 
@@ -151,7 +156,7 @@ def test_mass_matrix_is_symmetric_and_positive(kind):
     s = scene(["revolute", kind, kind])
     M = mass_matrix(s, random_state(s)[0])
     # slopes of a pose are differences over a circle: rounding over its radius
-    bound = 100 * np.finfo(float).eps / (CIRCLES[0] if kind.endswith("custom") else 1.0)
+    bound = 100 * np.finfo(float).eps / CIRCLES[0]
     assert np.abs(M - M.T).max() < bound * np.abs(M).max()
     assert np.linalg.eigvalsh(M).min() > 0
 
@@ -221,8 +226,8 @@ def test_speeds_are_the_derivative_of_the_pose(kind):
     s = scene([kind])
     q, u, _ = random_state(s)
     h = 1e-5
-    now = joint_motion(s.told(0), q, u)
-    ahead, back = (joint_motion(s.told(0), moved(s, q, u, t), u) for t in (h, -h))
+    now = joint_motion(s.joints[0], q, u)
+    ahead, back = (joint_motion(s.joints[0], moved(s, q, u, t), u) for t in (h, -h))
     turning = now.rotation.T @ (ahead.rotation - back.rotation) / (2 * h)
     spin = now.turn @ u
     assert np.abs([turning[2, 1], turning[0, 2], turning[1, 0]] - spin).max() < 10 * h**2
@@ -230,6 +235,5 @@ def test_speeds_are_the_derivative_of_the_pose(kind):
     assert np.abs(shift - now.shift @ u).max() < 10 * h**2
 
 
-def test_every_parametrization_and_joint_is_known():
+def test_every_parametrization_is_known():
     assert set(PARAMETERS) == set(ROTATIONS)
-    assert set(KINDS) == set(JOINTS)

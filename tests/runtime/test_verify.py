@@ -70,7 +70,7 @@ def test_only_new_builds_are_checked(directory, monkeypatch):
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"kinds": ["custom"]}, "joint 'swing' is custom"),
+        ({"poses": ["none"]}, "the poses of its joints are not saved"),
         ({"kinds": ["spherical"], "rotations": ["odd"]}, "joint 'swing' is described by odd"),
         ({"unknown": ["user-chosen speeds"]}, "user-chosen speeds"),
     ],

@@ -18,7 +18,6 @@ from cardan.equations.treatments import TREATMENTS
 from cardan.errors import BuildError
 from cardan.ir.matrix import Matrix
 from cardan.runtime.compiled import CompiledModel
-from cardan.runtime.joint_motion import KINDS, SPEEDS
 from laws.test_cut_joints import INSTANCES, machine
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING
@@ -86,10 +85,6 @@ def test_joints_that_move_as_told_take_part():
     result = checked(scene, *OF_CIRCUITS).verify()
     assert "forward_dynamics" in result.checked, str(result)
     assert result.worst < 1e-12
-
-
-def test_every_kind_knows_its_number_of_speeds():
-    assert set(SPEEDS) == set(KINDS) - {"custom"}  # it closes circuits by its coordinates
 
 
 @pytest.mark.parametrize("treatment", [name for name, t in TREATMENTS.items() if t.exact])

@@ -7,9 +7,10 @@ shapes with it. Nothing here knows how equations are made.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
-from ..elements.joints.custom import Custom
+from ..elements.joints.joint import Joint as Element
 from ..elements.joints.joint import Reversed
 from ..equations.blocks import blocks
 from ..ir.function import Block, Function, Output, live
@@ -111,7 +112,7 @@ def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
     ]
 
 
-def _declared(joint: Joint) -> Any:
+def declared(joint: Joint | Cut) -> Element:
     """The element of a joint as the user gave it, whichever of its bodies carries the other."""
     return joint.element.element if isinstance(joint.element, Reversed) else joint.element
 
@@ -123,7 +124,7 @@ def curve(graph: Graph, joint: Joint) -> list[Any] | None:
     numbers = [graph.value(graph.nodes[node][1]) for node in joint.data["curve"][2]]
     tables = [graph.tables[int(number or 0)] for number in numbers]
     breaks = list(tables[0].breaks)
-    period = breaks[-1] if getattr(_declared(joint), "closed", False) else 0.0
+    period = breaks[-1] if getattr(declared(joint), "closed", False) else 0.0
     return [breaks, [[list(c) for c in t.coefficients] for t in tables], period]
 
 
@@ -139,26 +140,71 @@ def scene_motion(system: System) -> Function | None:
 
 
 def scene_poses(system: System) -> tuple[Function, ...]:
-    """Of every joint of the user's own the Function ``scene_pose_<k>`` of its coordinates q and p:
-    rotation (3, 3) and position (3) of the child seen from the parent, as they were written."""
-    graph, found = system.graph.fork(), []
-    known = blocks(system)
-    for k, joint in enumerate(system.joints):
-        element = _declared(joint)
-        if not isinstance(element, Custom):
-            continue
+    """Functions of the coordinates q of one joint and p: rotation (3, 3) and position (3) of its
+    child seen from its parent, as they were written. Joints that move alike share one."""
+    return tuple(_poses(system)[0])
+
+
+def pose_names(system: System) -> list[str]:
+    """Which of :func:`scene_poses` every joint has: of the tree, then those that close it."""
+    return [f"scene_pose_{k}" for k in _poses(system)[1]]
+
+
+def closers(system: System) -> list[dict[str, str | int | None]]:
+    """Pose, and number of coordinates and speeds, of the joints that close circuits."""
+    found: list[dict[str, str | int | None]] = []
+    poses = pose_names(system)[len(system.joints) :]
+    for cut, pose in zip(system.closing, poses, strict=True):
+        element, turns = _closer(cut), "quaternion" if rotation_of(cut) else None
+        sizes = {"q": len(element.coordinates), "u": len(element.speeds)}
+        found.append({"pose": pose, "rotation": turns, **sizes})
+    return found
+
+
+def own_speeds(joint: Joint) -> bool:
+    """Whether speeds are neither rates of coordinates nor the angular velocity of a rotation."""
+    rates = type(declared(joint)).rates
+    return rates is not Element.rates and rotation_of(joint) is None
+
+
+def _closer(cut: Cut) -> Element:
+    """The element of a joint that closes a circuit, a free rotation as a unit quaternion."""
+    element = declared(cut)
+    if rotation_of(cut):
+        return replace(element, rotation="quaternion")  # type: ignore[type-var]
+    return element
+
+
+def rotation_of(joint: Joint | Cut) -> str | None:
+    """Name of the parametrization of a joint's rotation."""
+    name = getattr(joint.element, "rotation", None)
+    return name if isinstance(name, str) else None
+
+
+def _poses(system: System) -> tuple[list[Function], list[int]]:
+    """Every pose once, and which of them each joint has."""
+    graph, parameters = system.graph.fork(), blocks(system)["p"]
+    numbers: dict[tuple[int, ...], int] = {}
+    found, used = list[Function](), list[int]()
+    joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
+    for joint in joints:
+        element = _closer(joint) if isinstance(joint, Cut) else declared(joint)
         count = len(element.coordinates)
         q = Matrix(graph, count, 1, [graph.var("q", i) for i in range(count)])
         data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
         turned, placed = element.pose(q, **data)
+        key = (count, *turned.nodes, *placed.nodes)
+        used.append(numbers.setdefault(key, len(found)))
+        if used[-1] < len(found):
+            continue
         outputs = (
             _output("rotation", (3, 3), [turned.nodes]),
             _output("position", (3,), [placed.nodes]),
         )
         own = Block("q", tuple(c.name for c in element.coordinates), ("",) * count)
-        about = f"pose of joint '{joint.name}'"
-        found.append(Function(f"scene_pose_{k}", graph, (own, known["p"]), outputs, about=about))
-    return tuple(found)
+        name, about = f"scene_pose_{len(found)}", f"pose of a {element.kind} joint"
+        found.append(Function(name, graph, (own, parameters), outputs, about=about))
+    return found, used
 
 
 def _rotors(system: System, graph: Graph) -> list[int]:

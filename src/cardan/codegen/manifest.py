@@ -231,12 +231,18 @@ def _scene(equations: Equations) -> dict[str, Any]:
         for force in pressing.pressed(system)
         if not judged
     ]
+    unknown += [
+        f"the speeds of joint '{joint.name}' are of its own making"
+        for joint in system.joints
+        if flat.own_speeds(joint)
+    ]
     samples = _samples(system)
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
     return {
         "parents": [b.parent for b in system.bodies],
         "kinds": [flat.kind(j) for j in system.joints],
-        "rotations": [_rotation(j) for j in system.joints],
+        "rotations": [flat.rotation_of(j) for j in system.joints],
+        "poses": flat.pose_names(system)[: len(system.joints)],
         "forces": list(dict.fromkeys(force.name for force in system.forces)),
         "unknown": unknown,
         **({"curves": curves} if any(curves) else {}),
@@ -257,21 +263,16 @@ def _samples(system: System) -> list[Any]:
 
 def _circuits(equations: Equations) -> dict[str, Any]:
     """What closes circuits, and how accelerations are made to obey."""
-    treatment = equations.treatment
+    treatment, system = equations.treatment, equations.system
     return {
-        "cuts": [flat.kind(cut) for cut in equations.system.closing],
+        "cuts": [flat.kind(cut) for cut in system.closing],
+        "closers": flat.closers(system),
         "treatment": {"name": treatment.name, "exact": treatment.exact},
     }
 
 
 def _body(system: System, number: int) -> str:
     return system.bodies[number].name if number >= 0 else "ground"
-
-
-def _rotation(joint: Joint) -> str | None:
-    """Name of the parametrization of a joint's rotation."""
-    name = getattr(joint.element, "rotation", None)
-    return name if isinstance(name, str) else None
 
 
 def _owners(system: System) -> tuple[list[str], list[str]]:
@@ -342,7 +343,7 @@ def _joint(equations: Equations, number: int) -> dict[str, Any]:
         "u0": list(joint.u0) if joint.u0 is not None else None,
         "limits": limits_of(joint),
         "quaternion": joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
-        "rotation": _rotation(joint),
+        "rotation": flat.rotation_of(joint),
         "domain": element.domain,
         "coupled": coupled,
         "solved": _solved(system, joint),

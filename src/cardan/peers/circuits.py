@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 
 from ..runtime.compiled import CompiledModel
-from ..runtime.joint_motion import cross, joint_motion, times
+from ..runtime.joint_motion import cross, joint_data, joint_motion, times
 from ..runtime.judged import scene_of
+from ..runtime.kind_poses import KindNumbers, pose_of
 from ..runtime.newton_euler import Scene, own
 from .peer import Array, States
 
@@ -115,7 +116,7 @@ def _motions(scene: Scene, count: int, q: Array, u: Array) -> list[_Motion]:
     found = [_Motion(still, none, none, none)]
     for i in range(count):
         qi, ui = own(scene, i, q, (u,), None)
-        joint = joint_motion(scene.told(i), qi, ui)
+        joint = joint_motion(scene.joints[i], qi, ui)
         numbers = scene.numbers
         seat = found[scene.parents[i] + 1].frame(numbers["rotation"][i], numbers["position"][i])
         arm = times(seat.rotation, joint.position)
@@ -233,7 +234,7 @@ def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: 
     for name in ("mass", "first_moment", "inertia"):
         n[name] = (n[name].T / share).T
     parents, kinds = [*scene.parents], [*scene.kinds]
-    places, speeds = [*scene.q], [*scene.u]
+    places, speeds, joints = [*scene.q], [*scene.u], [*scene.joints]
     q, u = nq, nu
     new: dict[str, list[Array]] = {name: [] for name in n}
     for part in parts:
@@ -246,6 +247,8 @@ def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: 
         )
         parents.append(outer)
         kinds.append(part.kind)
+        numbers = KindNumbers(None, *part.axes)
+        joints.append(joint_data(pose_of(part.kind, numbers), part.kind, None))
         places.append((q, size))
         speeds.append((u, size))
         q, u = q + size, u + size
@@ -270,7 +273,7 @@ def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: 
         prescribed=(*scene.prescribed, *[False] * more),
         numbers=n,
         nu=u,
-        curves=(*scene.curves, *[None] * more) if scene.curves else (),
+        joints=tuple(joints),
     )
     return Circuits(tree, tuple(held), count, nq, nu, tuple(part.ends[1] for part in parts))
 

@@ -13,37 +13,77 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
-# coordinates (n, k), complex -> rotations (n, 3, 3) and positions (n, 3)
+# coordinates (n, k), real or complex -> rotations (n, 3, 3) and positions (n, 3)
 Pose = Callable[[Array], tuple[Array, Array]]
 # radii of circles round coordinates, and points on each
-CIRCLES, POINTS = tuple(0.05 * 0.25**k for k in range(6)), 16
+CIRCLES, POINTS = tuple(0.2 * 0.25**k for k in range(7)), 16
 ROUND = np.exp(2j * np.pi * np.arange(POINTS) / POINTS)
 # means over all points of a circle and over every other one that differ by less, of the largest
 # slope, are good
 SURE = 1e-10
 
 
-def means_of(pose: Pose, q: Array, ways: Array, radius: float) -> tuple[Array, Array]:
-    """First and second derivatives (..., 24 (n + 1)) of a pose along ways (..., n + 1, n).
+class Expansion:
+    """A pose and its derivatives by the coordinates that describe no rotation.
 
-    By means over all points of circles, and over every other one.
+    Args:
+        pose: Differentiated.
+        first: Coordinates before this one are not moved.
     """
-    places = q[..., None, None, :] + radius * ROUND[:, None] * ways[..., None, :]
-    turned, placed = pose(places.reshape(-1, q.shape[-1]))
-    rows = np.concatenate([turned.reshape(-1, 9), placed], axis=-1)
-    rows = rows.reshape(*places.shape[:-1], 12)
-    whole, half = (
-        np.stack(
-            [
-                np.einsum("...kjx,j->...kx", rows[..., ::skip, :], ROUND[::skip] ** -k)
-                * (k * skip / POINTS / radius**k)
-                for k in (1, 2)
-            ],
-            axis=-3,
-        ).reshape(*q.shape[:-1], -1)
-        for skip in (1, 2)
-    )
-    return whole, half
+
+    def __init__(self, pose: Pose, first: int = 0) -> None:
+        self.pose, self.first = pose, first
+        self._known: tuple[bytes, tuple[int, ...], tuple[Array, Array]] | None = None
+
+    def __call__(self, q: Array) -> tuple[Array, Array]:
+        """Rotation (..., 3, 3) and position (..., 3) at coordinates (..., n)."""
+        turned, shifted = self.pose(q.reshape(int(np.prod(q.shape[:-1])), q.shape[-1]))
+        return turned.reshape(*q.shape[:-1], 3, 3), shifted.reshape(*q.shape[:-1], 3)
+
+    def derivatives(self, q: Array) -> tuple[Array, Array]:
+        """First (..., k, 12) and second (..., k, k, 12) ones at real coordinates (..., n): of the
+        rotation, row by row, then of the position. The last ones are known by heart."""
+        key = q.tobytes()
+        if self._known is None or self._known[:2] != (key, q.shape):
+            self._known = key, q.shape, self._derivatives(q)
+        return self._known[2]
+
+    def _derivatives(self, q: Array) -> tuple[Array, Array]:
+        lead, n = q.shape[:-1], q.shape[-1]
+        axes, k = np.eye(n)[self.first :], n - self.first
+        # along every axis, and along the sum of every two
+        one, other = np.triu_indices(k, 1)
+        ways = np.concatenate([axes, axes[one] + axes[other]])
+        if not k:
+            return np.zeros((*lead, 0, 12)), np.zeros((*lead, 0, 0, 12))
+        slopes = settled(lambda radius: self._means(q, ways, radius), lead).real
+        first, along = np.moveaxis(slopes.reshape(*lead, 2, len(ways), 12), -3, 0)
+        second = np.zeros((*lead, k, k, 12))
+        second[..., range(k), range(k), :] = along[..., :k, :]
+        mixed = (along[..., k:, :] - along[..., one, :] - along[..., other, :]) / 2
+        second[..., one, other, :] = second[..., other, one, :] = mixed
+        return first[..., :k, :], second
+
+    def _means(self, q: Array, ways: Array, radius: float) -> tuple[Array, Array]:
+        """First and second derivatives (..., 24 ways) along ways (ways, n).
+
+        By means over all points of circles, and over every other one.
+        """
+        places = q[..., None, None, :] + radius * ROUND[:, None] * ways[:, None, :]
+        turned, shifted = self(places)
+        rows = np.concatenate([turned.reshape(*places.shape[:-1], 9), shifted], axis=-1)
+        whole, half = (
+            np.stack(
+                [
+                    np.einsum("...kjx,j->...kx", rows[..., ::skip, :], ROUND[::skip] ** -k)
+                    * (k * skip / POINTS / radius**k)
+                    for k in (1, 2)
+                ],
+                axis=-3,
+            ).reshape(*q.shape[:-1], -1)
+            for skip in (1, 2)
+        )
+        return whole, half
 
 
 def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]) -> Array:

@@ -15,17 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from .joint_motion import (
-    GUIDED,
-    REVERSED,
-    SPEEDS,
-    Array,
-    JointMotion,
-    Told,
-    cross,
-    joint_motion,
-    times,
-)
+from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, times
 from .newton_euler import Scene, own
 from .rotations import PARAMETERS
 
@@ -48,13 +38,13 @@ class Closer:
 
     Attributes:
         name: Of the joint.
-        told: What is known about it; its rotation is described by a quaternion.
+        joint: What is known about it; its rotation is described by a quaternion.
         parent, child: Its frames.
         q, u: (first, size) of its own coordinates and speeds.
     """
 
     name: str
-    told: Told
+    joint: JointData
     parent: End
     child: End
     q: tuple[int, int]
@@ -67,13 +57,15 @@ class Slip:
 
     Attributes:
         name: Of the joint.
-        told: Wheel or disk, as declared.
+        wheel: Wheel or disk, as declared.
+        axes: The normal of its plane, and where it heads at first, (2, 3).
         joint: Number of the tree joint, or of the closer behind them.
         rows: Of 0 (along the heading) and 1 (sideways).
     """
 
     name: str
-    told: Told
+    wheel: JointData
+    axes: Array
     joint: int
     rows: tuple[int, ...]
 
@@ -138,7 +130,7 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     speeds, joints = [], []
     for i, inboard in enumerate(scene.parents):
         qi, ui = own(scene, i, q, (u,), motion)
-        joint = joint_motion(scene.told(i), qi, ui)
+        joint = joint_motion(scene.joints[i], qi, ui)
         seat = bodies[inboard + 1].carried(numbers["rotation"][i], numbers["position"][i])
         bodies.append(seat.after(joint, ui))
         joints.append(qi)
@@ -151,13 +143,13 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
             bodies[end.body + 1].carried(end.rotation, end.position)
             for end in (closer.parent, closer.child)
         )
-        found = _apart(parent, child, parent.after(joint_motion(closer.told, qi, ui), ui))
+        found = _apart(parent, child, parent.after(joint_motion(closer.joint, qi, ui), ui))
         missed += found[:2]
         rates += found[2:]
         joints.append(qi)
         speeds.append(ui)
     for slip in circuits.slips:
-        velocity = _slipping(slip.told, joints[slip.joint], speeds[slip.joint])
+        velocity = _slipping(slip, joints[slip.joint], speeds[slip.joint])
         rates.append(velocity[..., list(slip.rows)])
     lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1])
     return _joined(missed, lead), _joined(rates, lead)
@@ -201,10 +193,10 @@ def _rotation_vector(r: Array) -> Array:
     return np.asarray(across * factor[..., None] / 2 + lost[..., None])
 
 
-def _slipping(told: Told, q: Array, u: Array) -> Array:
+def _slipping(slip: Slip, q: Array, u: Array) -> Array:
     """Velocity (..., 2) of the material point of contact, along the heading and across it."""
-    joint = joint_motion(told, q, u)
-    normal, x = (v / np.linalg.norm(v) for v in (told.axis, told.axis2))
+    joint = joint_motion(slip.wheel, q, u)
+    normal, x = slip.axes / np.linalg.norm(slip.axes, axis=-1, keepdims=True)
     y = cross(normal, x)
     contact = q[..., :1] * x + q[..., 1:2] * y
     spin = times(joint.rotation @ joint.turn, u)
@@ -245,7 +237,7 @@ def _blocks(circuits: Circuits) -> list[tuple[tuple[int, int], tuple[int, int], 
         for i in range(len(scene.parents))
         if scene.leaders[i] < 0 and not scene.prescribed[i]
     ]
-    return [*found, *((c.q, c.u, c.told.rotation) for c in circuits.closers)]
+    return [*found, *((c.q, c.u, c.joint.rotation) for c in circuits.closers)]
 
 
 def _turned(rotation: str, q: Array, omega: Array) -> Array:
@@ -277,7 +269,7 @@ def kept(circuits: Circuits, q: Array) -> Array:
 
 def circuits_of(manifest: Mapping[str, Any], scene: Scene, nq: int) -> Circuits:
     """The circuits of a model by its manifest and flat scene with ``nq`` tree coordinates."""
-    numbers, kinds = scene.numbers, manifest["scene"]["cuts"]
+    numbers = scene.numbers
     bodies = {body["name"]: k for k, body in enumerate(manifest["bodies"])}
     ends = {
         f["name"]: End(
@@ -286,20 +278,12 @@ def circuits_of(manifest: Mapping[str, Any], scene: Scene, nq: int) -> Circuits:
         for k, f in enumerate(manifest["frames"])
     }
     closers, nu = [], scene.nu
-    for k, (cut, kind) in enumerate(zip(manifest["cuts"], kinds, strict=True)):
-        guided = kind.removeprefix(REVERSED) in GUIDED
-        told = Told(
-            kind,
-            "quaternion" if guided else None,
-            numbers["cut_axis"][k],
-            numbers["cut_axis2"][k],
-            float(numbers["cut_pitch"][k]),
-            numbers["cut_sizes"][k] if "cut_sizes" in numbers else np.zeros(2),
-        )
-        count = SPEEDS[told.kind.removeprefix(REVERSED)]
+    rows = manifest["scene"].get("closers", ())
+    for cut, joint, row in zip(manifest["cuts"], scene.closers, rows, strict=True):
         sides = ends[cut["parent_frame"]], ends[cut["child_frame"]]
-        closers.append(Closer(cut["name"], told, *sides, (nq, count + guided), (nu, count)))
-        nq, nu = nq + count + guided, nu + count
+        size, count = row["q"], row["u"]
+        closers.append(Closer(cut["name"], joint, *sides, (nq, size), (nu, count)))
+        nq, nu = nq + size, nu + count
     return Circuits(scene, tuple(closers), _slips(manifest, scene, closers), nq, nu)
 
 
@@ -308,7 +292,11 @@ def _slips(
 ) -> tuple[Slip, ...]:
     """What may not slip, by the names of the constraints of velocities."""
     names = [joint["name"] for joint in manifest["joints"]]
-    told = [scene.told(i) for i in range(len(names))] + [c.told for c in closers]
+    joints = [*scene.joints, *(closer.joint for closer in closers)]
+    lines = [np.stack([scene.numbers[k] for k in ("axis", "axis2")], axis=1)]
+    if closers:
+        lines.append(np.stack([scene.numbers[k] for k in ("cut_axis", "cut_axis2")], axis=1))
+    axes = np.concatenate(lines)
     names += [closer.name for closer in closers]
     rows: dict[str, list[int]] = {}
     for row in manifest["multipliers"]:
@@ -319,6 +307,6 @@ def _slips(
     for name, which in rows.items():
         at = names.index(name)
         # coordinates and speeds of a joint that is told backwards are those of the declared one
-        declared = replace(told[at], kind=told[at].kind.removeprefix(REVERSED))
-        found.append(Slip(name, declared, at, tuple(which)))
+        declared = replace(joints[at], reversed=False)
+        found.append(Slip(name, declared, axes[at], at, tuple(which)))
     return tuple(found)

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .circle_means import Pose
-from .joint_curve import Curve
-from .joint_motion import CUSTOM, KINDS, REVERSED
+from .joint_motion import Array, JointData, joint_data
 from .newton_euler import Scene
 from .rotations import PARAMETERS
 
@@ -25,13 +23,11 @@ def unknown(model: CompiledModel) -> str:
     if not scene or "scene" not in model.saved:
         return "not checked: the directory holds no scene"
     reasons = [str(r) for r in scene.get("unknown", [])]
-    for joint, kind, rotation in zip(
-        manifest["joints"], scene["kinds"], scene["rotations"], strict=True
-    ):
-        if kind.removeprefix(REVERSED) not in KINDS or not _posed(model, joint["name"], kind):
-            reasons.append(f"joint '{joint['name']}' is {kind}")
-        elif rotation is not None and rotation not in PARAMETERS:
+    for joint, rotation in zip(manifest["joints"], scene["rotations"], strict=True):
+        if rotation is not None and rotation not in PARAMETERS:
             reasons.append(f"joint '{joint['name']}' is described by {rotation}")
+    if not all(name in model.saved for name in scene.get("poses", [""])):
+        reasons.append("the poses of its joints are not saved")
     moved = any(joint["prescribed"] for joint in manifest["joints"])
     if moved and "scene_motion" not in model.saved:
         reasons.append("the motion of prescribed joints is not saved")
@@ -50,20 +46,11 @@ def unjudged(model: CompiledModel) -> str:
     return unknown(model) or (unbound(model) if bound(model) else "")
 
 
-POSE = "scene_pose_"
+def _joint(model: CompiledModel, function: str, kind: str, rotation: str | None) -> JointData:
+    """A joint by the saved Function of its pose, as it was written."""
+    p = model.parameters.vector
 
-
-def _posed(model: CompiledModel, name: str, kind: str) -> bool:
-    """Whether the pose of a joint is known: it is saved where the user wrote it."""
-    number = [joint["name"] for joint in model.manifest["joints"]].index(name)
-    return kind.removeprefix(REVERSED) != CUSTOM or f"{POSE}{number}" in model.saved
-
-
-def _pose(model: CompiledModel, number: int) -> Pose:
-    """The pose of a joint of the user's own, as it was written."""
-    function, p = f"{POSE}{number}", model.parameters.vector
-
-    def pose(q: Any) -> tuple[Any, Any]:
+    def pose(q: Array) -> tuple[Array, Array]:
         found = model._evaluate_saved(function, q=q, p=p)
         n, turned, placed = len(q), found["rotation"], found["position"]
         return (
@@ -71,19 +58,24 @@ def _pose(model: CompiledModel, number: int) -> Pose:
             np.broadcast_to(placed, (n, *placed.shape[-1:])).reshape(n, 3),
         )
 
-    return pose
+    return joint_data(pose, kind, rotation)
 
 
 def scene_of(model: CompiledModel) -> Scene:
     """The flat scene of a model with its parameter values, as :func:`scene_from` says it."""
     numbers = model._evaluate_saved("scene", p=model.parameters.vector)
-    kinds = enumerate(model.manifest["scene"]["kinds"])
-    own = [i for i, kind in kinds if kind.removeprefix(REVERSED) == CUSTOM]
-    return replace(scene_from(model.manifest, numbers), poses={i: _pose(model, i) for i in own})
+    scene = model.manifest["scene"]
+    rows = zip(scene["poses"], scene["kinds"], scene["rotations"], strict=True)
+    found = scene_from(model.manifest, numbers, [_joint(model, *row) for row in rows])
+    closing = zip(scene.get("closers", ()), scene.get("cuts", ()), strict=False)
+    closers = (_joint(model, row["pose"], kind, row["rotation"]) for row, kind in closing)
+    return replace(found, closers=tuple(closers))
 
 
-def scene_from(manifest: Mapping[str, Any], given: Mapping[str, Any]) -> Scene:
-    """The flat scene of a manifest with these numbers.
+def scene_from(
+    manifest: Mapping[str, Any], given: Mapping[str, Any], known: Sequence[JointData]
+) -> Scene:
+    """The flat scene of a manifest with these numbers and joints.
 
     Joints that circuits determine have their coordinates and speeds behind those of the model.
     """
@@ -110,12 +102,8 @@ def scene_from(manifest: Mapping[str, Any], given: Mapping[str, Any]) -> Scene:
         prescribed=tuple(bool(j["prescribed"]) for j in joints),
         numbers=numbers,
         nu=ends["u"],
-        curves=tuple(c and _curve(*c) for c in scene.get("curves", ())),
+        joints=tuple(known),
     )
-
-
-def _curve(breaks: list[float], coefficients: list[list[list[float]]], period: float) -> Curve:
-    return Curve(np.array(breaks), np.array(coefficients), period)
 
 
 def motion_of(model: CompiledModel, t: float, r: Any) -> Any:

@@ -9,13 +9,11 @@ Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 6.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-from .circle_means import Pose
-from .joint_curve import Curve
-from .joint_motion import Array, Told, cross, joint_motion
+from .joint_motion import Array, JointData, cross, joint_motion, placed
 from .joint_motion import times as _times
 
 
@@ -32,8 +30,8 @@ class Scene:
         numbers: gravity (3,), mass (nb,), first_moment (nb, 3), inertia (nb, 3, 3), rotation
             (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,); rotor
             (nb,) and sizes (nb, 2) where there are any.
-        curves: Of points on curves, by body; () without any.
-        poses: Of joints of the user's own, by body.
+        joints: What is known of every joint, by body.
+        closers: The same of the joints that close circuits.
     """
 
     parents: tuple[int, ...]
@@ -45,22 +43,8 @@ class Scene:
     prescribed: tuple[bool, ...]
     numbers: Mapping[str, Array]
     nu: int
-    curves: tuple[Curve | None, ...] = ()
-    poses: Mapping[int, Pose] = field(default_factory=dict)
-
-    def told(self, i: int) -> Told:
-        """What is known about joint i."""
-        n = self.numbers
-        return Told(
-            self.kinds[i],
-            self.rotations[i],
-            n["axis"][i],
-            n["axis2"][i],
-            float(n["pitch"][i]),
-            n["sizes"][i] if "sizes" in n else np.zeros(2),
-            self.curves[i] if self.curves else None,
-            self.poses.get(i),
-        )
+    joints: tuple[JointData, ...] = ()
+    closers: tuple[JointData, ...] = ()
 
 
 EMPTY = Scene((), (), (), (), (), (), (), {}, 0)
@@ -113,7 +97,7 @@ def moving(
     """The motion of all bodies; arguments as of :func:`inverse_dynamics`."""
     n, numbers = len(scene.parents), scene.numbers
     lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1], udot.shape[:-1])
-    q, u, udot = (np.broadcast_to(x, (*lead, x.shape[-1])) for x in (q, u, udot))
+    u, udot = (np.broadcast_to(x, (*lead, x.shape[-1])) for x in (u, udot))
     rotor, none = numbers.get("rotor", np.zeros(n)), np.zeros((*lead, 3))
     upright = np.broadcast_to(np.eye(3), (*lead, 3, 3))
     still = np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))
@@ -121,7 +105,7 @@ def moving(
     for i in range(n):
         k = scene.parents[i] + 1
         qi, ui, udoti = own(scene, i, q, (u, udot), motion)
-        joint = joint_motion(scene.told(i), qi, ui)
+        joint = joint_motion(scene.joints[i], qi, ui)
         side = m.turned[k] @ numbers["rotation"][i]
         body = side @ joint.rotation
         arm = _times(m.turned[k], numbers["position"][i]) + _times(side, joint.position)
@@ -151,9 +135,15 @@ def poses(scene: Scene, q: Array) -> tuple[list[Array], list[Array]]:
         scene: The tree, without prescribed joints.
         q: (..., nq).
     """
-    still = np.zeros(scene.nu)
-    found = moving(scene, q, still, still, pull=0.0)
-    return found.turned[1:], found.place[1:]
+    numbers = scene.numbers
+    turned, place = [np.eye(3)], [np.zeros(3)]
+    for i, joint in enumerate(scene.joints):
+        k = scene.parents[i] + 1
+        rotation, position = placed(joint, own(scene, i, q, (), None)[0])
+        side = turned[k] @ numbers["rotation"][i]
+        place.append(place[k] + _times(turned[k], numbers["position"][i]) + _times(side, position))
+        turned.append(side @ rotation)
+    return turned[1:], place[1:]
 
 
 def inverse_dynamics(

@@ -12,7 +12,8 @@ from . import judged, newton_euler
 from .absolute import frames
 from .absolute.standing import Plane
 from .calling import Array
-from .joint_motion import CUSTOM, KINDS, REVERSED
+from .joint_motion import REVERSED
+from .kind_poses import POSES, joints_of
 from .rotations import PARAMETERS
 
 if TYPE_CHECKING:
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from .trajectory import Trajectory
 
 ABSOLUTE = "absolute"  # the method of models whose coordinates are those of nodes
-# joints whose poses follow from numbers; those of the user's own are in no file
-POSED = frozenset(KINDS) - {CUSTOM}
 
 
 def numbers(model: CompiledModel) -> Mapping[str, Array]:
@@ -61,8 +60,9 @@ def pose(motion: Trajectory, frame: str) -> Array:
         parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
         return frames.Frames(rows, *parts).pose(frame, motion.q)
     bodies = [row["name"] for row in motion.manifest["bodies"]]
-    scene = judged.scene_from(motion.manifest, motion.scene)
     try:
+        joints = joints_of(motion.manifest, motion.scene)
+        scene = judged.scene_from(motion.manifest, motion.scene, joints)
         rotations, origins = newton_euler.poses(scene, motion.q)
     except (IndexError, ValueError) as problem:
         raise ModelError(
@@ -89,7 +89,7 @@ def told(motion: Trajectory) -> bool:
         return "frame_rotation" in motion.scene
     scene = manifest.get("scene") or {}
     known = all(
-        kind.removeprefix(REVERSED) in POSED and (rotation is None or rotation in PARAMETERS)
+        kind.removeprefix(REVERSED) in POSES and (rotation is None or rotation in PARAMETERS)
         for kind, rotation in zip(scene.get("kinds", ()), scene.get("rotations", ()), strict=True)
     )
     joints = manifest["joints"]

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import verify_circuits
 from .calling import Array
-from .joint_motion import joint_motion
+from .joint_motion import joint_motion, placed
 from .newton_euler import Scene, own
 from .truth import Truth, push
 from .verify_circuits import CHECKS, acceleration_error, borne, relative, singular, unbalanced
@@ -147,12 +147,12 @@ def _rates_error(scene: Scene, truth: Truth, qdot: Array) -> float:
             continue
         qi, ui = own(scene, i, truth.q, (truth.u,), truth.motion)
         ri = own(scene, i, qdot, (), truth.motion)[0]
-        now, moved = (joint_motion(scene.told(i), x, ui) for x in (qi, qi + 1j * STEP * ri))
-        turning: Any = np.swapaxes(now.rotation, -1, -2) @ (moved.rotation.imag / STEP)
+        now = joint_motion(scene.joints[i], qi, ui)
+        moved, path = (x.imag / STEP for x in placed(scene.joints[i], qi + 1j * STEP * ri))
+        turning: Any = np.swapaxes(now.rotation, -1, -2) @ moved
         spin = (now.turn @ ui[..., None])[..., 0]
         found = np.stack([turning[..., 2, 1], turning[..., 0, 2], turning[..., 1, 0]], axis=-1)
         shift = (now.shift @ ui[..., None])[..., 0]
-        path = moved.position.imag / STEP
         difference = np.concatenate([found - spin, path - shift], axis=-1)
         worst = max(worst, relative(difference, np.concatenate([spin, shift], axis=-1)))
     return worst

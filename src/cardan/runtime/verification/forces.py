@@ -177,7 +177,7 @@ def _work(asked: Asked, k: int, wrench: Array) -> Array:
     closer = circuits.closers[k]
     bound: Any = asked.truth.bound
     (q, nq), (u, nu) = closer.q, closer.u
-    joint = joint_motion(closer.told, bound.q[:, q : q + nq], bound.u[:, u : u + nu])
+    joint = joint_motion(closer.joint, bound.q[:, q : q + nq], bound.u[:, u : u + nu])
     shift = np.swapaxes(joint.rotation, -1, -2) @ joint.shift
     turn = np.broadcast_to(joint.turn, shift.shape)
     both = np.concatenate([turn, shift], axis=-2)
@@ -192,7 +192,7 @@ def _at_joint(asked: Asked, i: int, moment: Array, force: Array) -> Array:
         back = np.swapaxes(m.turned[i + 1], -1, -2)
         return np.concatenate([times(back, moment), times(back, force)], axis=-1)
     q, u, _, motion = asked.tree
-    joint = joint_motion(scene.told(i), *own(scene, i, q, (u,), motion))
+    joint = joint_motion(scene.joints[i], *own(scene, i, q, (u,), motion))
     side = m.turned[i + 1] @ np.swapaxes(joint.rotation, -1, -2)
     back = np.swapaxes(side, -1, -2)
     # the seat of the joint on the parent lies behind the origin of the body
