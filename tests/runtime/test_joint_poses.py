@@ -114,7 +114,8 @@ def test_derivatives_are_exact_to_rounding():
         turned = np.zeros((len(q), 9), dtype=q.dtype)
         return turned, np.stack([np.sin(q[:, 0]) * q[:, 1], np.exp(q[:, 1]), q[:, 0]], axis=-1)
 
-    first, second = Expansion(pose).derivatives(np.array([[0.3, 0.7]]))
+    here, first, second = Expansion(pose).derivatives(np.array([[0.3, 0.7]]))
+    assert np.abs(here[0, 9:] - [np.sin(0.3) * 0.7, np.exp(0.7), 0.3]).max() < 1e-15
     assert np.abs(first[0, :, 9] - [np.cos(0.3) * 0.7, np.sin(0.3)]).max() < 1e-14
     # rounding over the square of the radius of the largest circle
     assert abs(second[0, 0, 0, 9] + np.sin(0.3) * 0.7) < 1e-13

@@ -33,45 +33,54 @@ class Expansion:
 
     def __init__(self, pose: Pose, first: int = 0) -> None:
         self.pose, self.first = pose, first
-        self._known: tuple[bytes, tuple[int, ...], tuple[Array, Array]] | None = None
+        self._known: tuple[bytes, tuple[int, ...], tuple[Array, Array, Array]] | None = None
 
     def __call__(self, q: Array) -> tuple[Array, Array]:
         """Rotation (..., 3, 3) and position (..., 3) at coordinates (..., n)."""
         turned, shifted = self.pose(q.reshape(int(np.prod(q.shape[:-1])), q.shape[-1]))
         return turned.reshape(*q.shape[:-1], 3, 3), shifted.reshape(*q.shape[:-1], 3)
 
-    def derivatives(self, q: Array) -> tuple[Array, Array]:
-        """First (..., k, 12) and second (..., k, k, 12) ones at real coordinates (..., n): of the
-        rotation, row by row, then of the position. The last ones are known by heart."""
+    def derivatives(self, q: Array) -> tuple[Array, Array, Array]:
+        """The pose (..., 12) and its first (..., k, 12) and second (..., k, k, 12) derivatives at
+        real coordinates (..., n): the rotation, row by row, then the position.
+
+        The last ones are known by heart.
+        """
         key = q.tobytes()
         if self._known is None or self._known[:2] != (key, q.shape):
             self._known = key, q.shape, self._derivatives(q)
         return self._known[2]
 
-    def _derivatives(self, q: Array) -> tuple[Array, Array]:
+    def _derivatives(self, q: Array) -> tuple[Array, Array, Array]:
         lead, n = q.shape[:-1], q.shape[-1]
         axes, k = np.eye(n)[self.first :], n - self.first
         # along every axis, and along the sum of every two
         one, other = np.triu_indices(k, 1)
         ways = np.concatenate([axes, axes[one] + axes[other]])
         if not k:
-            return np.zeros((*lead, 0, 12)), np.zeros((*lead, 0, 0, 12))
+            return self._rows(q), np.zeros((*lead, 0, 12)), np.zeros((*lead, 0, 0, 12))
         slopes = settled(lambda radius: self._means(q, ways, radius), lead).real
+        here, slopes = slopes[..., :12], slopes[..., 12:]
         first, along = np.moveaxis(slopes.reshape(*lead, 2, len(ways), 12), -3, 0)
         second = np.zeros((*lead, k, k, 12))
         second[..., range(k), range(k), :] = along[..., :k, :]
         mixed = (along[..., k:, :] - along[..., one, :] - along[..., other, :]) / 2
         second[..., one, other, :] = second[..., other, one, :] = mixed
-        return first[..., :k, :], second
+        return here, first[..., :k, :], second
+
+    def _rows(self, q: Array) -> Array:
+        """The pose (..., 12) in one row."""
+        turned, shifted = self(q)
+        return np.concatenate([turned.reshape(*q.shape[:-1], 9), shifted], axis=-1)
 
     def _means(self, q: Array, ways: Array, radius: float) -> tuple[Array, Array]:
-        """First and second derivatives (..., 24 ways) along ways (ways, n).
+        """The pose (..., 12), then first and second derivatives along ways (ways, n).
 
         By means over all points of circles, and over every other one.
         """
-        places = q[..., None, None, :] + radius * ROUND[:, None] * ways[:, None, :]
-        turned, shifted = self(places)
-        rows = np.concatenate([turned.reshape(*places.shape[:-1], 9), shifted], axis=-1)
+        circle = np.append(0, radius * ROUND)
+        rows = self._rows(q[..., None, None, :] + circle[:, None] * ways[:, None, :])
+        here, rows = rows[..., 0, 0, :], rows[..., 1:, :]
         whole, half = (
             np.stack(
                 [
@@ -83,7 +92,7 @@ class Expansion:
             ).reshape(*q.shape[:-1], -1)
             for skip in (1, 2)
         )
-        return whole, half
+        return np.concatenate([here, whole], axis=-1), np.concatenate([here, half], axis=-1)
 
 
 def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]) -> Array:

@@ -82,7 +82,9 @@ def times(matrix: Array, vector: Array) -> Array:
 
 def placed(joint: JointData, q: Array) -> tuple[Array, Array]:
     """Rotation (..., 3, 3) and position (..., 3) of C in J; the coordinates may be complex."""
-    rotation, position = _declared(joint, q)
+    rotation, position = joint.pose(q)
+    if joint.rotation:
+        rotation = PARAMETERS[joint.rotation].matrix(q[..., : joint.turns])
     if not joint.reversed:
         return rotation, position
     back = np.swapaxes(rotation, -1, -2)
@@ -97,15 +99,17 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
         q, u: Its own coordinates and speeds, (..., n). Coordinates may be a small complex step
             aside; what needs second derivatives of the pose is real then.
     """
-    rotation, position = _declared(joint, q)
-    slopes, bends = joint.pose.derivatives(q.real)
+    here, slopes, bends = joint.pose.derivatives(q.real)
     rates = u[..., u.shape[-1] - slopes.shape[-2] :]
     second = np.einsum("...k,...l,...klx->...x", rates, rates, bends)
     if np.iscomplexobj(q):
         aside = 1j * q.imag[..., joint.turns :]
+        here = here + np.einsum("...k,...kx->...x", aside, slopes)
         slopes = slopes + np.einsum("...k,...klx->...lx", aside, bends)
     shift = np.moveaxis(slopes[..., 9:], -2, -1)
+    rotation, position = here[..., :9].reshape(*here.shape[:-1], 3, 3), here[..., 9:]
     if joint.rotation:
+        rotation = PARAMETERS[joint.rotation].matrix(q[..., : joint.turns])
         # an angular velocity moves no origin
         shift = np.concatenate([np.zeros((*shift.shape[:-1], 3)), shift], axis=-1)
         turn = np.concatenate([np.eye(3), np.zeros((3, rates.shape[-1]))], axis=-1)
@@ -117,14 +121,6 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
         turn_rate = _axial(back @ second[..., :9].reshape(*second.shape[:-1], 3, 3))
     forth = JointMotion(rotation, position, turn, shift, turn_rate, second[..., 9:])
     return _backwards(forth, u) if joint.reversed else forth
-
-
-def _declared(joint: JointData, q: Array) -> tuple[Array, Array]:
-    """The pose as declared; rotations of free joints by formulas of the judge's own."""
-    rotation, position = joint.pose(q)
-    if joint.rotation:
-        rotation = PARAMETERS[joint.rotation].matrix(q[..., : joint.turns])
-    return rotation, position
 
 
 def _backwards(forth: JointMotion, u: Array) -> JointMotion:
