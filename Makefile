@@ -15,7 +15,7 @@ PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn sci
 CASES ?= 13000
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
-SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd)
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd) $(wildcard src/cardan/kernels/*.[ch])
 
 .PHONY: help demo test slow bench hard lint types external fuzz clean
 

@@ -1,35 +1,49 @@
-"""Build the optional extension ``cardan.runtime._abi``; everything else is in pyproject.toml.
+"""Build the extension ``cardan.runtime._abi`` and the kernels; the rest is in pyproject.toml.
 
-Without a compiler or Python.h the wheel installs all the same: the C of a model is then called
-through ctypes. Where no C compiler is on the path, the clang of the package ziglang is used.
+A wheel holds the kernels for every level of processors like this one; an editable installation
+those of this processor, beside their sources, where a build that is there of the same sources
+stays. Without a compiler or Python.h cardan installs all the same: the C of a model is then called
+through ctypes, and kernels are compiled at first use. Where no C compiler is on the path, the clang
+of the package ziglang is used.
 """
 
 from __future__ import annotations
 
 import importlib.util
 import os
-import shutil
 import sys
+from pathlib import Path
 
-from setuptools import Extension, setup
+from setuptools import Distribution, Extension, setup
+from setuptools.command.build_ext import build_ext
 
+HERE = Path(__file__).resolve().parent
 KERNELS = "src/cardan/kernels"
+sys.path.insert(0, str(HERE / "src"))
+
+from cardan.errors import BuildError  # noqa: E402
+from cardan.runtime import kernels, levels, toolchain  # noqa: E402
 
 
-def has_compiler() -> bool:
-    """Whether there is a C compiler; ziglang's clang is chosen where nothing else is there."""
-    if os.environ.get("CC") or any(map(shutil.which, ("cc", "gcc", "clang"))):
-        return True
-    if importlib.util.find_spec("ziglang") is None:
-        return False
-    os.environ["CC"] = f"{sys.executable} -m ziglang cc"
-    os.environ["LDSHARED"] = f"{sys.executable} -m ziglang cc -shared"
-    return True
+def compiler() -> toolchain.Compiler | None:
+    """What compiles; ziglang's clang is chosen where nothing else is there."""
+    try:
+        found = toolchain.find_compiler(lambda mark, ask: ask())
+    except BuildError as error:
+        print(f"cardan: {error}", file=sys.stderr)
+        return None
+    if "ziglang" in found.command:
+        os.environ["CC"] = " ".join(found.command)
+        os.environ["LDSHARED"] = f"{os.environ['CC']} -shared"
+    return found
+
+
+COMPILER = compiler()
 
 
 def extensions() -> list[Extension]:
     """The extension, as C; none where Cython or a compiler is missing."""
-    if importlib.util.find_spec("Cython") is None or not has_compiler():
+    if importlib.util.find_spec("Cython") is None or COMPILER is None:
         return []
     from Cython.Build import cythonize
 
@@ -47,4 +61,28 @@ def extensions() -> list[Extension]:
     return modules
 
 
-setup(ext_modules=extensions())
+class Build(build_ext):
+    """Compiles the kernels as well."""
+
+    def run(self) -> None:
+        """The extension first: it is quick."""
+        super().run()
+        if COMPILER is None:
+            return
+        root = HERE / "src" if self.inplace else Path(self.build_lib).resolve()
+        chosen = () if self.inplace else levels.of_wheels()
+        try:
+            kernels.install(root / "cardan" / "kernels" / "built", chosen, COMPILER, print)
+        except (BuildError, OSError) as error:
+            print(f"cardan: kernels will be compiled at first use: {error}", file=sys.stderr)
+
+
+class Compiled(Distribution):
+    """What is installed holds compiled code wherever there is a compiler."""
+
+    def has_ext_modules(self) -> bool:
+        """Whether build_ext has something to do."""
+        return COMPILER is not None
+
+
+setup(ext_modules=extensions(), cmdclass={"build_ext": Build}, distclass=Compiled)

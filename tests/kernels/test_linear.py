@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime import cache, kernels
+from cardan.runtime import cache, prebuilt
 
 PROGRAM = """
 #include "linear.h"
@@ -51,8 +51,8 @@ EPS = float(np.finfo(float).eps)
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     path: Path = tmp_path_factory.mktemp("linear") / "linear.c"
     path.write_text(PROGRAM + SHIFTED)
-    sources = [path, kernels.DIRECTORY / "shift.c"]
-    return ctypes.CDLL(str(cache.build(sources, [kernels.DIRECTORY]).path))
+    sources = [path, prebuilt.DIRECTORY / "shift.c"]
+    return ctypes.CDLL(str(cache.build(sources, [prebuilt.DIRECTORY]).path))
 
 
 def call(function: object, n: int, *arrays: np.ndarray) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cardan.runtime import cache as objects
-from cardan.runtime import kernels
+from cardan.runtime import prebuilt
 from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record
 from cardan.runtime.absolute.plan import plan
 
@@ -53,8 +53,8 @@ def library(folder: Path) -> ctypes.CDLL:
     source = folder / "harness.c"
     source.write_text(HARNESS)
     names = ("mesh_solve.c", "mesh_open.c", "sparse*.c")
-    needed = [path for name in names for path in sorted(kernels.DIRECTORY.glob(name))]
-    return objects.build([source, *needed], [kernels.DIRECTORY]).load()
+    needed = [path for name in names for path in sorted(prebuilt.DIRECTORY.glob(name))]
+    return objects.build([source, *needed], [prebuilt.DIRECTORY]).load()
 
 
 @pytest.mark.parametrize(("wrong", "status"), [(0.0, 0), (1e-4, 0), (3.0, -1)])

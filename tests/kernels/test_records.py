@@ -9,7 +9,7 @@ import pytest
 
 from cardan.analyses import record
 from cardan.analyses.ensembles import lanes
-from cardan.runtime.kernels import DIRECTORY
+from cardan.runtime.prebuilt import DIRECTORY
 
 WORD = {"ptrdiff_t": record.COUNT, "real": record.REAL, "double": record.REAL}
 WORD["cardan_any_function"] = record.POINTER

@@ -12,7 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses import record
-from cardan.runtime import cache, kernels
+from cardan.runtime import cache, prebuilt
 from kernels.sanitized import program
 from mechanisms import ZOO
 from mechanisms.flexible import folding_arm
@@ -63,7 +63,7 @@ def built(place: Path, sources: list[Path], *more: str) -> subprocess.CompletedP
 
 
 def compiled(*words: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    command = [*cache.compiler().command, *FLAGS, f"-I{kernels.DIRECTORY}", *words]
+    command = [*cache.compiler().command, *FLAGS, f"-I{prebuilt.DIRECTORY}", *words]
     return subprocess.run(command, capture_output=True, text=True, timeout=600, cwd=cwd)
 
 
@@ -128,7 +128,7 @@ def test_clean_and_the_same_numbers(
     names = list(exported.manifest["functions"])
     main = tmp_path / "main.c"
     main.write_text(program(exported.manifest, names, given, model.parameters.vector))
-    done = built(tmp_path, [main, kernels.DIRECTORY / "map.c", *objects], f"-I{folder}")
+    done = built(tmp_path, [main, prebuilt.DIRECTORY / "map.c", *objects], f"-I{folder}")
     assert done is not None
     assert done.stderr == ""
     assert done.returncode == 0
@@ -205,7 +205,7 @@ int main(void)
 def test_batches_stay_inside_their_arrays(lanes: int, tmp_path: Path, sanitizers: None) -> None:
     main = tmp_path / "main.c"
     main.write_text("#define _POSIX_C_SOURCE 200112L\n" + BATCH)
-    batch = kernels.DIRECTORY / "batch.c"
+    batch = prebuilt.DIRECTORY / "batch.c"
     done = built(tmp_path, [main, batch], f"-DCARDAN_LANES={lanes}", "-march=native")
     assert done is not None
     assert (done.returncode, done.stderr, done.stdout) == (0, "", "0")
@@ -288,7 +288,7 @@ int main(void)
 def test_events_stay_inside_their_arrays(tmp_path: Path, sanitizers: None) -> None:
     main = tmp_path / "ball.c"
     main.write_text(BALL)
-    done = built(tmp_path, [main, *sorted(kernels.DIRECTORY.glob("*.c"))])
+    done = built(tmp_path, [main, *sorted(prebuilt.DIRECTORY.glob("*.c"))])
     assert done is not None
     assert done.stderr == ""
     *lines, status = done.stdout.split("\n")[:-1]

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime import cache, kernels
+from cardan.runtime import cache, kernels, prebuilt
 from cardan.runtime.absolute.blocks import FactorsRecord, Memory, PlanRecord, plan_record
 from cardan.runtime.absolute.plan import plan
 from cardan.runtime.absolute.solver import solver
@@ -25,7 +25,7 @@ ptrdiff_t factors_size(void) { return sizeof(cardan_sparse_factors); }
 def test_records_are_those_of_c(tmp_path: Path) -> None:
     source = tmp_path / "sizes.c"
     source.write_text(SIZES)
-    library = cache.build([source], [kernels.DIRECTORY]).load()
+    library = cache.build([source], [prebuilt.DIRECTORY]).load()
     assert library.plan_size() == ctypes.sizeof(PlanRecord)
     assert library.factors_size() == ctypes.sizeof(FactorsRecord)
 
@@ -54,7 +54,7 @@ def test_no_memory_beyond_its_own_is_touched() -> None:
     made = plan(
         [6, 5, 1, 7, 6, 3], [[[0, 1], [1, 3]], [[3, 4, 5]], [[2, 0, 4]]], [0, 0, 0, 0, 0, 1]
     )
-    library = kernels.library(only="sparse*")
+    library = kernels.library()
     rng, guard = np.random.default_rng(9), -12345.0
     memory, arrays = vars(Memory.of(made)), {}
     for name, array in memory.items():
@@ -86,7 +86,7 @@ def test_the_library_multiplies() -> None:
     numbers, x, y = rng.standard_normal(made.pattern.values), rng.standard_normal(14), np.zeros(14)
     record = plan_record(made)
     pointers = (ctypes.c_void_p(v.ctypes.data) for v in (numbers, x, y))
-    kernels.library(only="sparse*").cardan_sparse_multiply(ctypes.byref(record), *pointers)
+    kernels.library().cardan_sparse_multiply(ctypes.byref(record), *pointers)
     dense = np.zeros((14, 14))
     columns, starts = made.pattern.csr
     dense[np.repeat(np.arange(14), np.diff(starts)), columns] = numbers

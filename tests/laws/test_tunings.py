@@ -16,7 +16,8 @@ import pytest
 import cardan as cd
 from analyses.conftest import double_scene
 from cardan.codegen import generate
-from cardan.runtime import cache, toolchain
+from cardan.runtime import cache, prebuilt, toolchain
+from cardan.runtime.toolchain import ALL_CHAINS
 from codegen.lanes import WIDTHS, call_lanes
 from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from laws.cases import derived, states, values
@@ -89,9 +90,9 @@ def test_functions_have_the_same_bits_in_lanes(name: str, level: str, tuning: st
     assert differences(name, flags) == 0
 
 
-def states_of_runs(lanes: int, *options: str, chains: str = toolchain.ALL_CHAINS) -> bytes:
+def states_of_runs(lanes: int, level: str, *options: str, chains: str = ALL_CHAINS) -> bytes:
     """States and statistics of an ensemble, from a process whose compiler has other options."""
-    command = [sys.executable, __file__, str(lanes), chains, *options]
+    command = [sys.executable, __file__, str(lanes), chains, level, *options]
     paths = os.pathsep.join([str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
     environment = {**os.environ, "PYTHONPATH": paths}
     done = subprocess.run(command, env=environment, capture_output=True, check=False)
@@ -99,12 +100,14 @@ def states_of_runs(lanes: int, *options: str, chains: str = toolchain.ALL_CHAINS
     return done.stdout
 
 
-def write_states(lanes: int, chains: str, *options: str) -> None:
+def write_states(lanes: int, chains: str, level: str, *options: str) -> None:
     """Simulate double pendulums with what the compiler makes under these options."""
-    plain = toolchain.find_compiler(cache.remembered)
-    kept = tuple(option for option in plain.options if not option.startswith("-march="))
-    chosen = replace(plain, options=(*kept, *options))
+    os.environ["CARDAN_LEVEL"] = level
+    plain = cache.compiler()
+    chosen = replace(plain, options=(*plain.options, *options))
     cache.compiler = lambda: chosen
+    # kernels with these options as well: none of the installation
+    prebuilt.library = lambda level, variant: None
     toolchain.ALL_CHAINS = chains
     model = cd.compile(double_scene())
     model.prepare("rhs", batch=True)
@@ -118,16 +121,16 @@ def write_states(lanes: int, chains: str, *options: str) -> None:
 @pytest.mark.parametrize(("level", "tuning"), some(PAIRS, 9, 6))
 def test_runs_have_the_same_bits_in_lanes(level: str, tuning: str) -> None:
     required(level)
-    options = (f"-march={level}", f"-mtune={tuning}")
+    options = (level, f"-mtune={tuning}")
     assert states_of_runs(0, *options) == states_of_runs(1, *options)
 
 
 def test_f1_chains_left_unfused_in_narrow_vectors_are_seen() -> None:
     """A tuning that fuses chains in 512-bit vectors alone makes the comparison above fail."""
     required("x86-64-v4")
-    given = ("-march=x86-64-v4",)
+    given = "x86-64-v4"
     avoided = "--param=avoid-fma-max-bits=256"
-    assert states_of_runs(0, *given, chains=avoided) != states_of_runs(1, *given, chains=avoided)
+    assert states_of_runs(0, given, chains=avoided) != states_of_runs(1, given, chains=avoided)
 
 
 if __name__ == "__main__":

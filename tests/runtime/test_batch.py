@@ -14,7 +14,7 @@ import pytest
 
 import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
-from cardan.runtime import batch, lanes, toolchain
+from cardan.runtime import batch, cache, lanes, levels
 
 WIDTHS = (1, 2, 4, 8)
 FUNCTIONS = ("forward_dynamics", "rhs", "pose", "energy")
@@ -201,14 +201,15 @@ def test_wrong_variables_are_said(equations, text, monkeypatch):
         model.forward_dynamics(*np.zeros((2, 300, 3)))
 
 
-def test_width_is_what_the_flags_allow(monkeypatch):
-    command = ["cc", "-march=x86-64-v3"]
-    monkeypatch.setattr(toolchain, "macros", lambda words: "#define __AVX__ 1\n#define __SSE2__ 1")
-    assert lanes._asked(command) == 4
-    monkeypatch.setattr(toolchain, "macros", lambda words: "#define __SSE2__ 1\n")
-    assert lanes._asked(command) == 2
-    monkeypatch.setattr(toolchain, "macros", lambda words: "")
-    assert lanes._asked(command) == 1
+def test_width_is_what_vectors_of_the_level_hold(monkeypatch):
+    known = {"x86-64": 2, "x86-64-v2": 2, "x86-64-v3": 4, "x86-64-v4": 8, "armv8": 2, "generic": 1}
+    widths, highest = {}, cache.level()
+    for level in levels.family():
+        if level.number <= highest.number:
+            monkeypatch.setenv("CARDAN_LEVEL", level.name)
+            widths[level.name] = lanes.width()
+    assert widths == {name: known[name] for name in widths}
+    assert highest.name in widths
 
 
 def test_ctrl_c_is_heard_by_threads(equations, cache_directory):

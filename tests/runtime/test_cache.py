@@ -12,13 +12,14 @@ import tempfile
 import time
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
-from cardan.runtime import cache, folder, toolchain
+from cardan.runtime import cache, folder, levels, toolchain
 
 BUILD = (
     "import sys, pathlib; from cardan.runtime import cache; "
@@ -100,7 +101,7 @@ def test_unusable_folder_is_left_alone_and_said_once(source, cache_directory, ha
     assert before == after
 
 
-def test_text_header_flags_and_processor_are_in_the_key(source, tmp_path, monkeypatch):
+def test_text_header_flags_and_level_are_in_the_key(source, tmp_path):
     by = cache.compiler()
     header = tmp_path / "a.h"
     header.write_text("#define A 1\n")
@@ -113,11 +114,10 @@ def test_text_header_flags_and_processor_are_in_the_key(source, tmp_path, monkey
     keys.add(cache.key([source], [header], by, False))
     source.write_text(source.read_text().replace("42", "43"))
     keys.add(cache.key([source], [], by, False))
-    monkeypatch.setattr(cache, "processor", lambda: "another machine")
-    keys.add(cache.key([source], [], by, False))
-    other = toolchain.Compiler(by.command, by.binary, by.identity + " newer")
+    keys.add(cache.key([source], [], replace(by, level=levels.OTHER), False))
+    other = replace(by, identity=by.identity + " newer")
     keys.add(cache.key([source], [], other, False))
-    other = toolchain.Compiler((*by.command, "-O0"), by.binary, by.identity)
+    other = replace(by, command=(*by.command, "-O0"))
     keys.add(cache.key([source], [], other, False))
     assert len(keys) == 8
 

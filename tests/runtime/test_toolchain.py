@@ -63,12 +63,6 @@ def test_compiler_that_does_not_answer(tmp_path):
         toolchain.ask_version([str(silent)])
 
 
-def test_processor_names_its_instruction_sets():
-    text = toolchain.processor()
-    assert text == toolchain.processor()
-    assert text.splitlines()[0]
-
-
 @pytest.mark.slow
 def test_ziglang_compiles_where_nothing_else_is_there(tmp_path, monkeypatch):
     pytest.importorskip("ziglang")

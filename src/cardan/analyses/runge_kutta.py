@@ -10,18 +10,17 @@ import ast
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime import prebuilt
 from .integrator import Integrator
 
 Matrix = NDArray[np.complexfloating[Any, Any]]
 Array = NDArray[np.float64]
-KERNELS = Path(__file__).resolve().parent.parent / "kernels"
 
 
 def response(method: Integrator, z: Matrix) -> Matrix:
@@ -120,7 +119,7 @@ TABLEAUX: dict[str, Callable[[], tuple[Array, Array]]] = {
 @lru_cache(maxsize=1)
 def _tables() -> dict[str, list[list[float]]]:
     """The tables of the kernel, row by row."""
-    text = (KERNELS / "rosenbrock_tables.h").read_text("utf-8")
+    text = (prebuilt.DIRECTORY / "rosenbrock_tables.h").read_text("utf-8")
     found = {}
     for name, body in re.findall(r"real ([AC])\[\d\]\[\d\] = (\{.*?\});", text, re.DOTALL):
         found[name] = ast.literal_eval(body.replace("{", "[").replace("}", "]"))

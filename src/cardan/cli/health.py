@@ -15,7 +15,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from ..errors import BuildError, CompilerMissing
-from ..runtime import abi, batch, bounded, cache, folder, lanes, prune, toolchain
+from ..peers import processor
+from ..runtime import abi, batch, bounded, cache, folder, lanes, prebuilt, prune, toolchain
 from ..version import VERSION
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
@@ -27,8 +28,6 @@ OPTIONAL = {
     "example-robot-data": ("robots for cardan demo", "demo"),
     "ziglang": ("a C compiler from the package index", "compiler"),
 }
-# instruction set -> numbers it works on at once
-WIDTHS = {"avx512f": 8, "avx2": 4, "avx": 4, "sse2": 2, "asimd": 2}
 PROBE = "double cardan_probe(double x);\ndouble cardan_probe(double x) { return 2 * x; }\n"
 PIP = "pip install"
 LITTLE = 100e6  # bytes
@@ -58,6 +57,7 @@ def findings() -> list[Finding]:
         *map(_needed, NEEDED),
         _extension(),
         _compiler(),
+        _kernels(),
         _batches(),
         _limits(),
         _cache(),
@@ -161,11 +161,25 @@ def _cache() -> Finding:
 
 
 def _processor() -> Finding:
-    """Cores, and what one instruction works on."""
-    lines = toolchain.processor().splitlines()
-    words = {word for line in lines for word in line.split()}
-    sets = [name for name in WIDTHS if name in words]
-    model = next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), "")
-    width = max((WIDTHS[name] for name in sets), default=1)
-    text = f"{os.cpu_count()} x {model or lines[0]} ({sys.platform}); {', '.join(sets) or 'plain'}"
-    return Finding("processor", True, f"{text}: up to {width} numbers at once")
+    """Cores, and the instructions that compiled code uses."""
+    text = f"{os.cpu_count()} x {processor.name()} ({sys.platform})"
+    try:
+        level = cache.level()
+    except CompilerMissing:
+        return Finding("processor", True, text)
+    except BuildError as error:
+        return Finding("processor", False, str(error), "correct or unset it")
+    text += f"; level {level.name} (CARDAN_LEVEL), vectors of {level.lanes} numbers"
+    return Finding("processor", True, text)
+
+
+def _kernels() -> Finding:
+    """Integrators and solvers: from the installation or the cache."""
+    index = prebuilt.current()
+    if index is None:
+        text = "compiled into the cache at first use"
+        cure = f"for a quicker first run: {PIP} --force-reinstall --no-binary cardan cardan"
+        return Finding("kernels", True, text, cure)
+    levels = ", ".join(f"{name} ({len(made)})" for name, made in index.objects.items())
+    first = index.compiler.partition("\n")[0]
+    return Finding("kernels", True, f"compiled at installation for {levels} by {first}")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -13,7 +12,7 @@ import numpy as np
 
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
-from ..runtime import samples
+from ..runtime import prebuilt, samples
 from ..runtime.batch import one_by_one
 from ..runtime.cache import build
 from ..runtime.compiled import CompiledModel
@@ -24,7 +23,6 @@ from ..runtime.slots import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
 from .peer import FUNCTIONS, Array, States
 
-KERNELS = Path(__file__).parents[1] / "kernels"
 DIGITS = 40
 
 
@@ -42,7 +40,7 @@ class Program(ctypes.Structure):
 
 def library() -> ctypes.CDLL:
     """The loop in C."""
-    return build([HERE / "ours.c"], [KERNELS]).load()
+    return build([HERE / "ours.c"], [prebuilt.DIRECTORY]).load()
 
 
 @dataclass(frozen=True)

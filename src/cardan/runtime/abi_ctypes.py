@@ -58,7 +58,7 @@ def run(
         status = _function(address)(ctypes.addressof(pointers), out.ctypes.data, work.ctypes.data)
         return status, 0 if status else -1
     failed = ctypes.c_ssize_t(-1)
-    status = kernels.library(only="map").cardan_map(
+    status = kernels.library().cardan_map(
         ctypes.c_void_p(address),
         pointers,
         Strides(*strides),

@@ -24,12 +24,13 @@ from pathlib import Path
 
 from .. import processes
 from ..errors import BuildError
-from . import folder
-from .toolchain import Compiler, compile_shared, find_compiler, processor
+from . import folder, prebuilt
+from .levels import LEVELS, Level, family
+from .toolchain import Compiler, compile_shared, find_compiler
 from .trust import exposed, own
 
 DIGEST = 32
-VERSION = "3"
+VERSION = "4"
 NEW = ".new-"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
 LOCK = "lock"  # file in a folder that a living process compiles in
@@ -58,13 +59,21 @@ class Object:
         Raises:
             BuildError: the loader refuses it.
         """
+        way = exposed(self.path.parent)
+        if way:
+            raise BuildError(
+                f"compiled code is not loaded from {self.path.parent}: {way} now. Set "
+                "CARDAN_CACHE to a folder of your own"
+            )
+        return self.library()
+
+    def library(self) -> ctypes.CDLL:
+        """The object in this process, from wherever it is: what was installed is trusted.
+
+        Raises:
+            BuildError: the loader refuses it.
+        """
         try:
-            way = exposed(self.path.parent)
-            if way:
-                raise BuildError(
-                    f"compiled code is not loaded from {self.path.parent}: {way} now. Set "
-                    "CARDAN_CACHE to a folder of your own"
-                )
             return ctypes.CDLL(str(self.path))
         except OSError as error:
             raise BuildError(
@@ -104,18 +113,47 @@ def _compiler(cache: Path, chosen: str, path: str) -> Compiler:
     return find_compiler(lambda mark, ask: _remembered(cache, mark, ask))
 
 
+def _without_level() -> Compiler:
+    """The compiler in use, which does not know the processor."""
+    return _compiler(folder.directory(), os.environ.get("CC", ""), os.environ.get("PATH", ""))
+
+
 def compiler() -> Compiler:
-    """The compiler in use, found once per process and setting of CC and PATH.
+    """The compiler in use and its level, found once per process and setting of CC and PATH.
 
     Raises:
         CompilerMissing: there is none. BuildError: the one that CC names does not work.
     """
-    return _compiler(folder.directory(), os.environ.get("CC", ""), os.environ.get("PATH", ""))
+    return replace(_without_level(), level=level())
 
 
-def remembered(mark: str, ask: Callable[[], str]) -> str:
-    """What a compiler answers, kept on disk by a mark that changes with it."""
-    return _remembered(folder.directory(), mark, ask)
+def level() -> Level:
+    """The level in use: what ``$CARDAN_LEVEL`` names, else the highest that the processor has.
+
+    Raises:
+        CompilerMissing: nothing was compiled when cardan was installed, and nothing can be.
+        BuildError: CARDAN_LEVEL names none that this processor has.
+    """
+    highest = _highest(None if prebuilt.level_object() else _without_level())
+    wanted = os.environ.get("CARDAN_LEVEL", "").strip()
+    levels = {one.name: one for one in family() if one.number <= highest.number}
+    if not wanted or wanted in levels:
+        return levels.get(wanted, highest)
+    raise BuildError(
+        f"CARDAN_LEVEL={wanted!r} is no set of instructions that this processor has: "
+        f"{', '.join(levels)}"
+    )
+
+
+@lru_cache(maxsize=8)
+def _highest(by: Compiler | None) -> Level:
+    """The level of this processor, asked by code from the installation or of a compiler."""
+    path = prebuilt.level_object()
+    if by is None and path is not None:
+        chooser = Object(path, False).library()
+    else:
+        chooser = build([prebuilt.DIRECTORY / prebuilt.LEVEL], by=by).load()
+    return LEVELS[chooser.cardan_level()]
 
 
 def _remembered(cache: Path, mark: str, ask: Callable[[], str]) -> str:
@@ -151,9 +189,9 @@ def key(
     reproducible: bool,
     words: Sequence[str] = (),
 ) -> str:
-    """Hash of texts, headers, flags, compiler and processor."""
+    """Hash of texts, headers, compiler and flags, the level of instructions among them."""
     parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible), *words]
-    digest = hashlib.sha256("\0".join([*parts, processor()]).encode())
+    digest = hashlib.sha256("\0".join(parts).encode())
     for path in [*sources, *sorted(headers, key=lambda path: (path.name, path))]:
         content = path.read_bytes()
         digest.update(f"\0{path.name}\0{len(content)}\0".encode())
@@ -228,13 +266,12 @@ def _name(
 ) -> str:
     """File name of an object."""
     try:
-        headers = _headers(sources, include)
-        return f"{key(sources, headers, by, reproducible, words)}.so"
+        return f"{key(sources, headers(sources, include), by, reproducible, words)}.so"
     except OSError as error:
         raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
 
 
-def _headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
+def headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
     """What the sources include, and what that includes: other scenes share texts that know no more.
 
     A header counts in every directory where it stands, whichever of them the compiler takes.

@@ -15,15 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import BuildError, CompilerMissing
-from . import cache, toolchain
-from .kernels import DIRECTORY
+from . import cache, kernels, prebuilt
 from .slots import ORDER
 
 Array = NDArray[np.float64]
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
-# instruction sets by the macros of the compiler, and the doubles that their vectors hold
-SETS = (("__AVX512F__", 8), ("__AVX__", 4), ("__SSE2__", 2), ("__aarch64__", 2))
 # what the compiler takes, measured: seconds for a file, and for a statement of it
 FILE, STATEMENT = 0.08, 150e-6
 Pointers = ctypes.c_void_p * len(ORDER)
@@ -31,7 +28,7 @@ Sizes = ctypes.c_size_t * len(ORDER)
 
 
 def width() -> int:
-    """States side by side in a batch: ``$CARDAN_LANES``, else what the compiler has vectors for.
+    """States side by side in a batch: ``$CARDAN_LANES``, else what vectors of the level hold.
 
     One where there is no compiler: what was compiled before goes on one by one.
 
@@ -41,26 +38,12 @@ def width() -> int:
     text = os.environ.get("CARDAN_LANES", "").strip()
     if not text:
         try:
-            return _width(cache.compiler())
+            return cache.compiler().level.lanes
         except CompilerMissing:
             return 1
     if text not in map(str, WIDTHS):
         raise BuildError(f"CARDAN_LANES={text!r} is no number of lanes: 1, 2, 4 or 8")
     return int(text)
-
-
-@lru_cache(maxsize=8)
-def _width(compiler: toolchain.Compiler) -> int:
-    """What the instruction sets that its flags allow have room for."""
-    words = (*compiler.command, *compiler.flags())
-    mark = "|".join(("vectors", compiler.identity, *words, toolchain.processor()))
-    known = cache.remembered(mark, lambda: str(_asked(words)))
-    return int(known)
-
-
-def _asked(words: Sequence[str]) -> int:
-    macros = toolchain.macros(words)
-    return next((lanes for name, lanes in SETS if f"#define {name} " in macros), 1)
 
 
 @dataclass(frozen=True)
@@ -174,13 +157,9 @@ class Recipe:
         """What the compiler is expected to take."""
         return FILE + STATEMENT * self.text.read_text("utf-8").count(";")
 
-    def words(self, lanes: int, own: bool) -> tuple[str, ...]:
-        """What the compiler is told; ``own``: every state has parameters of its own."""
-        return (f"-DCARDAN_LANES={lanes}", *(("-DCARDAN_LANE_PARAMETERS",) if own else ()))
-
     def there(self, lanes: int, own: bool) -> Lanes | None:
         """The build if it is in the cache."""
-        words = self.words(lanes, own)
+        words = prebuilt.macros(lanes, own)
         built = cache.found([self.text], [self.directory], self.reproducible, words)
         return None if built is None else self._loaded(built, lanes, own)
 
@@ -190,7 +169,7 @@ class Recipe:
         Raises:
             BuildError: the compiler failed.
         """
-        words = self.words(lanes, own)
+        words = prebuilt.macros(lanes, own)
         built = cache.compiled([self.text], [self.directory], self.reproducible, words=words)
         try:
             return self._loaded(built, lanes, own)
@@ -199,17 +178,15 @@ class Recipe:
             raise
 
     def _loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
-        words = self.words(lanes, own)
         library = built.load()
-        driver = _driver(self.reproducible, words)
+        driver = _driver(self.reproducible, lanes, own)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
         return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
 
 
 @lru_cache(maxsize=16)
-def _driver(reproducible: bool, words: tuple[str, ...]) -> ctypes.CDLL:
-    source = [DIRECTORY / "batch.c"]
-    library = cache.build(source, [DIRECTORY], reproducible, words=words).load()
+def _driver(reproducible: bool, lanes: int, own: bool) -> ctypes.CDLL:
+    library = kernels.library(reproducible, lanes, own)
     at, count = ctypes.c_void_p, ctypes.c_size_t
     library.cardan_batch.argtypes = [
         *(at, at, Pointers, Sizes, Sizes, count, at, count, at),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import errno
 import importlib.util
 import os
-import platform
 import re
 import shlex
 import shutil
@@ -13,18 +12,18 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from ..errors import BuildError, CompilerMissing
 from . import bounded
+from .levels import OTHER, Level
 
 NAMES = ("cc", "gcc", "clang")
 COMMON_FLAGS = (
     "-std=c99",
     "-O2",
-    "-march=native",
     "-fno-tree-vectorize",
     "-fno-math-errno",
 )
@@ -44,13 +43,15 @@ class Compiler:
         command: How it is called, without flags.
         binary: The program whose change means another compiler.
         identity: What it says about its version.
-        options: Language, level and processor.
+        options: Language and optimization.
+        level: The instructions that it may use.
     """
 
     command: tuple[str, ...]
     binary: Path
     identity: str
     options: tuple[str, ...] = COMMON_FLAGS
+    level: Level = OTHER
 
     @property
     def family(self) -> str:
@@ -63,7 +64,9 @@ class Compiler:
         Args:
             reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         """
-        return (*self.options, *self.contraction(reproducible), *SHARED_FLAGS)
+        zig = any("zig" in Path(word).name for word in self.command)
+        level = self.level.zig if zig else self.level.flags
+        return (*self.options, *level, *self.contraction(reproducible), *SHARED_FLAGS)
 
     def contraction(self, reproducible: bool = False) -> tuple[str, ...]:
         """Flags that say which sums of products become one fused operation.
@@ -157,20 +160,6 @@ def ask_version(command: Sequence[str]) -> str:
     except (OSError, subprocess.SubprocessError) as error:
         raise BuildError(f"the compiler {' '.join(command)} does not answer: {error}") from error
     return answer.stdout.strip()
-
-
-def macros(command: Sequence[str]) -> str:
-    """The macros that a compiler defines under some flags.
-
-    Raises:
-        BuildError: it does not answer.
-    """
-    words = [*command, "-dM", "-E", "-x", "c", os.devnull]
-    try:
-        answer = subprocess.run(words, capture_output=True, text=True, timeout=60, check=True)
-    except (OSError, subprocess.SubprocessError) as error:
-        raise BuildError(f"the compiler {shlex.join(words)} does not answer: {error}") from error
-    return answer.stdout
 
 
 def find_compiler(remembered: Callable[[str, Callable[[], str]], str]) -> Compiler:
@@ -276,21 +265,3 @@ def _errors(text: str) -> str:
     lines = [line for line in text.splitlines() if line.strip()]
     telling = [line for line in lines if "error" in line.lower()]
     return "\n".join((telling or lines)[:SHOWN]) or "it said nothing"
-
-
-@lru_cache(maxsize=1)
-def processor() -> str:
-    """What ``-march=native`` depends on: machine, model and instruction sets of the processor."""
-    wanted = ("vendor_id", "model name", "flags", "Features", "CPU implementer", "CPU part")
-    lines = [platform.machine()]
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8", errors="replace") as file:
-            # the first processor speaks for all: its block ends with an empty line
-            for line in iter(file.readline, ""):
-                if not line.strip():
-                    break
-                if line.startswith(wanted):
-                    lines.append(line.strip())
-    except OSError:
-        lines.append(platform.processor())
-    return "\n".join(lines)

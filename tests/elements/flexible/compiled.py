@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from cardan.codegen import generate
 from cardan.ir.function import Function
 from cardan.runtime import abi_ctypes, cache
-from cardan.runtime.kernels import DIRECTORY
+from cardan.runtime.prebuilt import DIRECTORY
 from cardan.runtime.slots import ORDER
 
 Array = NDArray[np.float64]

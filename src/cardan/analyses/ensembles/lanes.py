@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import BuildError
-from ...runtime import cache
-from ...runtime.kernels import DIRECTORY
+from ...runtime import kernels
 from .. import record
 
 Array = NDArray[np.float64]
@@ -87,9 +86,7 @@ def trials(reproducible: bool, width: int) -> ctypes.CDLL:
     Raises:
         BuildError: the compiler failed.
     """
-    sources = [DIRECTORY / "abreast.c", *sorted(DIRECTORY.glob("lane_*.c"))]
-    words = (f"-DCARDAN_LANES={width}",)
-    library = cache.build(sources, [DIRECTORY], reproducible, words=words).load()
+    library = kernels.library(reproducible, width)
     library.cardan_abreast_size.restype = ctypes.c_size_t
     _agree(library.cardan_abreast_size(), Abreast)
     return library

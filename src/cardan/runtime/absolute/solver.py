@@ -82,7 +82,7 @@ def solver(plan: Plan, reproducible: bool = False) -> Solver:
     from .superlu import SuperluSolver
 
     try:
-        return BlockSolver(plan, kernels.library(reproducible, only="sparse*"))
+        return BlockSolver(plan, kernels.library(reproducible))
     except CompilerMissing:
         return SuperluSolver(plan)
 

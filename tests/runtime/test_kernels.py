@@ -1,0 +1,205 @@
+"""Kernels of the installation: which there are, when they serve, and what is compiled instead."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import cardan as cd
+from analyses.conftest import double_scene
+from cardan.errors import BuildError
+from cardan.runtime import cache, kernels, levels, prebuilt
+from cardan.runtime.compiled import CompiledModel
+from laws.test_tunings import LEVELS, runs
+
+ROOT = Path(__file__).parents[2]
+# what a wheel may weigh and take [bytes, s on two cores]
+WEIGHT, PATIENCE = 3e6, 180.0
+
+
+@pytest.fixture
+def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A copy of the kernels, of which three C files are left, used instead of the package's."""
+    place = tmp_path / "kernels"
+    kept = {"map.c", "batch.c", "level.c"}
+    place.mkdir()
+    for path in prebuilt.DIRECTORY.glob("*.[ch]"):
+        if path.suffix == ".h" or path.name in kept:
+            shutil.copy(path, place)
+    monkeypatch.setattr(prebuilt, "DIRECTORY", place)
+    prebuilt.current.cache_clear()
+    kernels._library.cache_clear()
+    yield place
+    prebuilt.current.cache_clear()
+    kernels._library.cache_clear()
+
+
+def installed(place: Path) -> list[str]:
+    """Install kernels beside their sources; what was compiled."""
+    lines: list[str] = []
+    kernels.install(place / "built", (), cache.compiler(), lines.append)
+    return [line.split()[2] for line in lines if " bytes," in line]
+
+
+def test_level_of_the_processor_is_what_gcc_says() -> None:
+    if not runs(LEVELS[0]):
+        pytest.skip("no gcc, or no x86-64-v2")
+    assert cache.level().name == [level for level in LEVELS if runs(level)][-1]
+
+
+def test_usual_variants_are_there_and_serve(sources: Path) -> None:
+    assert prebuilt.current() is None
+    made = installed(sources)
+    width = cache.level().lanes
+    usual = ["scalar", f"lanes{width}", f"lanes{width}-own"] if width > 1 else ["scalar"]
+    assert sorted(made) == sorted(["level", *usual, *(f"{name}-exact" for name in usual)])
+    for variant in prebuilt.variants([width] if width > 1 else []):
+        found = kernels.library(variant.reproducible, variant.lanes, variant.lane_parameters)
+        assert Path(found._name).parent == sources / "built"
+        assert hasattr(found, "cardan_batch" if variant.lanes > 1 else "cardan_map")
+    # a rare one is compiled when it is wanted
+    rare = next(lanes for lanes in prebuilt.WIDTHS if lanes != width)
+    assert Path(kernels.library(lanes=rare)._name).parent != sources / "built"
+
+
+def test_what_is_newer_is_compiled_again(sources: Path) -> None:
+    installed(sources)
+    assert installed(sources) == []
+    before = kernels.library()._name
+    with open(sources / "map.c", "a", encoding="utf-8") as file:
+        file.write("int cardan_added(void);\nint cardan_added(void) { return 7; }\n")
+    prebuilt.current.cache_clear()
+    kernels._library.cache_clear()
+    # not installed again yet: the sources that are there are what runs
+    assert prebuilt.current() is None
+    assert kernels.library().cardan_added() == 7
+    # lanes do not read that file
+    assert sorted(installed(sources)) == ["scalar", "scalar-exact"]
+    kernels._library.cache_clear()
+    after = kernels.library()
+    assert (after.cardan_added(), Path(after._name).parent) == (7, sources / "built")
+    assert not Path(before).exists()
+
+
+@pytest.mark.parametrize("harm", ["machine", "sources", "no JSON", "a list", "other keys", "gone"])
+def test_an_index_that_is_not_of_here_is_left_alone(sources: Path, harm: str) -> None:
+    installed(sources)
+    path = sources / "built" / "index.json"
+    known = json.loads(path.read_text("utf-8"))
+    changed = {
+        "machine": {**known, "machine": "linux pdp11"},
+        "sources": {**known, "sources": "0" * 64},
+        "a list": [1, 2],
+        "other keys": {**known, "more": 1},
+    }
+    path.write_text(json.dumps(changed[harm]) if harm in changed else "{", "utf-8")
+    if harm == "gone":
+        path.unlink()
+    prebuilt.current.cache_clear()
+    assert prebuilt.current() is None
+    assert Path(kernels.library()._name).parent != sources / "built"
+
+
+def test_kernels_need_no_compiler(sources: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    installed(sources)
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert Path(kernels.library()._name).parent == sources / "built"
+    with pytest.raises(BuildError, match="no-such-compiler"):
+        cache.compiler()
+
+
+def test_level_that_the_processor_has_not_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CARDAN_LEVEL", "x86-64-v9")
+    with pytest.raises(BuildError, match=r"CARDAN_LEVEL='x86-64-v9'.*has: "):
+        cache.compiler()
+
+
+def test_first_run_compiles_no_kernel(tmp_path: Path) -> None:
+    """In an empty cache: what the compiler is given are files of the model alone."""
+    if prebuilt.current() is None:
+        pytest.skip("cardan was installed without kernels of these sources")
+    code = (
+        "from cardan.runtime import toolchain, cache\n"
+        "whole = toolchain.compile_shared\n"
+        "def told(by, sources, *more):\n"
+        "    print(*sources, sep='\\n')\n"
+        "    whole(by, sources, *more)\n"
+        "cache.compile_shared = told\n"
+        "import cardan as cd\n"
+        "from analyses.conftest import double_scene\n"
+        "model = cd.compile(double_scene())\n"
+        "model.simulate(1.0, q={'elbow': 0.3})\n"
+        "model.prepare('rhs', batch=True)\n"
+        "model.ensemble(1.0, q={'elbow': [0.1, 0.2, 0.3]})\n"
+    )
+    paths = os.pathsep.join([str(ROOT / "src"), str(ROOT / "tests")])
+    environment = {**os.environ, "PYTHONPATH": paths, "CARDAN_CACHE": str(tmp_path)}
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "rhs.c" in done.stdout
+    assert "kernels" not in done.stdout, done.stdout
+
+
+@pytest.mark.slow
+def test_levels_agree_to_the_bit_without_contraction(monkeypatch: pytest.MonkeyPatch) -> None:
+    found, highest = {}, cache.level()
+    for level in levels.family():
+        if level.number <= highest.number:
+            monkeypatch.setenv("CARDAN_LEVEL", level.name)
+            compiled = cd.compile(double_scene(), functions=("rhs", "energy"))
+            compiled.prepare("rhs")
+            model = CompiledModel(compiled.directory, reproducible=True)
+            found[level.name] = model.simulate(3.0, q={"elbow": 0.4}).x.tobytes()
+    print(", ".join(found))
+    assert len(set(found.values())) == 1
+
+
+@pytest.mark.slow
+def test_wheel_holds_all_levels(tmp_path: Path) -> None:
+    """Every variant by level; what they weigh and take is printed."""
+    tree = tmp_path / "tree"
+    hidden = shutil.ignore_patterns("*.so", "built", "build", "*.egg-info", "__pycache__", ".*")
+    shutil.copytree(ROOT / "src", tree / "src", ignore=hidden)
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, tree)
+    started = time.perf_counter()
+    command = [sys.executable, "setup.py", "-q", "bdist_wheel"]
+    done = subprocess.run(command, cwd=tree, capture_output=True, text=True, check=False)
+    spent = time.perf_counter() - started
+    assert done.returncode == 0, done.stderr
+    print("\n".join(line for line in done.stdout.splitlines() if line.startswith("kernels:")))
+    (wheel,) = (tree / "dist").glob("*.whl")
+    with zipfile.ZipFile(wheel) as opened:
+        inside = [info for info in opened.infolist() if "kernels/built/" in info.filename]
+        index = json.loads(opened.read("cardan/kernels/built/index.json"))
+    packed = sum(info.compress_size for info in inside)
+    print(f"{wheel.name}: {wheel.stat().st_size} bytes, {packed} of them kernels; {spent:.0f} s")
+    assert packed < WEIGHT
+    wanted = {variant.name for variant in prebuilt.variants()}
+    assert {level.name for level in levels.of_wheels()} == set(index["objects"])
+    assert all(set(made) == wanted for made in index["objects"].values())
+    files = {name for made in index["objects"].values() for name in made.values()}
+    assert {Path(info.filename).name for info in inside} == {*files, index["level"], "index.json"}
+
+
+def test_models_and_kernels_use_one_level(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a model is compiled with says so, and no more than the level allows."""
+    by = cache.compiler()
+    assert "native" not in " ".join(by.flags())
+    assert set(by.level.flags) <= set(by.flags()) or "zig" in " ".join(by.command)
+    least = levels.family()[0]
+    monkeypatch.setenv("CARDAN_LEVEL", least.name)
+    assert cache.compiler().level == least
+    model = cd.compile(double_scene())
+    assert np.isfinite(model.simulate(0.1).x).all()
