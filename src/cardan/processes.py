@@ -1,4 +1,4 @@
-"""Locks between processes, and what a forked child does first, on every operating system.
+"""Locks between processes, what a forked child does first, and Ctrl-C, on every system.
 
 A lock belongs to an open file and is dropped with it, also where its process is killed: it says
 that a process lives. Where ``flock`` is missing (Windows) the last byte that the C library can name
@@ -10,7 +10,10 @@ from __future__ import annotations
 import ctypes
 import errno
 import os
-from collections.abc import Callable
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from types import ModuleType
 
@@ -77,3 +80,21 @@ def after_fork(action: Callable[[], object]) -> None:
     """Call something first in every forked child; nothing where processes are not forked."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(after_in_child=action)
+
+
+@contextmanager
+def on_interrupt(action: Callable[[], object]) -> Iterator[bool]:
+    """Let Ctrl-C do something instead of raising KeyboardInterrupt.
+
+    Yields whether it does: not in other threads than the first, nor where a handler of the caller's
+    is in place.
+    """
+    usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if not usual or threading.current_thread() is not threading.main_thread():
+        yield False
+        return
+    signal.signal(signal.SIGINT, lambda *_: action())
+    try:
+        yield True
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)

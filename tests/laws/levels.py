@@ -18,7 +18,8 @@ from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
 from cardan.runtime.absolute.elements import State
 from cardan.runtime.absolute.loading import data_of, tables_of
-from cardan.runtime.absolute.plain import PlainElements
+from cardan.runtime.absolute.mesh import Mesh
+from cardan.runtime.interpreted import Interpreted
 from cardan.runtime.objects import Code
 from cardan.runtime.verification.differences import input_rates
 
@@ -121,10 +122,12 @@ def of_elements(scene: cd.Model, states: int = 2) -> tuple[int, float]:
     tables, saved = tables_of(model), model._objects.saved()
 
     def load(symbols: Any) -> dict[str, Code]:
-        entries = model.manifest["functions"]
-        return {s: Code(s, entries[s], False, function=from_dict(saved[s])) for s in symbols}
+        known = {s: Interpreted(from_dict(saved[s])) for s in symbols}
+        return {s: Code(s, entries[s], False, f.address, interpreted=f) for s, f in known.items()}
 
-    elements = PlainElements(tables, load, [data_of(model, group) for group in tables.groups])
+    data, entries = [data_of(model, group) for group in tables.groups], model.manifest["functions"]
+    library, lock = model._kernels(), model._objects.lock
+    elements = Mesh(tables, entries, load, data, library, lock, lambda *_: None)
     rng, worst, count = np.random.default_rng(SEED), 0.0, 0
     start, modes = model.split(model.initial())[0], model._layout.start("s")
     for _ in range(states):
@@ -143,9 +146,7 @@ def of_elements(scene: cd.Model, states: int = 2) -> tuple[int, float]:
     return count, worst
 
 
-def _group(
-    elements: PlainElements, saved: Any, number: int, at: State, steps: Mapping[str, Any]
-) -> float:
+def _group(elements: Mesh, saved: Any, number: int, at: State, steps: Mapping[str, Any]) -> float:
     """The largest error of the elements of a group."""
     group, worst = elements.tables.groups[number], 0.0
     names = group.kind.functions

@@ -20,7 +20,6 @@ from ..version import STEPPER, VERSION, written_by
 from ..whole_file import replaced
 from .happenings import happenings
 from .integrators import INTEGRATORS
-from .plain import PlainRunner
 from .run import Runner, Saved
 from .saved_record import impossible, record_of, saved_of, sound, ticks_of
 from .settings import Settings, settings
@@ -33,7 +32,7 @@ NEEDED = {*TEXTS, *NUMBERS, "max_step", "kernels", "record", "ticks", "events"}
 NONE = "give a file that stepper.save(path) wrote"
 
 
-def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path) -> None:
+def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
     """Write a checkpoint; a file with its name is replaced in one step.
 
     Args:
@@ -63,7 +62,7 @@ def write(runner: Runner | PlainRunner, how: Settings, saved: Saved, path: Path)
         "cardan": VERSION,
         "model": runner.model.name,
         "key": _key(runner),
-        "kernels": isinstance(runner, Runner),
+        "kernels": not runner.interpreted,
         "method": how.method.name,
         "words": how.words,
         "max_step": None if math.isinf(how.max_step) else how.max_step,
@@ -90,7 +89,7 @@ def digest(head: bytes, memory: bytes) -> bytes:
 
 def read(
     model: CompiledModel, path: Path, events: Mapping[str, Any] | None
-) -> tuple[Runner | PlainRunner, Settings, str]:
+) -> tuple[Runner, Settings, str]:
     """The run of a checkpoint, where it was, and what ended it.
 
     Args:
@@ -118,7 +117,7 @@ def read(
             f"{path}: its run watches for {_names(head)}: give the same events=. "
             f"{written_by(writer)} wrote it; where that had other events, start the run anew"
         )
-    if bool(head["kernels"]) != isinstance(runner, Runner):
+    if bool(head["kernels"]) == runner.interpreted:
         raise ModelError(
             f"{path} was made {'with' if head['kernels'] else 'without'} a C compiler by "
             f"{written_by(writer)}; this run would go on otherwise: bits differ. Start the run anew"
@@ -156,7 +155,7 @@ def _names(head: dict[str, Any]) -> str:
     return ", ".join(dict.fromkeys(names)) or "none"
 
 
-def _key(runner: Runner | PlainRunner) -> str:
+def _key(runner: Runner) -> str:
     """Hash of the equations and parameters that a run depends on."""
     model, found = runner.model, hashlib.sha256()
     needed = (*runner.settings.method.needs, *runner.may.functions)

@@ -201,12 +201,10 @@ def text(value: Any) -> Any:
 def build_key(model: CompiledModel) -> str:
     """What decides about the last bit of a run here: compiler, flags, processor and all texts.
 
-    The name of the compiled ``rhs`` and integrators in the cache; "NumPy" without a compiler.
+    The names of the compiled ``rhs``, "Python" without a compiler, and of the integrators.
     """
-    function = model._function("rhs")
-    if function.code.built is None:
-        return "NumPy"
-    names = (str(function.code.built.path), model._kernels()._name)
+    built = model._function("rhs").code.built
+    names = ("Python" if built is None else str(built.path), model._kernels()._name)
     return "-".join(Path(name).stem[:16] for name in names)
 
 

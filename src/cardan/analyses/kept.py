@@ -15,7 +15,6 @@ from ..runtime.dense import Dense
 from ..runtime.events import Happened
 from ..runtime.trajectory import Trajectory
 from .choice import JACOBIAN, remark
-from .plain import PlainRunner
 from .run import Runner
 from .settings import Start
 from .times import Span
@@ -31,7 +30,7 @@ COUNTED = (
 class Kept:
     """What a run has written, copied out of the room it writes to."""
 
-    def __init__(self, runner: Runner | PlainRunner) -> None:
+    def __init__(self, runner: Runner) -> None:
         self.runner = runner
         self.rows, self.spreads, self.logs = list[Array](), list[Array](), list[Array]()
         self._told = 0

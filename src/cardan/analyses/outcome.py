@@ -12,14 +12,13 @@ from ..runtime.absolute.massless import refusal
 from ..runtime.conduct import FINISHED
 from . import record as abi
 from .bounded import is_bounded
-from .plain import PlainRunner
 from .run import Runner
 from .times import Span
 
 HUGE = 1e100  # beyond this squares overflow before long
 
 
-def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str, str]:
+def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
     """Status and a sentence with time, coordinate and remedy.
 
     Args:
@@ -72,7 +71,7 @@ def explain(runner: Runner | PlainRunner, answer: int, over: Span) -> tuple[str,
     )
 
 
-def _masses(runner: Runner | PlainRunner) -> str:
+def _masses(runner: Runner) -> str:
     """What has no mass."""
     model, views = runner.model, runner.views
     if "mesh" not in model.manifest:
@@ -83,7 +82,7 @@ def _masses(runner: Runner | PlainRunner) -> str:
     return refusal(mesh, at)
 
 
-def _not_finite(runner: Runner | PlainRunner, who: str) -> str:
+def _not_finite(runner: Runner, who: str) -> str:
     """What is no number, and why that may be."""
     model = runner.model
     if runner.record.culprit >= runner.n:
@@ -106,7 +105,7 @@ def _not_finite(runner: Runner | PlainRunner, who: str) -> str:
     )
 
 
-def _domain(runner: Runner | PlainRunner) -> str:
+def _domain(runner: Runner) -> str:
     """What may have no value."""
     rows = [joint.get("solved") for joint in runner.model.manifest["joints"]]
     circuits = dict.fromkeys(f"'{row['circuit']}'" for row in rows if row)
@@ -118,7 +117,7 @@ def _domain(runner: Runner | PlainRunner) -> str:
     )
 
 
-def _rotation(runner: Runner | PlainRunner) -> str:
+def _rotation(runner: Runner) -> str:
     """What the rotation that is to blame cannot say, and which one can; "" if none is to blame."""
     model, k = runner.model, runner.record.culprit
     if not 0 <= k < len(model.coordinates):
@@ -134,7 +133,7 @@ def _rotation(runner: Runner | PlainRunner) -> str:
     )
 
 
-def _open(runner: Runner | PlainRunner) -> str:
+def _open(runner: Runner) -> str:
     """Which circuit does not stay closed, and what to do about it."""
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
@@ -160,7 +159,7 @@ def _open(runner: Runner | PlainRunner) -> str:
     return f"{who} cannot stay closed. The mechanism is at a dead point or at the end of its range"
 
 
-def _driven(runner: Runner | PlainRunner) -> str:
+def _driven(runner: Runner) -> str:
     """Joints and constraints that time or inputs move, in words."""
     joints = [j["name"] for j in runner.model.manifest["joints"] if j["prescribed"]]
     written = [row["name"] for row in runner.closing.rows if row["name"] == row["joint"]]
@@ -168,7 +167,7 @@ def _driven(runner: Runner | PlainRunner) -> str:
     return ", ".join(f"'{name}'" for name in (*joints, *moved))
 
 
-def _culprit(runner: Runner | PlainRunner) -> str:
+def _culprit(runner: Runner) -> str:
     """`` of 'elbow.u'``, or nothing when no entry is to blame."""
     k = runner.record.culprit
     model = runner.model
@@ -176,14 +175,14 @@ def _culprit(runner: Runner | PlainRunner) -> str:
     return f" of '{names[k]}'" if 0 <= k < len(names) else ""
 
 
-def _happening(runner: Runner | PlainRunner) -> str:
+def _happening(runner: Runner) -> str:
     """The event that is to blame, with the element it happens to."""
     row = runner.may.rows[runner.record.culprit - runner.n]
     owner = f" of '{row['element']}'" if row["element"] and row["element"] != row["name"] else ""
     return f"'{row['name']}'{owner}"
 
 
-def _event(runner: Runner | PlainRunner, answer: int, at: str) -> tuple[str, str]:
+def _event(runner: Runner, answer: int, at: str) -> tuple[str, str]:
     """A run that events ended."""
     what = _happening(runner)
     if answer == abi.EVENT:

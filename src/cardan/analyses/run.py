@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import math
-import signal
-import threading
 import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,8 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError, SolveError
+from ..processes import on_interrupt
 from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
+from ..runtime.interpreted import called_back
 from ..runtime.ledger import Ledger
 from . import record as abi
 from .bounded import bounded
@@ -88,6 +88,8 @@ class Runner:
         self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
+        called = [*self.functions, *self.closers, *self.needed]
+        self.interpreted = any(function.interpreted for function in called)
         self._keep: list[Any] = []
         self.spreads = np.empty((0, settings.method.dense_rows, self.n))
         self.record = Run()
@@ -250,9 +252,7 @@ class Runner:
         self.record.t = t
         self.views["y"][: self.model.nx] = x
         self.aim(stops)
-        answer = int(self.library.cardan_run_start(self.record))
-        self.check()
-        return answer
+        return self._answer(self.library.cardan_run_start)
 
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
@@ -296,9 +296,29 @@ class Runner:
     def drive(self, budget: int) -> int:
         """Go on for at most ``budget`` steps. Returns the answer of the kernels."""
         self.record.budget = budget
-        answer = int(self.library.cardan_run_drive(self.record))
+        return self._answer(self.library.cardan_run_drive)
+
+    def _answer(self, kernel: Callable[[Run], int]) -> int:
+        """What a kernel says about the run.
+
+        Raises:
+            BaseException: what a function of the caller or of the model raised on the way.
+        """
+        if not self.interpreted:
+            answer = int(kernel(self.record))
+        else:
+            try:
+                with called_back(self._halt):
+                    answer = int(kernel(self.record))
+            except BaseException as error:
+                self.error, answer = error, abi.STOPPED
+                self.record.stop = 0
         self.check()
         return answer
+
+    def _halt(self) -> None:
+        """End the run after the present step."""
+        self.record.stop = 1
 
     def advance(self, end: float) -> int:
         """Go on to a time, in any direction. Returns the answer of the kernels."""
@@ -307,7 +327,7 @@ class Runner:
         self.aim(stops_of(self.model, self.signals, run.t, end, FEW))
         run.t_start = run.t
         # inputs may have jumped: the derivative at the start is new
-        answer = int(self.library.cardan_segment(run)) or abi.MORE
+        answer = self._answer(self.library.cardan_segment) or abi.MORE
         logs = []
         while answer in (abi.MORE, abi.FULL):
             run.count = 0
@@ -315,6 +335,7 @@ class Runner:
             logs.append(self.drained())
         self.happened = np.concatenate(logs) if logs else self.log[:0]
         self.check()
+        self.check_interrupt()
         return answer
 
     def drained(self) -> Array:
@@ -349,6 +370,12 @@ class Runner:
             error, self.error = self.error, None
             raise error
 
+    def check_interrupt(self) -> None:
+        """Raise KeyboardInterrupt if Ctrl-C ended the last call of a kernel."""
+        if isinstance(self.error, KeyboardInterrupt):
+            error, self.error = self.error, None
+            raise error
+
     def slices(self) -> Iterator[int]:
         """Drive to the end in slices of about 10 ms; yields the answer of each."""
         budget, answer = 64, abi.MORE
@@ -360,19 +387,6 @@ class Runner:
                 budget = max(1, min(8 * budget, round(budget * SLICE / spent)))
             yield answer
 
-    @contextmanager
-    def interruptible(self) -> Iterator[None]:
+    def interruptible(self) -> AbstractContextManager[bool]:
         """Let Ctrl-C stop the run between two steps instead of raising."""
-        usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-        if not usual or threading.current_thread() is not threading.main_thread():
-            yield
-            return
-
-        def stop(*_: Any) -> None:
-            self.record.stop = 1
-
-        signal.signal(signal.SIGINT, stop)
-        try:
-            yield
-        finally:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
+        return on_interrupt(self._halt)

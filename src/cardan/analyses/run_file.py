@@ -16,7 +16,6 @@ import numpy as np
 
 from ..errors import ModelError, shown
 from ..runtime.compiled import CompiledModel
-from ..runtime.interpreted import CURE
 from ..runtime.number_file import packed, plain, unpacked
 from ..version import RUN_FILE
 from . import record as abi
@@ -235,15 +234,12 @@ def run_file(
             f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "
             "are kept in no file; leave it out, and save the motion by motion.save(path)"
         )
-    build = build_key(model)
-    if build == "NumPy":
-        raise ModelError(f"checkpoint= of simulate needs a C compiler: {CURE}")
     pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if over.times is None else over.times
     functions = sorted(given.functions), given.sample
     whose = {
         "model": model_key(model),
-        "build": build,
+        "build": build_key(model),
         "start": digest(begin.x, begin.slack, given.constants, *pieces, functions),
         "settings": digest(how, over.start, over.end, times, may.described),
     }

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +17,6 @@ import numpy as np
 from ..errors import ModelError
 from ..version import written_by
 from . import record as abi
-from .plain import PlainRunner
-from .plain_record import Progress
 from .run import Runner, Saved
 
 MOST = 1 << 53  # of what is counted
@@ -47,45 +44,31 @@ PASSING = (
 )
 POINTS = 10  # MOST_POINTS of kernels/gauss.h
 STATUS = 1 << 31
-# the same for a run without a compiler, as far as it has them
-PLAIN = (
-    *("t", "t_start", "h", "correction"),
-    *("steps", "rejections", "evaluations", "culprit", "model_status", "open_row"),
-    *("projections", "passed", "looked", "limited", "jacobians", "factorizations", "occurred"),
-)
 
 
-def limits(runner: Runner | PlainRunner) -> dict[str, tuple[int, int]]:
+def limits(runner: Runner) -> dict[str, tuple[int, int]]:
     """Least and largest value of every whole number of the record that belongs to a run."""
     run = runner.record
-    if isinstance(run, Progress):
-        rows, n = runner.closing.positions + runner.closing.rates, runner.n
-        counts = [name for name in COUNTS if name in PLAIN]
-    else:
-        rows, n = run.positions + run.rates, run.n
-        counts = [*COUNTS]
-    found = dict.fromkeys(counts, (0, MOST))
-    found |= {
-        "culprit": (-1, n + len(runner.may.rows) - 1),
-        "open_row": (-1, rows - 1),
+    return {
+        **dict.fromkeys(COUNTS, (0, MOST)),
+        "culprit": (-1, run.n + len(runner.may.rows) - 1),
+        "open_row": (-1, run.positions + run.rates - 1),
         "model_status": (-STATUS, STATUS),
+        **dict.fromkeys(TRUTH, (0, 1)),
+        "row_open": (0, 2),
+        "held": (0, run.rates),
+        "pass_points": (0, POINTS),
     }
-    if not isinstance(run, Progress):
-        found |= dict.fromkeys(TRUTH, (0, 1))
-        found |= {"row_open": (0, 2), "held": (0, run.rates), "pass_points": (0, POINTS)}
-    return found
 
 
-def record_of(runner: Runner | PlainRunner) -> dict[str, float]:
+def record_of(runner: Runner) -> dict[str, float]:
     """The numbers of the record that a run goes on from."""
     run = runner.record
-    if isinstance(run, Progress):
-        return {name: value for name, value in asdict(run).items() if name in PLAIN}
     return {name: getattr(run, name) for name in (*limits(runner), *TIMES, *REALS)}
 
 
 def saved_of(
-    runner: Runner | PlainRunner,
+    runner: Runner,
     numbers: Mapping[str, Any],
     memory: Any,
     ticks: Any,
@@ -105,7 +88,7 @@ def saved_of(
     Raises:
         ModelError: another version of cardan wrote them, or they are of no run of this model.
     """
-    run, whole = runner.record, runner.save()
+    whole = runner.save()
     if getattr(memory, "dtype", None) != np.float64:
         raise impossible(path, "its memory holds no numbers")
     names = set(numbers) if isinstance(numbers, Mapping) else set()
@@ -115,18 +98,14 @@ def saved_of(
             "start the run anew"
         )
     checked(numbers, limits(runner), path)
-    if isinstance(run, Progress):
-        record: Any = replace(run, **numbers)
-    else:
-        other = abi.Run.from_buffer_copy(whole.record)
-        for name, value in numbers.items():
-            setattr(other, name, value)
-        _fits_itself(other, path)
-        if other.on_grid and abs(other.h) != runner.settings.step:
-            raise impossible(path, f"its step is {other.h:g} s")
-        record = bytes(other)
+    run = abi.Run.from_buffer_copy(whole.record)
+    for name, value in numbers.items():
+        setattr(run, name, value)
+    _fits_itself(run, path)
+    if run.on_grid and abs(run.h) != runner.settings.step:
+        raise impossible(path, f"its step is {run.h:g} s")
     due = _ticks(runner, ticks, float(numbers["t"]), path)
-    return Saved(record, memory.tobytes(), whole.owner, due)
+    return Saved(bytes(run), memory.tobytes(), whole.owner, due)
 
 
 def checked(numbers: Mapping[str, Any], whole: Mapping[str, tuple[int, int]], path: Path) -> None:
@@ -170,18 +149,14 @@ def _fits_itself(run: abi.Run, path: Path) -> None:
         raise impossible(path, "its next step leads back")
 
 
-def ticks_of(runner: Runner | PlainRunner) -> list[list[float]]:
+def ticks_of(runner: Runner) -> list[list[float]]:
     """Number and time of the next sample of every tick."""
-    if isinstance(runner, PlainRunner):
-        return []
     count = runner.record.tick_count
     return [[row.count, row.next] for row in list(runner.ticks)[:count]]
 
 
-def _ticks(runner: Runner | PlainRunner, given: Any, t: float, path: Path) -> bytes:
+def _ticks(runner: Runner, given: Any, t: float, path: Path) -> bytes:
     """The ticks of a run with what a file says about the next ones."""
-    if isinstance(runner, PlainRunner):
-        return b""
     rows = type(runner.ticks).from_buffer_copy(bytes(runner.ticks))
     count = runner.record.tick_count
     right = isinstance(given, list) and len(given) == count
@@ -197,13 +172,11 @@ def _ticks(runner: Runner | PlainRunner, given: Any, t: float, path: Path) -> by
     return bytes(rows)
 
 
-def sound(runner: Runner | PlainRunner, path: Path) -> None:
+def sound(runner: Runner, path: Path) -> None:
     """Look at the places that restored memory holds, such as rows in a factored matrix.
 
     Raises:
         ModelError: some of them are outside.
     """
-    if isinstance(runner, Runner) and not abi.sound(
-        runner.library, runner.settings.method.kernel, runner.record
-    ):
+    if not abi.sound(runner.library, runner.settings.method.kernel, runner.record):
         raise impossible(path, "its memory is not that of a run")

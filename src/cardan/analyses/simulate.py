@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import CompilerMissing, FunctionError, ModelError, SolveError, SolveWarning, warn
+from ..errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ..runtime.absolute.evaluated import FUNCTIONS
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
@@ -27,7 +27,6 @@ from .integrators import INTEGRATORS
 from .jumps import stops_of
 from .kept import Kept
 from .outcome import explain
-from .plain import PlainRunner, check_plain
 from .progress import showing
 from .run import Runner
 from .run_file import RunFile, run_file
@@ -188,8 +187,12 @@ def chosen(how: Settings, case: Case | None) -> Settings:
 
 def runner_of(
     model: CompiledModel, how: Settings, given: Signals, may: Happenings = NOTHING
-) -> Runner | PlainRunner:
-    """What runs a model: compiled integrators, or SciPy's where there is no compiler."""
+) -> Runner:
+    """What runs a model.
+
+    Raises:
+        ModelError: the model lacks a function that the method or its events need.
+    """
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
@@ -209,28 +212,17 @@ def runner_of(
             )
     called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
     called += [name for _, name in needs]
-    compiled = _integrators(model)
-    if not compiled:
-        check_plain(how)
     # side by side, as all must be compiled; by energy is told what the run cannot account for
     model.prepare(*called, *(["energy"] if power and "energy" in available else []))
-    if all(model._function(name).address for name in called) and compiled:
-        return Runner(model, how, given, power, may)
-    words = f"{how.words}, in NumPy as there is no C compiler: {CURE}"
-    return PlainRunner(model, replace(how, words=words), given, power, may)
-
-
-def _integrators(model: CompiledModel) -> bool:
-    """Whether the integrators exist as C here: not without a compiler."""
-    try:
-        model._kernels()
-    except CompilerMissing:
-        return False
-    return True
+    runner = Runner(model, how, given, power, may)
+    if runner.interpreted:
+        words = f"{how.words}, the model in Python as there is no C compiler: {CURE}"
+        runner.settings = replace(how, words=words)
+    return runner
 
 
 def driven(
-    runner: Runner | PlainRunner,
+    runner: Runner,
     over: Span,
     begin: Start,
     progress: bool | Callable[[float], None] | None,
@@ -277,7 +269,7 @@ def driven(
 
 
 def _loop(
-    runner: Runner | PlainRunner,
+    runner: Runner,
     over: Span,
     begin: Start,
     kept: Kept,
@@ -288,15 +280,15 @@ def _loop(
     """Go on until the run is over. Returns the last answer of the kernels."""
     stops = stops_of(runner.model, runner.signals, over.start, over.end)
     answer = runner.start(over.start, begin.x, stops)
-    if file is not None and isinstance(runner, Runner) and answer >= 0:
+    if file is not None and answer >= 0:
         known = file.go_on(runner, kept)
         if known in (abi.DONE, abi.EVENT):
             return known
-    for said in runner.slices() if answer >= 0 else ():
+    for said in runner.slices() if answer >= 0 and answer != abi.STOPPED else ():
         answer = said
         if answer != abi.MORE:
             kept.take()
-        if file is not None and isinstance(runner, Runner):
+        if file is not None:
             file.note(runner, kept, answer)
         done = abs(runner.record.t - over.start) / over.length
         if case is not None and done < 0.5:

@@ -21,7 +21,6 @@ from .alpha import Alpha, GeneralizedAlpha
 from .closed_start import closed_start
 from .happenings import check_start, happenings
 from .outcome import explain
-from .plain import PlainRunner
 from .run import Runner, Saved
 from .settings import Settings, Values, blocks, settings, start
 from .signals import signals
@@ -41,7 +40,7 @@ class Stepper:
             stepper.step(0.01, inputs={"torque": control(stepper.state)})
     """
 
-    def __init__(self, runner: Runner | PlainRunner, how: Settings, over: str = "") -> None:
+    def __init__(self, runner: Runner, how: Settings, over: str = "") -> None:
         self._runner, self._model, self._how = runner, runner.model, how
         self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
         self._log = runner.drained()

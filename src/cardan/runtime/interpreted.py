@@ -1,12 +1,16 @@
-"""Functions of a model where there is no compiler: their saved expressions, in NumPy.
+"""Functions of a model where there is no compiler: their saved expressions, evaluated.
 
-The same results up to rounding, some hundred times slower.
+The same results up to rounding, some ten to hundred times slower. Kernels call them as they call
+compiled functions, by an address; what is raised on the way is raised again behind the kernel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import lru_cache
+import ctypes
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +18,7 @@ from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
 from ..errors import BuildWarning, SolveError, warn
+from ..processes import on_interrupt
 from .slots import SLOT
 
 if TYPE_CHECKING:
@@ -21,17 +26,67 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 SINGULAR = 1  # CARDAN_SINGULAR of cardan.h
+RAISED = 1 << 16  # status of a function that raised, beside those of cardan.h
 NUMBERS = 4_000_000  # held at once: every node has a value for every state of a piece
 CURE = "pip install 'cardan[compiler]' makes it some hundred times faster"
+# cardan_function: an array of blocks, results, work
+NUMBER = ctypes.POINTER(ctypes.c_double)
+CALLBACK = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(NUMBER), ctypes.c_void_p, ctypes.c_void_p)
 
 
 @lru_cache(maxsize=1)
 def announce() -> None:
     """Say once per process that there is no compiler, and what to do about it."""
     warn(
-        f"no C compiler here: functions are evaluated in NumPy, with the same results. {CURE}",
+        f"no C compiler here: functions are evaluated in Python, with the same results. {CURE}",
         BuildWarning,
     )
+
+
+class _Raised(threading.local):
+    """What functions raised below a kernel that a thread calls.
+
+    Attributes:
+        error: The first of it.
+        stop: Ends the kernel soon; None where no kernel is called.
+    """
+
+    error: BaseException | None = None
+    stop: Callable[[], object] | None = None
+
+    def keep(self, error: BaseException) -> None:
+        """Note what was raised, and end the kernel."""
+        self.error = self.error or error
+        if self.stop is not None:
+            self.stop()
+
+
+_RAISED = _Raised()
+
+
+@contextmanager
+def called_back(stop: Callable[[], object] = bool) -> Iterator[None]:
+    """Around a kernel that calls interpreted functions.
+
+    Nothing can be raised through its C frames: functions keep what they raise and have no results
+    any more. Ctrl-C is noted too, instead of being raised wherever Python is just then.
+
+    Args:
+        stop: Ends the kernel soon.
+
+    Raises:
+        BaseException: what a function raised, or KeyboardInterrupt.
+    """
+    before = _RAISED.error, _RAISED.stop
+    _RAISED.error, _RAISED.stop = None, stop
+    try:
+        with on_interrupt(lambda: _RAISED.keep(KeyboardInterrupt())):
+            yield
+    finally:
+        error = _RAISED.error
+        _RAISED.error, _RAISED.stop = before
+        if error is not None:
+            raise error
 
 
 class Interpreted:
@@ -44,6 +99,38 @@ class Interpreted:
         read = {node[1] for node in nodes if node[0] == "var"}
         self.blocks = [(b.name, len(b)) for b in function.inputs if b.name in read]
         self.piece = max(1, NUMBERS // (len(live) + 1))
+        self._places = [(SLOT["w" if name == "p" else name], n) for name, n in self.blocks]
+        self._row = ctypes.c_double * len(function.roots)
+        self._callback = CALLBACK(self._called)
+
+    @property
+    def address(self) -> int:
+        """Of a function that kernels can call; inside :func:`called_back`, while this lives."""
+        return ctypes.cast(self._callback, ctypes.c_void_p).value or 0
+
+    @cached_property
+    def floats(self) -> Callable[..., list[float]]:
+        """Results at one state as a function of the blocks, lists of floats."""
+        from ..ir.straight_line import straight_line
+
+        return straight_line(self.function)
+
+    def _called(self, blocks: Any, out: int, work: int) -> int:
+        """The function with the interface of generated C; slot w holds the parameters p."""
+        try:
+            if _RAISED.error is not None:
+                return RAISED
+            row = self._row.from_address(out)
+            try:
+                found: list[Any] = self.floats(*[blocks[k][:size] for k, size in self._places])
+                row[:] = found
+            except SolveError:
+                row[:] = [np.nan] * len(row)
+                return SINGULAR
+        except BaseException as error:
+            _RAISED.keep(error)
+            return RAISED
+        return 0
 
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array
@@ -70,9 +157,9 @@ class Interpreted:
             return 0, -1
         failed = -1
         for k in range(len(out)):
-            one = {name: (x if x.ndim == 1 else x[k]).tolist() for name, x in given.items()}
+            one = [(x if x.ndim == 1 else x[k]).tolist() for x in given.values()]
             try:
-                self._write(one, "float", out[k])
+                out[k] = self.floats(*one)
             except SolveError:
                 out[k] = np.nan
                 failed = k if failed < 0 else failed
@@ -81,22 +168,20 @@ class Interpreted:
     def _together(self, given: dict[str, Array], out: Array) -> bool:
         """Results of all states at once; False if one of them has none."""
         try:
-            self._write(given, "numpy", out)
+            self._write(given, out)
         except SolveError:
             return False
         return True
 
-    def _write(self, given: dict[str, Any], arithmetic: str, out: Array) -> None:
-        """Results one after the other into (..., size)."""
+    def _write(self, given: dict[str, Any], out: Array) -> None:
+        """Results of all states one after the other into (count, size)."""
         from ..ir.interpreter import evaluate
 
-        found, place = evaluate(self.function, given, arithmetic), 0
+        found, place = evaluate(self.function, given, "numpy"), 0
         for output in self.function.outputs:
             values, size = np.asarray(found[output.name], dtype=np.float64), len(output.nodes)
-            if arithmetic == "numpy":
-                lead = values.shape[: values.ndim - len(output.shape)]
-                values = values.reshape(*lead, size)
-            out[..., place : place + size] = values
+            lead = values.shape[: values.ndim - len(output.shape)]
+            out[:, place : place + size] = values.reshape(*lead, size)
             place += size
 
 

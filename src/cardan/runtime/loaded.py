@@ -13,7 +13,6 @@ from ..errors import BuildError
 from . import abi
 from .batch import Batch
 from .calling import Argument, Array, Caller
-from .interpreted import Interpreted
 from .objects import Code
 from .slots import ORDER, SLOT
 
@@ -28,6 +27,7 @@ class LoadedFunction:
         w: Prepared parameters, (prepared_size,).
         caller: For any batch.
         fast: For one state: ``fast(out, *values)``; hands everything else to ``caller``.
+        interpreted: Whether expressions are evaluated, as there is no compiler.
     """
 
     name: str
@@ -36,6 +36,7 @@ class LoadedFunction:
     w: Array = field(repr=False)
     caller: Caller = field(repr=False)
     fast: Any = field(repr=False)
+    interpreted: bool = False
 
     @property
     def symbol(self) -> str:
@@ -69,7 +70,7 @@ class LoadedFunction:
 
 def prepare(code: Code, p: Array) -> Array:
     """Prepared parameters w of parameter vectors p, (..., np) -> (..., nw)."""
-    if code.function is not None:
+    if code.interpreted is not None:
         # expressions read the parameters themselves
         return np.ascontiguousarray(p, dtype=np.float64)
     code.take({"p": p.shape[-1]})
@@ -96,7 +97,8 @@ def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
     sizes[SLOT["w"]] = int(entry["prepared_size"])
     work = int(entry["work_size"])
     recipe = code.recipe if max(entry["lanes"]) > 1 else None
-    return Batch(code.symbol, recipe, code.address, sizes, work, threads)
+    address = code.address if code.interpreted is None else 0
+    return Batch(code.symbol, recipe, address, sizes, work, threads)
 
 
 def _sized(arguments: list[Argument]) -> Iterator[tuple[int, int]]:
@@ -133,10 +135,12 @@ def assemble(
         int(code.entry["work_size"]),
         w,
         sum(code.entry["operations"].values()),
-        None if code.function is None else Interpreted(code.function),
+        code.interpreted,
         batch,
     )
-    return LoadedFunction(name, of, code, w, caller, caller if code.function else abi.fast(caller))
+    interpreted = code.interpreted is not None
+    fast = caller if interpreted else abi.fast(caller)
+    return LoadedFunction(name, of, code, w, caller, fast, interpreted)
 
 
 def entry_names(outputs: list[dict[str, Any]]) -> list[str]:

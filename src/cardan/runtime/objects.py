@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ..ir.seal import unsealed
-from . import cache, interpreted, schema
+from . import cache, schema
+from .interpreted import Interpreted, announce
 from .lanes import Recipe
 from .slots import ORDER
 from .together import together
@@ -37,10 +38,11 @@ class Code:
         symbol: Its C name.
         entry: Its entry in the manifest.
         fresh: True until it is checked.
-        address, prepare: Addresses of ``symbol`` and ``prepare_symbol``; 0 without a compiler.
+        address: Of ``symbol``, or of what evaluates it where there is no compiler.
+        prepare: Address of ``prepare_symbol``; 0 without a compiler.
         built: The shared object it lives in, None without a compiler.
         library: Keeps it loaded.
-        function: What is evaluated instead where there is no compiler.
+        interpreted: What is evaluated instead where there is no compiler.
         recipe: What its lane builds are made of, None without a compiler.
         blocks: Numbers of each input block that the C reads, as its object says.
     """
@@ -52,7 +54,7 @@ class Code:
     prepare: int = 0
     built: cache.Object | None = None
     library: ctypes.CDLL | None = field(default=None, repr=False)
-    function: Function | None = field(default=None, repr=False)
+    interpreted: Interpreted | None = field(default=None, repr=False)
     recipe: Recipe | None = field(default=None, repr=False)
     blocks: dict[str, int] = field(default_factory=dict, repr=False)
 
@@ -261,9 +263,9 @@ class Objects:
         with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             made = together([partial(self._made, symbol) for symbol in missing])
-            if any(code.function is not None for code in made):
+            if any(code.interpreted is not None for code in made):
                 # said here: the threads of a pool know no line of the caller's
-                interpreted.announce()
+                announce()
             self._loaded.update(zip(missing, made, strict=True))
             return [self._loaded[s] for s in symbols]
 
@@ -286,7 +288,8 @@ class Objects:
         try:
             built = cache.compiled([path], [self.directory], self.reproducible, words=LOADED)
         except CompilerMissing as missing:
-            return Code(symbol, entry, True, function=self._expressions(symbol, missing))
+            found = Interpreted(self._expressions(symbol, missing))
+            return Code(symbol, entry, True, found.address, interpreted=found)
         try:
             library = built.load()
             # exports may have a prefix before all names

@@ -110,7 +110,7 @@ def _compiler() -> str:
     try:
         return cache.compiler().identity.splitlines()[0]
     except CompilerMissing:
-        return "no C compiler, NumPy"
+        return "no C compiler, Python"
 
 
 def _measure(function: LoadedFunction, values: dict[str, Array], error: float | None) -> Row:
@@ -125,7 +125,7 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
         function=function.symbol,
         operations=sum(function.entry["operations"].values()),
         python_ns=timed(lambda: function.fast(None, *one), 1),
-        call_ns=timed(lambda: still(0, BATCH), BATCH) if function.address else math.nan,
+        call_ns=math.nan if function.interpreted else timed(lambda: still(0, BATCH), BATCH),
         state_ns=timed(lambda: way(0, BATCH), BATCH),
         lanes=lanes,
         error=error,

@@ -82,7 +82,7 @@ def test_without_a_compiler(double: cd.CompiledModel, monkeypatch: pytest.Monkey
     bare = pickle.loads(pickle.dumps(double))
     with pytest.warns(cd.BuildWarning, match="no C compiler"):
         made = bare.ensemble(0.3, q={"elbow": np.array([0.1, 0.2, 0.3])}, rtol=1e-10)
-    assert made.job.build == "NumPy"
+    assert made.job.build.startswith("Python-")
     np.testing.assert_allclose(made.final, here.final, rtol=0, atol=1e-8)
 
 

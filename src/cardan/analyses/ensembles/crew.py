@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import CompilerMissing
 from ...runtime import lanes as widths
 from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
+from ...runtime.interpreted import called_back
 from ...runtime.samples import build
 from .. import record as abi
 from ..happenings import Happenings
@@ -58,19 +58,13 @@ class Ends:
 
 
 def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) -> bool:
-    """Whether the loop in C can do the runs: trees with a compiler, no Python on the way."""
+    """Whether the loop in C can do the runs: trees, no functions of the caller on the way."""
     if given.functions or may.watches or may.ticks or Closing.of(model).rows:
         return False
     if FUNCTION in model.saved:
         return False
     # what a method makes of itself for a model is asked for every run
-    if how.method.suited is not None:
-        return False
-    try:
-        model._kernels()
-    except CompilerMissing:
-        return False
-    return bool(model._function("rhs").address)
+    return how.method.suited is None
 
 
 def width_of(
@@ -163,7 +157,11 @@ class Crew:
         d.x, d.ends, d.answers = x.ctypes.data, ctypes.addressof(ends), answers.ctypes.data
         abreast = self._abreast(p is not None) if self.width > 1 else None
         d.abreast = ctypes.addressof(abreast[0]) if abreast else None
-        self.drive(d)
+        if self.runners[0].interpreted:
+            with called_back(self.stop):
+                self.drive(d)
+        else:
+            self.drive(d)
         del keep, abreast
         return self._ends(x, rows, answers, numbers, ends)
 

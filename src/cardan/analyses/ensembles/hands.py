@@ -7,7 +7,6 @@ this process end between two steps, and everything computed so far is kept.
 from __future__ import annotations
 
 import queue
-import signal
 import threading
 import time
 from collections.abc import Iterator, Sequence
@@ -18,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import ArgumentError, BuildError, CardanError, SolveError, shown
+from ...processes import on_interrupt
 from ...runtime.compiled import CompiledModel
 from ...runtime.saved import parts, restore
 from ..growing import build_key
@@ -101,21 +101,14 @@ def _next(
 def interruptible() -> Iterator[threading.Event]:
     """An event that Ctrl-C sets instead of raising; the second one raises."""
     stop = threading.Event()
-    usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    if not usual or threading.current_thread() is not threading.main_thread():
-        yield stop
-        return
 
-    def heard(*_: Any) -> None:
+    def heard() -> None:
         if stop.is_set():
             raise KeyboardInterrupt
         stop.set()
 
-    signal.signal(signal.SIGINT, heard)
-    try:
+    with on_interrupt(heard):
         yield stop
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 class Client:

@@ -13,7 +13,6 @@ from ...runtime.trajectory import Trajectory
 from ..choice import Case
 from ..closed_start import closed_start
 from ..happenings import Happenings
-from ..plain import PlainRunner
 from ..run import Runner
 from ..settings import Settings, Start, start
 from ..signals import Signals
@@ -34,7 +33,7 @@ def motion(
     over: Span,
     part: Varied,
     case: Case | None = None,
-) -> tuple[Trajectory, Runner | PlainRunner]:
+) -> tuple[Trajectory, Runner]:
     """The only run of a part, and what made it.
 
     Raises:
@@ -109,7 +108,7 @@ class Single:
             self._keep(ends, k, made, runner)
         return ends
 
-    def _keep(self, ends: Ends, k: int, made: Trajectory, runner: Runner | PlainRunner) -> None:
+    def _keep(self, ends: Ends, k: int, made: Trajectory, runner: Runner) -> None:
         """What became of one run."""
         nx, reached = self.model.nx, len(made)
         ends.x[k] = runner.views["y"][:nx]

@@ -17,7 +17,6 @@ from ..objects import Code, Key
 from ..slots import ORDER
 from .evaluated import FUNCTIONS, Results
 from .loading import load
-from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -58,8 +57,6 @@ class Assembled(Source):
     def mesh(self, model: CompiledModel) -> int:
         """Address of the tables, with what methods ask of elements themselves."""
         mesh = self.results(model).mesh
-        if not isinstance(mesh, Mesh):
-            return 0
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
 
@@ -75,12 +72,10 @@ class Assembled(Source):
         shape, entries = results.shape(name)
         code = self._code(results, name, entries, shape)
         address = code.address
-        w = np.zeros(0)
-        if isinstance(results.mesh, Mesh):
-            # runs hand the address of the record on as prepared parameters
-            record = results.mesh.record
-            count = ctypes.sizeof(record) // 8
-            w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
+        # runs hand the address of the record on as prepared parameters
+        record = results.mesh.record
+        count = ctypes.sizeof(record) // 8
+        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
         caller = Caller(
             f"{name}('{of}')" if of else name,
             address,
@@ -91,13 +86,13 @@ class Assembled(Source):
             w,
             evaluator=_Evaluator(results.of(name, of)),  # type: ignore[arg-type]
         )
-        return LoadedFunction(name, of, code, w, caller, caller)
+        return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
 
     def _code(
         self, results: Results, name: str, entries: Sequence[str], shape: tuple[int, ...]
     ) -> Code:
         mesh, address, work = results.mesh, 0, 0
-        if name in CLOSURES and isinstance(mesh, Mesh):
+        if name in CLOSURES:
             address, work = mesh.closure(name), mesh.work
         entry: dict[str, Any] = {
             "work_size": work,

@@ -11,8 +11,9 @@ import scipy.sparse
 
 from ...errors import ModelError
 from ..calling import Array
-from .elements import Elements, State
+from .elements import State
 from .frames import Frames
+from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -56,7 +57,7 @@ class Results:
         model: For names and frames.
     """
 
-    def __init__(self, mesh: Elements, model: CompiledModel) -> None:
+    def __init__(self, mesh: Mesh, model: CompiledModel) -> None:
         self.mesh = mesh
         self.tables = mesh.tables
         self.manifest = model.manifest

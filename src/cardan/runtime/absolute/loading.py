@@ -17,7 +17,6 @@ from ..number_file import unpacked
 from ..objects import Code
 from .elements import Elements
 from .mesh import Mesh
-from .plain import PlainElements
 from .standing import Plane
 from .tables import Kind, PlaceKind, Table, Tables
 
@@ -183,7 +182,7 @@ def data_of(model: CompiledModel, group: Table) -> Array:
     return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
 
 
-def load(model: CompiledModel) -> Elements:
+def load(model: CompiledModel) -> Mesh:
     """The elements of a model at its parameters, ready to be asked."""
     found = tables_of(model)
     objects = model._objects
@@ -207,9 +206,6 @@ def load(model: CompiledModel) -> Elements:
             objects.keep(symbol)
 
     data = [data_of(model, group) for group in found.groups]
-    some = [symbol for group in found.groups for symbol in group.kind.functions.values()][:1]
-    if any(code.function is not None for code in codes(some).values()):
-        return PlainElements(found, codes, data)
     # of the model: whoever loads its functions holds it already
     lock, entries = objects.lock, model.manifest["functions"]
     return Mesh(found, entries, codes, data, model._kernels(), lock, judge)

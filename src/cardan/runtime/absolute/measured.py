@@ -13,7 +13,6 @@ from ...ir.serialize import from_dict
 from .. import abi, loaded, measuring
 from ..calling import Array
 from ..initial import start_of
-from ..interpreted import Interpreted
 from ..lanes import width
 from ..measuring import Row
 from ..objects import Code
@@ -79,7 +78,7 @@ def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -
         for symbol in (kind.functions[form] for form in ELEMENTS if form in kind.functions):
             code = model._objects.load([symbol])[0]
             run, found = _ready(code, given, len(group))
-            spent = measuring.timed(run, len(found)) if code.address else math.nan
+            spent = measuring.timed(run, len(found)) if code.interpreted is None else math.nan
             run()
             operations = sum(code.entry["operations"].values())
             several = found[: len(groups[number])]
@@ -100,8 +99,8 @@ def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], An
         blocks[SLOT[name]], strides[SLOT[name]] = rows.flatten(), rows.shape[1]
     size, work = (int(code.entry[f"{name}_size"]) for name in ("output", "work"))
     out = np.empty((len(which), size))
-    if code.function is not None:
-        return partial(Interpreted(code.function).run, blocks, strides, out), out
+    if code.interpreted is not None:
+        return partial(code.interpreted.run, blocks, strides, out), out
     return partial(abi.run, code.address, blocks, strides, len(out), out, work), out
 
 

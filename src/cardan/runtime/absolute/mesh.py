@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import Any, final
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...errors import SolveError
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
-from ..interpreted import SINGULAR
+from ..interpreted import SINGULAR, called_back
 from ..lanes import Lanes
 from ..loaded import prepare
 from ..objects import Code
@@ -85,6 +85,7 @@ class Mesh(Elements):
         self._load = load
         self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
+        self.interpreted = any(code.interpreted is not None for code in self._codes.values())
         self._connected: set[str] = set()
         self._lock = lock
         self._judge = judge
@@ -284,12 +285,16 @@ class Mesh(Elements):
 
     def _status(self, name: str, at: State, *arguments: Any) -> int:
         self.connect(*NEEDED.get(name, ()))
-        record, held = self._state(at)
+        record, _held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
         memory = np.empty(self.work)
-        status = int(function(self.reference, ctypes.byref(record), *arguments, _at(memory)))
-        del held
+        status = self._run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
         return status
+
+    def _run(self, function: Callable[..., int], *arguments: object) -> int:
+        """Status of a function of the kernels."""
+        with called_back() if self.interpreted else nullcontext():
+            return int(function(*arguments))
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
@@ -301,7 +306,7 @@ class Mesh(Elements):
 
     def call(self, name: str, at: State, size: int, tau: Array | None = None) -> Array:
         """A function of the whole mesh with the interface of generated ones."""
-        record, held = self._state(at)
+        record, _held = self._state(at)
         weights = None if tau is None else np.ascontiguousarray(tau, float)
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
         time = np.array([at.t])
@@ -310,8 +315,7 @@ class Mesh(Elements):
             blocks["tau"] = weights.ctypes.data
         given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
-        status = FUNCTION(self.closure(name))(ctypes.addressof(given), *map(_at, (out, memory)))
-        del held
+        status = self._run(FUNCTION(self.closure(name)), given, *map(_at, (out, memory)))
         if status:
             raise SolveError(f"{name} has no solution (status {status})")
         return out
@@ -351,16 +355,16 @@ class Mesh(Elements):
         """qdot (nq,)."""
         out, q, u = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(u)
         memory = np.empty(self.work)
-        arguments = map(_at, (q, u, out, memory))
-        _done("rates", self.library.cardan_mesh_rates(self.reference, *arguments))
+        arguments = self.reference, *map(_at, (q, u, out, memory))
+        _done("rates", self._run(self.library.cardan_mesh_rates, *arguments))
         return out
 
     def move(self, q: Array, du: Array) -> Array:
         """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
         out, q, du = np.empty(self.tables.nq), np.ascontiguousarray(q), np.ascontiguousarray(du)
         memory = np.empty(self.work)
-        arguments = (_at(q), _at(du), _at(out), None, _at(memory))
-        _done("move", self.library.cardan_mesh_move(self.reference, *arguments))
+        arguments = self.reference, _at(q), _at(du), _at(out), None, _at(memory)
+        _done("move", self._run(self.library.cardan_mesh_move, *arguments))
         return out
 
 

@@ -50,9 +50,9 @@ class PlainElements(Elements):
 
     def _function(self, symbol: str) -> Function:
         if symbol not in self._known:
-            found = self._load([symbol])[symbol].function
+            found = self._load([symbol])[symbol].interpreted
             assert found is not None
-            self._known[symbol] = found
+            self._known[symbol] = found.function
         return self._known[symbol]
 
     # evaluation

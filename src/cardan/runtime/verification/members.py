@@ -15,7 +15,6 @@ from .. import abi, loaded
 from ..absolute.elements import Elements, State
 from ..absolute.tables import PlaceKind, Table, Tables
 from ..initial import start_of
-from ..interpreted import Interpreted
 from ..joint_motion import Array
 from ..objects import Code
 from ..slots import ORDER, SLOT
@@ -84,8 +83,8 @@ class Members:
         size, work = (int(code.entry[f"{name}_size"]) for name in ("output", "work"))
         out = np.empty((n, size))
         with np.errstate(all="ignore"):
-            if code.function is not None:
-                Interpreted(code.function).run(flat, strides, out)
+            if code.interpreted is not None:
+                code.interpreted.run(flat, strides, out)
             else:
                 abi.run(code.address, flat, strides, n, out, work)
         return out
