@@ -11,9 +11,9 @@ import pytest
 
 import cardan as cd
 from cardan.errors import CompilerMissing
-from cardan.runtime import cache, interpreted
+from cardan.runtime import cache, interpreted, prebuilt
 
-KERNELS = Path(interpreted.__file__).parents[1] / "kernels"
+KERNELS = prebuilt.DIRECTORY
 
 
 def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> cd.CompiledModel:
