@@ -146,12 +146,14 @@ class Recipe:
         text: Its C file.
         directory: Where its headers are.
         reproducible: Equal bits from every compiler.
+        check: Raises where the text or a header was changed.
     """
 
     symbol: str
     text: Path
     directory: Path
     reproducible: bool
+    check: Callable[[], Any]
 
     def seconds(self) -> float:
         """What the compiler is expected to take."""
@@ -167,8 +169,9 @@ class Recipe:
         """The build, compiled if it is not there; not yet published.
 
         Raises:
-            BuildError: the compiler failed.
+            BuildError: the compiler failed, or the text was changed.
         """
+        self.check()
         words = prebuilt.macros(lanes, own)
         built = cache.compiled([self.text], [self.directory], self.reproducible, words=words)
         try:

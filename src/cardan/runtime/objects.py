@@ -262,6 +262,8 @@ class Objects:
         """
         with self.lock:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
+            if missing:
+                self._verify_headers()
             made = together([partial(self._made, symbol) for symbol in missing])
             if any(code.interpreted is not None for code in made):
                 # said here: the threads of a pool know no line of the caller's
@@ -307,7 +309,13 @@ class Objects:
         except BaseException:
             built.discard()
             raise
-        recipe = Recipe(f"{before}{symbol}", path, self.directory, self.reproducible)
+        recipe = Recipe(
+            f"{before}{symbol}",
+            path,
+            self.directory,
+            self.reproducible,
+            partial(self._verify_sources, symbol),
+        )
         return Code(
             symbol, entry, built.fresh, address, prepare, built, library, None, recipe, blocks
         )
@@ -344,14 +352,40 @@ class Objects:
         path: Path = self.directory / entry["file"]
         if path.parent != self.directory:
             raise BuildError(f"the manifest of {self.directory} names a file outside: {path}")
+        self._verify(path, entry.get("sha256") or self.manifest["sha256"].get(entry["file"]))
+        return path
+
+    def _verify_headers(self) -> None:
+        """Make sure that the headers, which the compiler reads as well, are what the manifest says.
+
+        Raises:
+            BuildError: one is missing or was changed.
+        """
+        for name, stated in self.manifest["sha256"].items():
+            if name.endswith(".h"):
+                self._verify(self.directory / Path(name).name, stated)
+
+    def _verify_sources(self, symbol: str) -> None:
+        """Make sure that all the compiler reads for a function is what the manifest says.
+
+        Raises:
+            BuildError: something is missing or was changed.
+        """
+        self.text_path(symbol)
+        self._verify_headers()
+
+    def _verify(self, path: Path, stated: str | None) -> None:
+        """Make sure that a text is the one the manifest speaks of.
+
+        Raises:
+            BuildError: it is missing or was changed.
+        """
         try:
             content = regular_file.content(path)
         except OSError as error:
             raise BuildError(f"{path} cannot be read: {error.strerror}") from error
-        stated = entry.get("sha256") or self.manifest["sha256"].get(entry["file"])
         if stated and hashlib.sha256(content).hexdigest() != stated:
             raise BuildError(
                 f"{path} is not the text its manifest speaks of: it was changed by hand or only "
                 "half copied. Compile or export the model again"
             )
-        return path
