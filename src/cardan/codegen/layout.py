@@ -51,7 +51,9 @@ def write_model(directory: Path, base: Base) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     with _locked(directory):
         there, damaged = _there(directory)
-        if there and not all(_is_whole(directory, there, name) for name in _shared(there)):
+        if there and not all(
+            _is_unchanged(directory, there, name) for name in _shared(there["sha256"])
+        ):
             there, damaged = None, True
         if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
             if there["available"] != base.data["available"]:
@@ -86,12 +88,12 @@ def _there(directory: Path) -> tuple[dict[str, Any] | None, bool]:
         return None, True
 
 
-def _shared(manifest: dict[str, Any]) -> list[str]:
+def _shared(hashes: Mapping[str, str]) -> list[str]:
     """The files that all functions of a model need: expressions and headers."""
-    return [SAVED, *(name for name in manifest["sha256"] if name.endswith(".h"))]
+    return [SAVED, *(name for name in hashes if name.endswith(".h"))]
 
 
-def _is_whole(directory: Path, manifest: dict[str, Any], name: str) -> bool:
+def _is_unchanged(directory: Path, manifest: dict[str, Any], name: str) -> bool:
     """Whether a file is the one that the manifest speaks of."""
     try:
         content = regular_file.content(directory / Path(name).name)
@@ -148,7 +150,7 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
                     hashes[name] = _write(directory / name, kernel(name))
             hashes[cfile.entry["file"]] = _write(directory / cfile.entry["file"], cfile.text)
             functions[cfile.name] = cfile.entry
-        if not _is_whole(directory, manifest, SAVED):
+        if not _is_unchanged(directory, manifest, SAVED):
             raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
         text = _appended((directory / SAVED).read_text("utf-8"), saved)
         hashes[SAVED] = _write(directory / SAVED, text)

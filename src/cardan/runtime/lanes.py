@@ -153,7 +153,7 @@ class Recipe:
     text: Path
     directory: Path
     reproducible: bool
-    check: Callable[[], Any]
+    check: Callable[[], None]
 
     def seconds(self) -> float:
         """What the compiler is expected to take."""
