@@ -40,7 +40,7 @@ class BuildError(CardanError, RuntimeError):
 
 
 class CompilerMissing(BuildError):
-    """There is no C compiler here; functions are evaluated in NumPy then."""
+    """There is no C compiler here; functions are evaluated in Python then."""
 
 
 class ArgumentError(CardanError, ValueError, TypeError):

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import pytest
 
 import cardan as cd
+from analyses.interpreted import without_compiler
 
 
 def double_scene() -> cd.Model:
@@ -44,3 +48,9 @@ def crank() -> cd.CompiledModel:
     scene.joint("drive", cd.Revolute("y"), scene.ground, wheel, motion=scene.input("angle"))
     scene.joint("hinge", cd.Revolute("y"), wheel.at(0.3, 0, 0), rod)
     return cd.compile(scene)
+
+
+@pytest.fixture
+def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.CompiledModel]:
+    """A model as it is opened on a machine without any compiler."""
+    return partial(without_compiler, monkeypatch=monkeypatch)

@@ -12,8 +12,8 @@ from cardan.analyses import blockwise
 from cardan.analyses.blockwise import Blockwise
 from cardan.analyses.saddle import Dense, Singular, Sparse, near, near_quadratic
 from cardan.errors import CardanError
+from cardan.runtime.absolute.blocks import BlockSolver, solver
 from cardan.runtime.absolute.plan import Plan
-from cardan.runtime.absolute.solver import Solver, solver
 from equations.absolute.test_circuits import circuit
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line
 
@@ -147,9 +147,9 @@ REDUNDANT = {"four_bar": 3, "bricard": 1, "stewart": 0, "geared": 3}
 @pytest.mark.parametrize("name", REDUNDANT)
 def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Accelerations of closed mechanisms of bodies as nodes; as many pivots are lost as must be."""
-    used: list[Solver] = []
+    used: list[BlockSolver] = []
 
-    def seen(made: Plan) -> Solver:
+    def seen(made: Plan) -> BlockSolver:
         used.append(solver(made))
         return used[-1]
 

@@ -11,7 +11,6 @@ import pytest
 
 import cardan as cd
 from analyses.test_assemble import driven_four_bar
-from analyses.test_plain import bare  # noqa: F401
 from analyses.test_sweep import input_four_bar
 from cardan.runtime import cache
 from mechanisms.closed import CLOSED
@@ -120,7 +119,7 @@ def test_checkpoints_are_bit_for_bit(bars: cd.CompiledModel, options: dict) -> N
 
 @pytest.mark.parametrize("t", [0.3, np.linspace(0, 0.3, 7)], ids=["steps", "times"])
 @BOTH
-def test_without_a_compiler(bars: cd.CompiledModel, bare, options: dict, t) -> None:  # noqa: F811
+def test_without_a_compiler(bars: cd.CompiledModel, bare, options: dict, t) -> None:
     start = {"q": {"A": 1.0}, "u": {"A": 5.0}}
     compiled = bars.simulate(t, **start, **options)
     plain = bare(bars).simulate(t, **start, **options)

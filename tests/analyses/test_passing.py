@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from analyses.test_plain import bare  # noqa: F401
 from mechanisms.closed import CLOSED
 from mechanisms.closed_planar import four_bar, parallelogram, slider_crank
 
@@ -103,7 +102,7 @@ def test_the_rank_does_not_flicker(name: str, held: int) -> None:
     assert (run.passed > 0) == (name == "parallelogram")
 
 
-def test_without_a_compiler(equal: cd.CompiledModel, bare: Any) -> None:  # noqa: F811
+def test_without_a_compiler(equal: cd.CompiledModel, bare: Any) -> None:
     exact = equal.simulate([0, 0.5], **began(equal), rtol=1e-12, atol=1e-14).x[-1]
     plain, errors = bare(equal), []
     for rtol in (1e-6, 1e-8, 1e-10):

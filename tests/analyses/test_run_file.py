@@ -16,12 +16,11 @@ import pytest
 
 import cardan as cd
 from analyses.test_events import servo
-from analyses.test_plain import bare
 from cardan.analyses import run
 from cardan.runtime.trajectory import Trajectory
 from hostile.kinds import records, together
 
-__all__ = ["bare", "servo"]
+__all__ = ["servo"]
 
 
 def feedback(t: float, x: np.ndarray) -> float:

@@ -26,7 +26,7 @@ from scipy.sparse.linalg import splu
 from cardan.runtime import cache
 from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record
 from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.solver import assembled
+from cardan.runtime.absolute.systems import assembled
 from cardan.runtime.kernels import DIRECTORY
 from runtime.absolute.structures import Structure, bars, grid, line
 

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from cardan.runtime import cache, kernels, prebuilt
-from cardan.runtime.absolute.blocks import FactorsRecord, Memory, PlanRecord, plan_record
+from cardan.runtime.absolute.blocks import FactorsRecord, Memory, PlanRecord, plan_record, solver
 from cardan.runtime.absolute.plan import plan
-from cardan.runtime.absolute.solver import solver
 
 SIZES = """
 #include "sparse.h"

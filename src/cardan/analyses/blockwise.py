@@ -12,15 +12,13 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 
 from ..errors import SolveError
-from ..runtime.absolute.blocks import BlockSolver
+from ..runtime.absolute.blocks import BlockSolver, solution, solver
 from ..runtime.absolute.plan import Plan, plan
-from ..runtime.absolute.solver import Solver, balanced, solution, solver
-from ..runtime.absolute.superlu import SuperluSolver
+from ..runtime.absolute.systems import balanced
 from .saddle import Array, Matrix, Singular
 
 Longs = NDArray[np.int64]
 KEPT = 4  # patterns: of searches and of eigenvalues
-SPARED = 600  # unknowns up to which eigenvalues are counted without a compiler
 MOTION = 1e-3  # of a direction without units: below this part nothing moves along it
 
 
@@ -87,7 +85,7 @@ class Blockwise:
             Their number, None where it is not known; 1, -1, or 0 where that is not known.
         """
         try:
-            seen, by = self._factors(csr_array(K), csr_array(G), symmetric)
+            _seen, by = self._factors(csr_array(K), csr_array(G), symmetric)
         except Singular:
             return None, 0.0
         m, shifts = G.shape[0], by.shifts
@@ -95,16 +93,15 @@ class Blockwise:
         if len(shifts) and not by.smallest()[0] > 2 * np.abs(shifts).max():
             return None, 0.0
         sign = by.determinant()[0]
-        if not symmetric or (isinstance(by, SuperluSolver) and seen.plan.pattern.n > SPARED):
+        if not symmetric:
             return None, sign * (-1) ** m
         _, negative, zero = by.inertia()
-        if isinstance(by, BlockSolver):
-            # pivots that were replaced count as zero
-            negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
+        # pivots that were replaced count as zero
+        negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
         sure = zero == 0 and (-1) ** negative == sign
         return (negative - m if sure else None), sign * (-1) ** m
 
-    def _factors(self, K: csr_array, G: csr_array, symmetric: bool) -> tuple[_Seen, Solver]:
+    def _factors(self, K: csr_array, G: csr_array, symmetric: bool) -> tuple[_Seen, BlockSolver]:
         """How the pattern of K and G was planned, and the factors."""
         parts = (K.indptr, K.indices, G.indptr, G.indices)
         key = sha256(b"".join(part.tobytes() for part in parts)).digest()
@@ -171,7 +168,7 @@ def _through_rows(coupled: Longs, multiplier: NDArray[np.bool_]) -> Longs:
     return np.stack((held.T @ held).nonzero(), 1).astype(np.int64)
 
 
-def _motion(by: Solver, speeds: Longs) -> Array | None:
+def _motion(by: BlockSolver, speeds: Longs) -> Array | None:
     """The direction of speeds that is held least, None where rows contradict each other alone."""
     found = by.smallest()[1]
     motion = found[speeds]

@@ -7,8 +7,6 @@ comparison says of the time itself.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,34 +18,6 @@ FUNCTION = "time_jumps"
 LOOKS = 4097  # times of a span at which every comparison is looked at
 FEW = 65  # where the caller steps
 HALVINGS = 200
-EPSILON = float(np.finfo(np.float64).eps)
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A part of a run between two times at which steps must end.
-
-    Attributes:
-        jumps: Whether the model jumps at times.
-        start, end: Of the segment [s].
-    """
-
-    jumps: bool
-    start: float = 0.0
-    end: float = 0.0
-
-    def inside(self, t: float) -> float:
-        """A time as the segment sees it: from its own side where the model jumps at its ends."""
-        if not self.jumps or self.start == self.end:
-            return t
-        ends = _next(self.start, self.end), _next(self.end, self.start)
-        return float(min(max(t, min(ends)), max(ends)))
-
-
-def _next(start: float, end: float) -> float:
-    """The time next to the start of a span, inside, as ``kernels/derivative.c`` has it."""
-    near = start + EPSILON * (end - start)
-    return near if near != start else float(np.nextafter(start, end))
 
 
 def stops_of(

@@ -7,18 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from cardan.errors import SolveError
+from cardan.runtime.absolute.blocks import BlockSolver, solution, solver
 from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.solver import Solver, solution, solver
-from cardan.runtime.absolute.superlu import SuperluSolver
 from runtime.absolute.structures import GROUND, Structure, bars, definite, line, values
-
-WAYS = {"blocks": solver, "superlu": SuperluSolver}
-
-
-@pytest.fixture(params=WAYS)
-def way(request: pytest.FixtureRequest) -> type[Solver]:
-    return WAYS[request.param]  # type: ignore[return-value]
-
 
 REDUNDANT = {
     "one joint twice": Structure(1, [], [(0, GROUND, 1)], again=1),
@@ -29,12 +20,12 @@ REDUNDANT = {
 
 
 @pytest.mark.parametrize("name", REDUNDANT)
-def test_redundant_constraints_leave_bounded_multipliers(name: str, way: type[Solver]) -> None:
+def test_redundant_constraints_leave_bounded_multipliers(name: str) -> None:
     structure = REDUNDANT[name]
     drawn = structure.plan()
     a = structure.matrix(drawn)
     wanted = np.random.default_rng(4).standard_normal(len(a))
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(values(drawn, a))
     x = solution(by, a @ wanted)
     # speeds are unique, multipliers are not; together they are no larger than need be
@@ -59,11 +50,11 @@ def test_signs_without_redundant_rows() -> None:
     assert by.inertia() == wanted
 
 
-def test_contradicting_constraints_are_named(way: type[Solver]) -> None:
+def test_contradicting_constraints_are_named() -> None:
     structure = REDUNDANT["joints of a row twice"]
     drawn = structure.plan()
     a = structure.matrix(drawn)
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(values(drawn, a))
     b = np.zeros(len(a))
     b[drawn.pattern.first[-2] :] = 1.0
@@ -71,7 +62,9 @@ def test_contradicting_constraints_are_named(way: type[Solver]) -> None:
         solution(by, b)
 
 
-def solved(by: Solver, numbers: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+def solved(
+    by: BlockSolver, numbers: NDArray[np.float64], b: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Factor and solve."""
     by.factor(numbers)
     return solution(by, b)
@@ -114,13 +107,13 @@ def test_columns_change_places_both_ways() -> None:
     np.testing.assert_allclose(by.determinant(), (sign, size), rtol=1e-5)
 
 
-def test_a_mechanism_without_mass_is_named(way: type[Solver]) -> None:
+def test_a_mechanism_without_mass_is_named() -> None:
     structure = Structure(5, [], bars(5), mass=0)
     drawn = structure.plan()
     a = structure.matrix(drawn)
     b = np.random.default_rng(5).standard_normal(len(a))
     with pytest.raises(SolveError, match=r"the matrix is singular"):
-        solved(way(drawn), values(drawn, a), b)
+        solved(solver(drawn), values(drawn, a), b)
 
 
 def free_beam() -> tuple[Plan, NDArray[np.float64]]:
@@ -134,10 +127,10 @@ def free_beam() -> tuple[Plan, NDArray[np.float64]]:
     return drawn, a
 
 
-def test_a_free_beam_is_named(way: type[Solver]) -> None:
+def test_a_free_beam_is_named() -> None:
     drawn, a = free_beam()
     with pytest.raises(SolveError, match=r"singular"):
-        solved(way(drawn), values(drawn, a), np.arange(36.0))
+        solved(solver(drawn), values(drawn, a), np.arange(36.0))
 
 
 def test_loads_in_balance_are_carried_by_a_free_beam() -> None:
@@ -148,18 +141,18 @@ def test_loads_in_balance_are_carried_by_a_free_beam() -> None:
     assert np.abs(a @ x - b).max() <= 1e-12 * np.abs(b).max()
 
 
-def test_an_empty_equation_is_named(way: type[Solver]) -> None:
+def test_an_empty_equation_is_named() -> None:
     drawn = plan([6, 6, 2], [[[0, 1]]])
     a = np.zeros((14, 14))
     a[:12, :12] = 3 * np.eye(12)
     with pytest.raises(SolveError, match="speed 0 of block 2: no equation holds this unknown"):
-        way(drawn).factor(values(drawn, a))
+        solver(drawn).factor(values(drawn, a))
 
 
-def test_a_multiplier_of_nothing_is_named(way: type[Solver]) -> None:
+def test_a_multiplier_of_nothing_is_named() -> None:
     drawn = plan([6, 1], [[[0]], [[1]]], multiplier=[False, True])
     with pytest.raises(SolveError, match="multiplier 0 of block 1"):
-        way(drawn).factor(np.eye(6).reshape(-1))
+        solver(drawn).factor(np.eye(6).reshape(-1))
 
 
 def test_zeros_on_diagonals_are_pivoted_or_refined() -> None:

@@ -8,7 +8,7 @@ import pytest
 from cardan.errors import ArgumentError
 from cardan.runtime.absolute.pattern import Pattern, pattern
 from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.solver import assembled
+from cardan.runtime.absolute.systems import assembled
 from runtime.absolute.structures import STRUCTURES, Structure, bars, grid, line
 
 

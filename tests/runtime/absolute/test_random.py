@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from cardan.runtime.absolute.blocks import solution, solver
 from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.solver import solution, solver
 from runtime.absolute.structures import values
 
 EPS = float(np.finfo(float).eps)

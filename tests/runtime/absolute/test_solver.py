@@ -1,4 +1,4 @@
-"""Solutions of sparse systems of blocks against dense NumPy, in C and by SuperLU."""
+"""Solutions of sparse systems of blocks against dense NumPy."""
 
 from __future__ import annotations
 
@@ -8,17 +8,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from cardan.errors import ArgumentError, CompilerMissing, SolveError
-from cardan.runtime import kernels
-from cardan.runtime.absolute import solver as solvers
-from cardan.runtime.absolute.blocks import BlockSolver
+from cardan.errors import ArgumentError, SolveError
+from cardan.runtime.absolute.blocks import ENOUGH, solution, solver
 from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.solver import Solver, assembled, balanced, solution, solver
-from cardan.runtime.absolute.superlu import SuperluSolver
+from cardan.runtime.absolute.systems import assembled, balanced
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line, values
 
 EPS = float(np.finfo(float).eps)
-WAYS = {"blocks": solver, "superlu": SuperluSolver}
 Case = tuple[Plan, NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -29,30 +25,14 @@ def made(structure: Structure, seed: int = 0) -> Case:
     return drawn, a, values(drawn, a)
 
 
-@pytest.fixture(params=WAYS)
-def way(request: pytest.FixtureRequest) -> type[Solver]:
-    return WAYS[request.param]  # type: ignore[return-value]
-
-
-def test_blocks_are_the_way_with_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
-    drawn = plan([6], [])
-    assert isinstance(solver(drawn), BlockSolver)
-
-    def missing(*_: object, **__: object) -> None:
-        raise CompilerMissing("none")
-
-    monkeypatch.setattr(kernels, "library", missing)
-    assert isinstance(solver(drawn), SuperluSolver)
-
-
 @pytest.mark.parametrize("skew", [0.0, 0.2])
 @pytest.mark.parametrize("name", STRUCTURES)
-def test_solutions(name: str, skew: float, way: type[Solver]) -> None:
+def test_solutions(name: str, skew: float) -> None:
     structure = STRUCTURES[name]
     if skew and not structure.mass and not structure.beams:
         pytest.skip("skew numbers would be all there is")
     drawn, a, numbers = made(replace(structure, skew=skew))
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(numbers)
     b = np.random.default_rng(1).standard_normal((drawn.pattern.n, 3))
     condition = np.linalg.cond(a)
@@ -63,7 +43,7 @@ def test_solutions(name: str, skew: float, way: type[Solver]) -> None:
         assert np.abs(x - exact).max() <= 1e3 * EPS * condition * np.abs(exact).max()
         assert (by.solve(b[:, 1], transposed) == x[:, 1]).all()
     better, error = by.refine(b[:, 0], by.solve(b[:, 0]))
-    assert error <= solvers.ENOUGH
+    assert error <= ENOUGH
     assert np.abs(a @ better - b[:, 0]).max() <= 1e2 * EPS * np.abs(a).sum(1).max() * max(
         np.abs(better).max(), 1
     )
@@ -72,9 +52,9 @@ def test_solutions(name: str, skew: float, way: type[Solver]) -> None:
 
 
 @pytest.mark.parametrize("place", [0, -1])
-def test_what_is_no_number_is_no_solution(place: int, way: type[Solver]) -> None:
+def test_what_is_no_number_is_no_solution(place: int) -> None:
     drawn, _, numbers = made(next(iter(STRUCTURES.values())))
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(numbers)
     b = np.ones(drawn.pattern.n)
     x = by.solve(b)
@@ -85,9 +65,9 @@ def test_what_is_no_number_is_no_solution(place: int, way: type[Solver]) -> None
 
 
 @pytest.mark.parametrize("name", STRUCTURES)
-def test_determinant_signs_and_smallest(name: str, way: type[Solver]) -> None:
+def test_determinant_signs_and_smallest(name: str) -> None:
     drawn, a, numbers = made(STRUCTURES[name])
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(numbers, symmetric=True)
     sign, size = np.linalg.slogdet(a)
     found = by.determinant()
@@ -102,11 +82,11 @@ def test_determinant_signs_and_smallest(name: str, way: type[Solver]) -> None:
     assert np.linalg.norm(a @ x) <= 1.5 * least * np.linalg.norm(x)
 
 
-def test_signs_follow_a_tangent_through_its_singular_points(way: type[Solver]) -> None:
+def test_signs_follow_a_tangent_through_its_singular_points() -> None:
     """As many eigenvalues change sign as the shift passes."""
     drawn, a, _ = made(Structure(8, line(8), [(0, -1, 1)], mass=0))
     speeds = np.repeat(~drawn.pattern.multiplier, drawn.pattern.sizes)
-    by = way(drawn)
+    by = solver(drawn)
     for shift in (0.01, 0.3, 2.0, 10.0, 40.0):
         moved = a - shift * np.diag(speeds.astype(float))
         # joints have no diagonal of their own here
@@ -116,17 +96,17 @@ def test_signs_follow_a_tangent_through_its_singular_points(way: type[Solver]) -
 
 
 @pytest.mark.parametrize("name", ["beam", "bodies in a row", "frame with joints", "ring of beams"])
-def test_units(name: str, way: type[Solver]) -> None:
+def test_units(name: str) -> None:
     """Equations in newtons and unknowns in gigameters: as good as in units of their own."""
     drawn, a, plain = made(STRUCTURES[name])
     rng = np.random.default_rng(2)
     rows, columns = 10 ** rng.uniform(-6, 9, (2, len(a)))
     b = rng.standard_normal(len(a))
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(values(drawn, a / rows[:, None] / columns), rows, columns)
     x, error = by.refine(b / rows, by.solve(b / rows))
     exact = np.linalg.solve(a, b)
-    assert error <= solvers.ENOUGH
+    assert error <= ENOUGH
     assert np.abs(x / columns - exact).max() <= 1e3 * EPS * np.linalg.cond(a) * np.abs(exact).max()
     turned = by.solve(b / columns, transposed=True)
     exact = np.linalg.solve(a.T, b)
@@ -158,8 +138,8 @@ def test_balanced_units_do_as_well() -> None:
     assert np.abs(x * scale - exact).max() <= 1e3 * EPS * np.linalg.cond(a) * np.abs(exact).max()
 
 
-def test_nothing_to_solve(way: type[Solver]) -> None:
-    by = way(plan([], []))
+def test_nothing_to_solve() -> None:
+    by = solver(plan([], []))
     by.factor([], symmetric=True)
     assert by.solve([]).shape == (0,)
     assert by.solve(np.zeros((0, 2))).shape == (0, 2)
@@ -170,17 +150,17 @@ def test_nothing_to_solve(way: type[Solver]) -> None:
 
 
 @pytest.mark.parametrize("size", [1, 2, 5, 13, 60])
-def test_one_block(size: int, way: type[Solver]) -> None:
+def test_one_block(size: int) -> None:
     drawn = plan([size], [])
     a = np.random.default_rng(size).standard_normal((size, size))
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(a.reshape(-1))
     b = np.arange(1.0, size + 1)
     assert by.solve(b) == pytest.approx(np.linalg.solve(a, b), rel=1e-10)
 
 
-def test_what_does_not_fit_is_refused(way: type[Solver]) -> None:
-    by = way(plan([2, 1], [[[0, 1]]]))
+def test_what_does_not_fit_is_refused() -> None:
+    by = solver(plan([2, 1], [[[0, 1]]]))
     for call in (by.inertia, by.determinant, by.smallest, lambda: by.solve([1, 2, 3])):
         with pytest.raises(SolveError, match="call factor first"):
             call()
@@ -195,21 +175,21 @@ def test_what_does_not_fit_is_refused(way: type[Solver]) -> None:
         by.inertia()
 
 
-def test_numbers_that_are_none_are_named(way: type[Solver]) -> None:
+def test_numbers_that_are_none_are_named() -> None:
     drawn, _, numbers = made(Structure(6, [], bars(6)))
     starts = drawn.pattern.csr[1]
     for bad in (np.nan, np.inf):
         numbers[starts[6 * 4 + 2]] = bad
-        by = way(drawn)
+        by = solver(drawn)
         with pytest.raises(SolveError, match=rf"speed 2 of block 4 holds {bad}"):
             by.factor(numbers)
         with pytest.raises(SolveError, match="call factor first"):
             by.solve(np.ones(drawn.pattern.n))
 
 
-def test_solution_is_the_solve_where_nothing_is_lost(way: type[Solver]) -> None:
+def test_solution_is_the_solve_where_nothing_is_lost() -> None:
     drawn, a, numbers = made(STRUCTURES["beam"])
-    by = way(drawn)
+    by = solver(drawn)
     by.factor(numbers)
     b = np.ones(len(a))
     assert (solution(by, b) == by.solve(b)).all()

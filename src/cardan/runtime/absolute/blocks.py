@@ -10,10 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError, SolveError
+from .. import kernels
 from .plan import Plan
-from .solver import ENOUGH, Reals, checked, guess, refused, scales, sides
+from .systems import Reals, checked, guess, named, refused, scales, sides
 
 STEPS = 10
+ENOUGH = 1e-14
+GOOD = 1e-9
+CARRIED = 1e-3
 NUMBERS = ("n", "blocks", "values", "supernodes", "factors", "widest")
 MATRIX = ("first", "row", "column", "at", "stride")
 ELIMINATION = (
@@ -83,7 +87,9 @@ class Memory:
 
 
 class BlockSolver:
-    """A :class:`~cardan.runtime.absolute.solver.Solver` in C.
+    """One factorization at a time.
+
+    Vectors are in the order of the unknowns of the pattern, values as the pattern has them.
 
     Attributes:
         plan: The plan.
@@ -106,7 +112,17 @@ class BlockSolver:
         columns: ArrayLike | None = None,
         symmetric: bool = False,
     ) -> None:
-        """See :meth:`Solver.factor`."""
+        """Factor a matrix.
+
+        Args:
+            values: Its numbers, as the pattern has them.
+            rows: What equations are multiplied with (n,), 1 by default.
+            columns: The units of the unknowns (n,), 1 by default.
+            symmetric: Whether to count the signs of its eigenvalues; rows are as columns then.
+
+        Raises:
+            SolveError: an unknown or an equation is empty, or numbers are not finite.
+        """
         given = checked("values", values, self.plan.pattern.values)
         self._values = None
         self._scales = scales(self.plan, rows, columns)
@@ -119,7 +135,7 @@ class BlockSolver:
         self._values = given
 
     def solve(self, b: ArrayLike, transposed: bool = False) -> Reals:
-        """See :meth:`Solver.solve`."""
+        """x of a x = b for one right-hand side (n,) or several (n, count)."""
         self._ready()
         x = sides(self.plan, b)
         count = ctypes.c_ssize_t(x.size // max(self.plan.pattern.n, 1))
@@ -128,7 +144,7 @@ class BlockSolver:
         return x.T
 
     def refine(self, b: ArrayLike, x: ArrayLike, enough: float = ENOUGH) -> tuple[Reals, float]:
-        """See :meth:`Solver.refine`."""
+        """A better solution (n,) and its backward error, see ``cardan_sparse_refine``."""
         values, n = self._ready(), self.plan.pattern.n
         given, better, room = checked("b", b, n), checked("x", x, n).copy(), np.zeros(2 * n)
         limits = ctypes.c_double(enough), ctypes.c_ssize_t(STEPS)
@@ -137,14 +153,14 @@ class BlockSolver:
         return better, float(error)
 
     def determinant(self) -> tuple[float, float]:
-        """See :meth:`Solver.determinant`."""
+        """The sign of the determinant and the logarithm of its size."""
         self._ready()
         sign, factors = ctypes.c_double(), ctypes.byref(self._factors)
         size = self._call("determinant", ctypes.c_double, factors, ctypes.byref(sign))
         return sign.value, float(size)
 
     def inertia(self) -> tuple[int, int, int]:
-        """See :meth:`Solver.inertia`."""
+        """How many eigenvalues are positive, negative, zero to rounding."""
         self._ready()
         if not self._factors.count:
             raise ArgumentError("signs were not counted: factor(values, symmetric=True)")
@@ -152,7 +168,7 @@ class BlockSolver:
         return positive, negative, self.plan.pattern.n - positive - negative
 
     def smallest(self, steps: int = 4) -> tuple[float, Reals]:
-        """See :meth:`Solver.smallest`."""
+        """Estimate of the smallest singular value in units, and its unknowns (n,), not in units."""
         self._ready()
         x, factors = guess(self.plan.pattern.n), ctypes.byref(self._factors)
         least = self._call("smallest", ctypes.c_double, factors, ctypes.c_ssize_t(steps), x)
@@ -161,18 +177,18 @@ class BlockSolver:
 
     @property
     def weak(self) -> NDArray[np.int32]:
-        """See :attr:`Solver.weak`."""
+        """The unknowns whose pivots were lost in rounding and replaced."""
         self._ready()
         return self.plan.order[self._memory.replaced[: self._factors.weak]]
 
     @property
     def shifts(self) -> Reals:
-        """See :attr:`Solver.shifts`."""
+        """What was added to those pivots, in units."""
         self._ready()
         return self._memory.shift[: self._factors.weak]
 
     def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
-        """See :meth:`Solver.carried`."""
+        """How much of b replaced pivots carry, and the unknown; see ``cardan_sparse_carried``."""
         self._ready()
         n, unknown = self.plan.pattern.n, ctypes.c_int32()
         given, found = checked("b", b, n), checked("x", x, n)
@@ -193,3 +209,27 @@ class BlockSolver:
             ctypes.c_void_p(x.ctypes.data) if isinstance(x, np.ndarray) else x for x in arguments
         )
         return function(ctypes.byref(self._record), *given)
+
+
+def solver(plan: Plan, reproducible: bool = False) -> BlockSolver:
+    """A solver for matrices of a plan."""
+    return BlockSolver(plan, kernels.library(reproducible))
+
+
+def solution(by: BlockSolver, b: ArrayLike) -> Reals:
+    """x of a x = b (n,), refined where pivots were replaced.
+
+    Raises:
+        SolveError: the matrix is singular and b does not fit it; the message names the block.
+    """
+    x = by.solve(b)
+    if not len(by.weak):
+        return x
+    x, error = by.refine(b, x)
+    carried, unknown = by.carried(b, x)
+    if carried <= CARRIED and error <= GOOD:
+        return x
+    raise SolveError(
+        f"the matrix is singular: nothing but rounding holds {named(by.plan, unknown)}"
+        f" (backward error {error:.1e})"
+    )

@@ -1,38 +1,17 @@
-"""Runs without a compiler: the same motion as the compiled ones, and how to get speed."""
+"""Runs against SciPy's integrators, with a compiler and without one."""
 
 from __future__ import annotations
 
-import pickle
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime import interpreted, toolchain
 
 # two routes to one solution: each is right to some multiple of its tolerance
 FINE = {"rtol": 1e-11, "atol": 1e-12}
 AGREE = {"rtol": 0, "atol": 1e-8}
-
-
-@pytest.fixture
-def bare(monkeypatch: pytest.MonkeyPatch) -> Callable[[cd.CompiledModel], cd.CompiledModel]:
-    """A model as it is opened on a machine without any compiler."""
-
-    def opened(model: cd.CompiledModel) -> cd.CompiledModel:
-        monkeypatch.setenv("PATH", "/nonexistent")
-        monkeypatch.delenv("CC", raising=False)
-        monkeypatch.setattr(toolchain, "ziglang", lambda: [])
-        interpreted.announce.cache_clear()
-        other = pickle.loads(pickle.dumps(model))
-        with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
-            other.prepare("rhs")
-        assert other._function("rhs").interpreted
-        return other
-
-    return opened
 
 
 CASES: dict[str, tuple[str, Any, dict[str, Any]]] = {

@@ -1,109 +1,16 @@
-"""Sparse linear systems of blocks: what can be asked, whichever way they are solved."""
+"""Sparse linear systems of blocks: their matrices, units, right-hand sides, and what is refused."""
 
 from __future__ import annotations
-
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 
-from ...errors import ArgumentError, CompilerMissing, SolveError
-from .. import kernels
+from ...errors import ArgumentError, SolveError
 from .plan import Plan
 
 Reals = NDArray[np.float64]
-ENOUGH = 1e-14
-GOOD = 1e-9
 EVEN = 0.3  # units are good enough where largest numbers are between this and its inverse
-CARRIED = 1e-3
-
-
-class Solver(Protocol):
-    """One factorization at a time.
-
-    Vectors are in the order of the unknowns of the pattern, values as the pattern has them.
-    """
-
-    @property
-    def plan(self) -> Plan:
-        """The plan."""
-
-    def factor(
-        self,
-        values: ArrayLike,
-        rows: ArrayLike | None = None,
-        columns: ArrayLike | None = None,
-        symmetric: bool = False,
-    ) -> None:
-        """Factor a matrix.
-
-        Args:
-            values: Its numbers, as the pattern has them.
-            rows: What equations are multiplied with (n,), 1 by default.
-            columns: The units of the unknowns (n,), 1 by default.
-            symmetric: Whether to count the signs of its eigenvalues; rows are as columns then.
-
-        Raises:
-            SolveError: an unknown or an equation is empty, or numbers are not finite.
-        """
-
-    def solve(self, b: ArrayLike, transposed: bool = False) -> Reals:
-        """x of a x = b for one right-hand side (n,) or several (n, count)."""
-
-    def refine(self, b: ArrayLike, x: ArrayLike, enough: float = ENOUGH) -> tuple[Reals, float]:
-        """A better solution (n,) and its backward error, see ``cardan_sparse_refine``."""
-
-    def determinant(self) -> tuple[float, float]:
-        """The sign of the determinant and the logarithm of its size."""
-
-    def inertia(self) -> tuple[int, int, int]:
-        """How many eigenvalues are positive, negative, zero to rounding."""
-
-    def smallest(self, steps: int = 4) -> tuple[float, Reals]:
-        """Estimate of the smallest singular value in units, and its unknowns (n,), not in units."""
-
-    @property
-    def weak(self) -> NDArray[np.int32]:
-        """The unknowns whose pivots were lost in rounding and replaced."""
-
-    @property
-    def shifts(self) -> Reals:
-        """What was added to those pivots, in units."""
-
-    def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
-        """How much of b replaced pivots carry, and the unknown; see ``cardan_sparse_carried``."""
-
-
-def solver(plan: Plan, reproducible: bool = False) -> Solver:
-    """The best way to solve here: in C, by SuperLU where there is no compiler."""
-    # both build on this module
-    from .blocks import BlockSolver
-    from .superlu import SuperluSolver
-
-    try:
-        return BlockSolver(plan, kernels.library(reproducible))
-    except CompilerMissing:
-        return SuperluSolver(plan)
-
-
-def solution(by: Solver, b: ArrayLike) -> Reals:
-    """x of a x = b (n,), refined where pivots were replaced.
-
-    Raises:
-        SolveError: the matrix is singular and b does not fit it; the message names the block.
-    """
-    x = by.solve(b)
-    if not len(by.weak):
-        return x
-    x, error = by.refine(b, x)
-    carried, unknown = by.carried(b, x)
-    if carried <= CARRIED and error <= GOOD:
-        return x
-    raise SolveError(
-        f"the matrix is singular: nothing but rounding holds {named(by.plan, unknown)}"
-        f" (backward error {error:.1e})"
-    )
 
 
 def assembled(plan: Plan, values: ArrayLike) -> csr_array:
