@@ -178,6 +178,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
+    "runtime.formats": frozenset({"contents"}),
     "analyses.integrators": frozenset(),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
     "cli": frozenset(

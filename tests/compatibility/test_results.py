@@ -10,7 +10,8 @@ import pytest
 
 import cardan as cd
 from cardan import version
-from cardan.runtime import netcdf, storage
+from cardan.runtime import formats, storage
+from cardan.runtime.formats.contents import Contents
 from compatibility.write import FILES, STORED, of_ensemble, of_motion
 
 RUNS = sorted(path for path in FILES.glob("run_*.nc") if path.with_suffix(".npz").exists())
@@ -82,11 +83,11 @@ def test_a_run_under_former_names_is_read(tmp_path: Path, monkeypatch: pytest.Mo
     """A cardan of tomorrow, to which speeds were ``u`` and their rows ``speeds``."""
     path = sorted(FILES.glob("run_2_*.nc"))[0]
     here = cd.load_motion(path)
-    contents = netcdf.load(path, version.RUN, ("title", *storage.NOTES))
+    contents = formats.load(path, version.RUN, ("title", *storage.NOTES))
     variables = {{"u": "rates"}.get(name, name): x for name, x in contents.variables.items()}
     notes = {**contents.notes}
     notes["manifest"] = notes["manifest"].replace('"speeds"', '"rates"')
-    file = netcdf.save(tmp_path / "run.nc", version.RUN, netcdf.Contents(variables, notes), "")
+    file = formats.save(tmp_path / "run.nc", version.RUN, Contents(variables, notes), "")
     number = version.RUN.version
     renamed = {number: {"rates": "u", "manifest.rates": "speeds"}}
     tomorrow = replace(version.RUN, version=number + 1, renamed=renamed)

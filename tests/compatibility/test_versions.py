@@ -12,7 +12,7 @@ import pytest
 import cardan as cd
 from cardan import version
 from cardan.analyses.ensembles import stored_schema
-from cardan.runtime import netcdf, saved, storage
+from cardan.runtime import formats, saved, storage
 from compatibility.write import FILES, scene
 
 NEWER = "9.8.7"
@@ -23,22 +23,22 @@ def newer(form: version.Format) -> version.Format:
 
 
 def a_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:
-    contents = netcdf.load(FILES / "run_2_pendulum.nc", version.RUN, ("title", *storage.NOTES))
+    contents = formats.load(FILES / "run_2_pendulum.nc", version.RUN, ("title", *storage.NOTES))
     file = path / "run.nc"
     with monkeypatch.context() as patch:
-        patch.setattr(netcdf, "VERSION", NEWER)
-        netcdf.save(file, newer(version.RUN), contents, "")
+        patch.setattr(formats, "VERSION", NEWER)
+        formats.save(file, newer(version.RUN), contents, "")
     return lambda: cd.load_motion(file)
 
 
 def an_ensemble(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:
-    contents = netcdf.load(
+    contents = formats.load(
         FILES / "ensemble_1.nc", version.ENSEMBLE, ("title", *stored_schema.NOTES)
     )
     file = path / "runs.nc"
     with monkeypatch.context() as patch:
-        patch.setattr(netcdf, "VERSION", NEWER)
-        netcdf.save(file, newer(version.ENSEMBLE), contents, "")
+        patch.setattr(formats, "VERSION", NEWER)
+        formats.save(file, newer(version.ENSEMBLE), contents, "")
     return lambda: cd.load_ensemble(file)
 
 

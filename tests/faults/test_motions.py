@@ -110,14 +110,15 @@ CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
 @pytest.mark.parametrize("change", CHANGES)
 def test_e3_what_does_not_fit_is_refused(change: str, tmp_path: Path) -> None:
     """A damaged file ended in KeyError, TypeError and others; also one whose hash is right."""
-    from cardan.runtime import netcdf, storage
+    from cardan.runtime import formats, storage
+    from cardan.runtime.formats.contents import Contents
 
     path = _run("relative").save(tmp_path / "run.nc")
-    held = netcdf.load(path, RUN, ("title", *storage.NOTES))
+    held = formats.load(path, RUN, ("title", *storage.NOTES))
     notes = {k: json.loads(v) for k, v in held.notes.items() if k != "title"}
     CHANGES[change](notes)
     told = {k: json.dumps(v) for k, v in notes.items()} | {"title": held.notes["title"]}
-    netcdf.save(path, RUN, netcdf.Contents(held.variables, told), "")
+    formats.save(path, RUN, Contents(held.variables, told), "")
     with pytest.raises(cd.ModelError, match=re.escape(str(path))):
         cd.load_motion(path)
 

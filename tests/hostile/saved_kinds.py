@@ -16,7 +16,8 @@ import numpy as np
 import cardan as cd
 from cardan.analyses.ensembles import stored_schema
 from cardan.analyses.growing import DIGEST, LENGTH
-from cardan.runtime import netcdf, storage
+from cardan.runtime import formats, storage
+from cardan.runtime.formats.contents import Contents, Variable
 from cardan.version import ENSEMBLE, RUN, Format
 from hostile.harness import Kind
 from hostile.kinds import double
@@ -107,9 +108,9 @@ def _packing(
                     for axis, size in zip(one["axes"], values.shape, strict=False)
                 ]
                 axes += [f"{name}_{k}" for k in range(len(axes), values.ndim)]
-                variables[name] = netcdf.Variable(tuple(axes), values, one["attributes"])
+                variables[name] = Variable(tuple(axes), values, one["attributes"])
             told = {k: json.dumps(v) for k, v in parts["notes"].items()}
-            netcdf.save(path(), form, netcdf.Contents(variables, told), "")
+            formats.save(path(), form, Contents(variables, told), "")
             return path().read_bytes()
         except Exception as error:
             raise ValueError("no such file can be written") from error
@@ -119,7 +120,7 @@ def _packing(
     def unpack(content: bytes) -> dict[str, Any]:
         path().write_bytes(content)
         try:
-            held = netcdf.load(path(), form, notes)
+            held = formats.load(path(), form, notes)
         finally:
             path().unlink()
         variables = {

@@ -135,7 +135,7 @@ def test_a_failed_save_leaves_the_old_file(
 ) -> None:
     path = motion.save(tmp_path / "run.nc")
     before = path.read_bytes()
-    monkeypatch.setattr("cardan.runtime.netcdf._write", lambda *_: 1 / 0)
+    monkeypatch.setattr("cardan.runtime.formats.netcdf._write", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         motion.save(path)
     assert path.read_bytes() == before

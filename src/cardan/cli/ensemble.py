@@ -56,7 +56,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                          help="such as 'max of elbow'; give it again for another")  # fmt: skip
     results.add_argument("--points", metavar="N", type=running.count,
                          help="output times of reductions (default 201)")  # fmt: skip
-    results.add_argument("-o", "--output", metavar="RUNS.nc", type=running.file(".nc"),
+    results.add_argument("-o", "--output", metavar="RUNS.nc", type=running.saved,
                          help="netCDF file")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 

@@ -38,7 +38,7 @@ examples:
         without accelerations, for another program
 
 A table has a first line of names: t, a coordinate by its name, its speed and acceleration with .u
-and .udot where they were measured, its force with .tau; or it is a run (.nc) that simulate wrote.
+and .udot where they were measured, its force with .tau; or it is a run (.nc, .npz) that simulate wrote.
 Friction is told where the file has some: a joint's <dynamics damping=""/>, or forces of type
 damping and friction, which may be 0."""
 
@@ -47,7 +47,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
     reading.arguments(parser)
     group = parser.add_argument_group("estimates")
-    group.add_argument("--data", metavar="RUN.csv", type=running.file(".csv", ".nc"),
+    group.add_argument("--data", metavar="RUN.csv", type=running.data,
                        help="measured motion and forces, or a run")  # fmt: skip
     group.add_argument("--form", choices=("torque", "energy"), default="torque",
                        help="forces at every sample, or energies (default torque)")  # fmt: skip

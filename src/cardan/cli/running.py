@@ -52,6 +52,20 @@ def file(*endings: str) -> Callable[[str], Path]:
     return path
 
 
+def saved(text: str) -> Path:
+    """The type of a file that a run or an ensemble is written to."""
+    from ..runtime import formats
+
+    return file(*formats.writable())(text)
+
+
+def data(text: str) -> Path:
+    """The type of a file of measurements: a table or a saved run."""
+    from ..runtime import formats
+
+    return file(".csv", *formats.readable())(text)
+
+
 def positive(text: str) -> float:
     """The type of a positive number."""
     try:

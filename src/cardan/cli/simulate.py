@@ -57,7 +57,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     )
     results = parser.add_argument_group("results")
     results.add_argument(
-        "-o", "--output", metavar="RUN.nc", type=running.file(".nc"), help="netCDF file"
+        "-o", "--output", metavar="RUN.nc", type=running.saved, help="the run: .nc, .npz or .csv"
     )
     results.add_argument(
         "--view", metavar="RUN.html", type=running.file(".html", ".htm"), help="animated page"

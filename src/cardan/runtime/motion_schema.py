@@ -17,8 +17,8 @@ import numpy as np
 from ..ir.rows import Rows, opened
 from .calling import Array
 from .conduct import Conduct
+from .formats.contents import Contents
 from .motion_rows import CONDUCT, HAPPENING, ROWS, SIGNALS, SIZES, listed, number, text
-from .netcdf import Contents
 
 # length of a number of the scene by joint or by frame
 BY_JOINT = {

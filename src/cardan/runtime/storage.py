@@ -1,4 +1,4 @@
-"""Runs as netCDF files.
+"""Runs as files: what stands in them, whatever their format.
 
 Dimensions ``time``, ``coordinate``, ``speed``, ``internal_state``, ``mode``, ``input``, ``source``,
 ``step``, ``event``, ``constraint``; names of the entries stand in the attribute ``names`` of every
@@ -19,13 +19,13 @@ from ..arguments import checked
 from ..errors import ModelError
 from ..ir.rows import column, dumped
 from ..version import RUN
-from . import balance, motion_schema, netcdf
+from . import balance, formats, motion_schema
 from .calling import Array
 from .conduct import Conduct
 from .dense import Dense
 from .events import Happened
+from .formats.contents import Contents, Variable
 from .ledger import Ledger
-from .netcdf import Contents, Variable
 from .recorded import Pieces, Recorded
 from .trajectory import Trajectory
 
@@ -48,7 +48,7 @@ def save(motion: Trajectory, path: Path) -> Path:
             that cannot be written.
     """
     made = Contents(_variables(motion), _notes(motion))
-    return netcdf.save(path, RUN, made, FEWER)
+    return formats.save(path, RUN, made, FEWER)
 
 
 def _variables(motion: Trajectory) -> dict[str, Variable]:
@@ -174,7 +174,7 @@ def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
             coordinates.
     """
     path = Path(path)
-    held = netcdf.load(path, RUN, ("title", *NOTES))
+    held = formats.load(path, RUN, ("title", *NOTES))
     try:
         notes, values, poses = motion_schema.checked(held)
         made = _made(notes, values, model)

@@ -356,9 +356,11 @@ class Trajectory:
 
     @checked
     def save(self, path: str | Path) -> Path:
-        """Write the run as netCDF: everything but the model; see :func:`load`.
+        """Write everything but the model; :func:`cardan.load_motion` reads it.
 
-        The file appears complete or not at all. Returns its path.
+        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table of what
+        changes over time, which is not read again). The file appears complete or not at all.
+        Returns its path.
         """
         from .storage import save
 

@@ -270,9 +270,11 @@ class Ensemble:
 
     @checked
     def save(self, path: str | Path) -> Path:
-        """Write everything but the model as netCDF; :func:`cardan.load_ensemble` reads it.
+        """Write everything but the model; :func:`cardan.load_ensemble` reads it.
 
-        The file appears complete or not at all. Returns its path.
+        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table with a row
+        for every run, which is not read again). The file appears complete or not at all.
+        Returns its path.
 
         Raises:
             ModelError: a variable too large for the format, or a file that cannot be written.

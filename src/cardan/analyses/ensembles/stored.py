@@ -1,4 +1,4 @@
-"""An ensemble as netCDF, read again, and as an xarray data set."""
+"""An ensemble as a file, read again, and as an xarray data set."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ModelError
-from ...runtime import netcdf
-from ...runtime.netcdf import Contents, Variable
+from ...runtime import formats
+from ...runtime.formats.contents import Contents, Variable, letters
 from ...version import ENSEMBLE
 from .crew import NUMBERS
 from .reductions import Bins
@@ -91,14 +91,14 @@ def to_xarray(ensemble: Ensemble) -> Any:
 def save(ensemble: Ensemble, path: Path) -> Path:
     """As :meth:`Ensemble.save`; a file with its name is replaced in one step."""
     found = variables(ensemble)
-    found["entry"] = netcdf.letters(ensemble.asked.entries, "entry")
-    found["status"] = netcdf.letters(ensemble.status, "run", "status")
+    found["entry"] = letters(ensemble.asked.entries, "entry")
+    found["status"] = letters(ensemble.status, "run", "status")
     notes = {
         "title": f"ensemble of {ensemble.asked.model}".encode("ascii", "replace").decode(),
         "messages": json.dumps({str(k): text for k, text in ensemble.messages.items()}),
         "ensemble": json.dumps(_told(ensemble)),
     }
-    return netcdf.save(path, ENSEMBLE, Contents(found, notes), FEWER)
+    return formats.save(path, ENSEMBLE, Contents(found, notes), FEWER)
 
 
 def _told(ensemble: Ensemble) -> dict[str, Any]:
@@ -142,7 +142,7 @@ def load(path: str | Path) -> Ensemble:
     from .result import Ensemble
 
     path = Path(path)
-    held = netcdf.load(path, ENSEMBLE, ("title", *NOTES))
+    held = formats.load(path, ENSEMBLE, ("title", *NOTES))
     try:
         read = checked(held)
         asked = _asked(read)

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...runtime.formats.contents import Contents, Variable
 from ...runtime.motion_rows import count, listed, number, row_of, text
-from ...runtime.netcdf import Contents, Variable
 from .crew import NUMBERS
 from .reductions import Bins
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ... import regular_file
 from ...errors import ArgumentError, near
+from ...runtime import formats
 from ...runtime.calling import numbers
 from ...runtime.storage import load
 from ...runtime.trajectory import Trajectory
@@ -115,7 +116,7 @@ def measured(
 
     Args:
         model: Whose motion it is.
-        data: A Trajectory, a path (.csv, or .nc of a run), or a mapping with ``t`` and blocks
+        data: A Trajectory, a path (of a saved run, or a table .csv), or a mapping with ``t`` and blocks
             ``q``, ``u``, ``udot``, ``tau``, ``r`` (nt, ...) or columns such as ``elbow`` and
             ``elbow.tau``.
         cutoff: [Hz] above which coordinates are noise: they are filtered, forward and backward,
@@ -132,7 +133,7 @@ def measured(
         if not str(data).strip():
             raise ArgumentError("data='' names no file; give the path of a table or of a run")
         path = Path(data)
-        data = load(path, model) if path.suffix == ".nc" else read(path)
+        data = load(path, model) if path.suffix in formats.readable() else read(path)
     blocks = _of_run(data) if isinstance(data, Trajectory) else _of_table(model, data)
     found = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
     found.setdefault("r", np.tile(model._layout.start("r"), (len(found["t"]), 1)))

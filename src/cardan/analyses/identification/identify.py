@@ -52,7 +52,7 @@ def identify(
 
     Args:
         model: Its parameters are those the estimates are compared with.
-        data: A Trajectory, a file (.csv, .nc), or a mapping with ``t`` and ``q``, ``u``, ``udot``,
+        data: A Trajectory, a file (of a saved run, or .csv), or a mapping with ``t`` and ``q``, ``u``, ``udot``,
             ``tau``, ``r`` or their columns; speeds and accelerations that are missing are found by
             differentiation. See :func:`.data.measured`.
         form: ``"torque"``: forces at every sample; ``"energy"``: what stretches of the motion have

@@ -1,0 +1,148 @@
+"""Files of runs and ensembles: one format is one file here.
+
+What is read may come from anybody: no length in a file is believed before the file is seen to have
+so many bytes, and a hash of everything that counts tells whether it is what was written.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection
+from pathlib import Path
+from typing import Any
+
+from ...errors import ModelError
+from ...regular_file import content
+from ...version import VERSION, Format
+from ...whole_file import replaced
+from .contents import Contents, FileFormat, Variable
+from .csv import CSV
+from .netcdf import NETCDF
+from .npz import NPZ
+
+FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV)
+HASH = "sha256"
+SOURCE, WRITER = "source", "cardan "  # the text that names the writer, and what is before it
+KINDS = ("run", "ensemble")  # what files hold
+MOST = 1 << 40  # bytes of a file
+
+
+def save(path: Path, form: Format, made: Contents, cure: str) -> Path:
+    """Write a file; one with its name is replaced in one step.
+
+    Args:
+        path: The file.
+        form: Of a run or an ensemble.
+        made: What it shall hold; arrays without numbers are left out.
+        cure: What to do where a variable is too large.
+
+    Raises:
+        ModelError: the ending of another format, a variable too large for the format, or a file
+            that cannot be written.
+    """
+    fitting = [one for one in FORMATS if path.suffix in one.endings]
+    if not fitting:
+        known = ", ".join(f"{one.endings[0]} ({one.name})" for one in FORMATS)
+        raise ModelError(
+            f"{path}: {form.kind}s are written to files whose ending is one of {known}; "
+            "to_xarray() gives the numbers to writers of other formats"
+        )
+    (wanted,) = fitting
+    kept = {name: one for name, one in made.variables.items() if one.values.size}
+    for name, one in kept.items():
+        if wanted.limit and one.values.nbytes > wanted.limit:
+            raise ModelError(
+                f"{path}: '{name}' takes {one.values.nbytes / 1e9:.1f} GB, {wanted.name} holds "
+                f"{wanted.limit / 2**30:.0f} GB in one variable. {cure}"
+            )
+    made = Contents(kept, made.notes)
+    own = {f"cardan_{form.word}": form.version, SOURCE: f"{WRITER}{VERSION}"}
+    with replaced(path) as new:
+        wanted.write(Path(new), {**own, HASH: made.digest(), **made.notes}, kept)
+    return path
+
+
+def load(path: Path, form: Format, notes: Collection[str]) -> Contents:
+    """Read a file that :func:`save` wrote.
+
+    Args:
+        path: The file.
+        form: As of :func:`save`; files of its oldest version have no hash.
+        notes: Names of the texts that count.
+
+    Raises:
+        ModelError: no such file, one of another kind or version, or a damaged one.
+    """
+    what = form.word
+    try:
+        attributes, variables = _parsed(content(path, MOST))
+    except FileNotFoundError:
+        raise ModelError(f"{path}: there is no such file") from None
+    except OSError as error:
+        raise ModelError(f"{path} cannot be read: {error.strerror}") from None
+    except (ValueError, MemoryError) as error:
+        raise ModelError(
+            f"{path} is no {what} of cardan, or is damaged: {error or 'it is too large'}. Save the "
+            f"{what} again"
+        ) from None
+    version = attributes.get(f"cardan_{what}", 0)
+    if not form.reads(version):
+        if f"cardan_{what}" not in attributes:
+            raise ModelError(f"{path} is no {what} of cardan")
+        writer = str(attributes.get(SOURCE, "")).removeprefix(WRITER)
+        raise ModelError(form.refusal(path, version, writer))
+    today = {name: form.today((name,), version) for name in attributes}
+    counting = {name for name, now in today.items() if now in notes}
+    texts = {name: attributes[name] for name in counting if isinstance(attributes[name], str)}
+    found = Contents(variables, texts)
+    # damage may have made a file of an early version out of this one
+    if (version > form.oldest or HASH in attributes) and attributes.get(HASH) != found.digest():
+        others = [k for k in KINDS if k != what and f"cardan_{k}" in attributes]
+        if others and f"cardan_{what}" not in attributes:
+            raise ModelError(f"{path} is no {what} that cardan can read: it holds a {others[0]}")
+        raise ModelError(
+            f"{path} is not what was saved: its hash differs. Copy it or save the {what} again"
+        )
+    return _today(found, form, version)
+
+
+def writable() -> tuple[str, ...]:
+    """Endings of all files that are written."""
+    return tuple(ending for one in FORMATS for ending in one.endings if ending)
+
+
+def readable() -> tuple[str, ...]:
+    """Endings of the files that are read again."""
+    return tuple(e for one in FORMATS if one.parse is not None for e in one.endings if e)
+
+
+def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
+    """Attributes and variables of a file of any format that is read.
+
+    Raises:
+        ValueError: it is of none, or damaged.
+    """
+    for one in FORMATS:
+        if one.parse is not None and data.startswith(one.magic):
+            return one.parse(data)
+    names = " or ".join(one.name for one in FORMATS if one.parse is not None)
+    raise ValueError(f"it is not a file of {names}")
+
+
+def _today(contents: Contents, form: Format, version: int) -> Contents:
+    """What an older file holds, under the names of today."""
+    if not any(older >= version for older in form.renamed):
+        return contents
+
+    def translated(name: str, text: str) -> str:
+        try:
+            return json.dumps(form.translated(json.loads(text), (name,), version))
+        except ValueError:
+            # a title, which holds no names
+            return text
+
+    notes = {name: translated(name, text) for name, text in contents.notes.items()}
+    return Contents(
+        {form.today((name,), version): one for name, one in contents.variables.items()},
+        {form.today((name,), version): text for name, text in notes.items()},
+    )

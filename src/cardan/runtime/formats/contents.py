@@ -1,0 +1,86 @@
+"""What a saved run or ensemble holds, and what every file format states in its one file."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[Any]
+# texts and single numbers about a whole file
+Attributes = Mapping[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Variable:
+    """One array of a file.
+
+    Attributes:
+        dimensions: Names of the axes.
+        values: Numbers, or single bytes of texts.
+        attributes: Texts.
+    """
+
+    dimensions: tuple[str, ...]
+    values: Array
+    attributes: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class Contents:
+    """What a file holds: arrays, and texts about all of them, by name."""
+
+    variables: Mapping[str, Variable]
+    notes: Mapping[str, str]
+
+    def digest(self) -> str:
+        """Hash of all of it."""
+        found = hashlib.sha256()
+        for name, one in sorted(self.variables.items()):
+            told = (name, one.dimensions, one.values.shape, sorted(one.attributes.items()))
+            found.update(json.dumps(told).encode())
+            found.update(np.ascontiguousarray(one.values).tobytes())
+        found.update(json.dumps(sorted(self.notes.items())).encode())
+        return found.hexdigest()
+
+
+def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:
+    """Texts as an array of bytes, as other programs read them.
+
+    Args:
+        texts: One for every place along the dimension.
+        dimension: Its name.
+        name: Of the variable, where it is not that of the dimension.
+    """
+    coded = [text.encode() for text in texts]
+    width = max([1, *map(len, coded)])
+    joined = b"".join(text.ljust(width, b"\0") for text in coded)
+    values = np.frombuffer(joined, dtype="S1").reshape(len(coded), width)
+    return Variable((dimension, f"{name or dimension}_letters"), values, {"_Encoding": "utf-8"})
+
+
+@dataclass(frozen=True)
+class FileFormat:
+    """One way to write contents to a file.
+
+    Attributes:
+        name: As messages call it.
+        endings: Of its files; what has none is of the first format.
+        write: To a path.
+        magic: First bytes of its files; none where they are not read again.
+        parse: Attributes and variables of such bytes; a ValueError where they are damaged.
+        limit: Bytes of one variable, 0 without such a limit.
+    """
+
+    name: str
+    endings: tuple[str, ...]
+    write: Callable[[Path, Attributes, Mapping[str, Variable]], None]
+    magic: tuple[bytes, ...] = ()
+    parse: Callable[[bytes], tuple[dict[str, Any], dict[str, Variable]]] | None = None
+    limit: int = 0

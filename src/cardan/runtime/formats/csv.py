@@ -1,0 +1,48 @@
+"""Tables of comma-separated values: what changes along a run, or from run to run.
+
+A row for every time of a run, or for every run of an ensemble; a column for every number of it, by
+the names that a motion takes: ``t``, ``elbow``, ``elbow.u``. They are written only: a table holds
+neither units nor the model.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from .contents import Attributes, FileFormat, Variable
+
+ROWS = ("time", "run")  # axes along which tables go
+
+
+def _written(path: Path, attributes: Attributes, variables: Mapping[str, Variable]) -> None:
+    along = "run" if "cardan_ensemble" in attributes else "time"
+    columns = [
+        column
+        for name, one in variables.items()
+        if one.dimensions[0] == along
+        for column in _columns(name, one)
+    ]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(name for name, _ in columns)
+        out.writerows(zip(*(values for _, values in columns), strict=True))
+
+
+def _columns(name: str, one: Variable) -> Iterator[tuple[str, Sequence[str]]]:
+    """Heading and texts of every column of an array."""
+    if one.values.dtype.kind == "S":
+        yield name, [b"".join(row).rstrip(b"\0").decode() for row in one.values]
+        return
+    name = json.loads(one.attributes.get("name", json.dumps("t" if name == "time" else name)))
+    flat = one.values.reshape(len(one.values), -1)
+    heads = json.loads(one.attributes.get("names", "[]")) or [
+        name if one.values.ndim == 1 else f"{name}[{k}]" for k in range(flat.shape[1])
+    ]
+    for k, head in enumerate(heads):
+        yield head, [repr(float(x)) for x in flat[:, k]]
+
+
+CSV = FileFormat("table", (".csv",), _written)
