@@ -188,11 +188,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "screen",
             "health",
             "formulas",
-            "reading",
-            "running",
-            "resting",
-            "varying",
-            "wanting",
+            "options",
             "report_page",
         }
     ),

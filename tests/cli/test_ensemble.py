@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from scipy.io import netcdf_file
 
-from cardan.cli import main, varying
+from cardan.cli import main
+from cardan.cli.options import sweep
 
 ARM = str(Path(__file__).parents[2] / "examples" / "arm.urdf")
 
@@ -70,7 +71,7 @@ FORMS: dict[str, Any] = {
 
 @pytest.mark.parametrize("text", FORMS)
 def test_lists(text: str) -> None:
-    name, values = varying.vary(text)
+    name, values = sweep.vary(text)
     assert name == "m"
     np.testing.assert_allclose(values, FORMS[text], rtol=1e-15)
 

@@ -169,7 +169,7 @@ def test_other_shells_get_all_words(shell: str, capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize(
-    ("option", "file"), [("-o", "run.csv"), ("--view", "run.txt"), ("--plot", "run.html")]
+    ("option", "file"), [("-o", "run.h5"), ("--view", "run.txt"), ("--plot", "run.html")]
 )
 def test_endings_are_looked_at_before_the_run(
     option: str, file: str, capsys: pytest.CaptureFixture[str]

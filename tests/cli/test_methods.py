@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from cardan.cli import reading
+from cardan.cli.options import scene
 from cardan.equations.relative import FORMALISMS
 
 
 def test_help_lists_every_formalism() -> None:
-    assert [name.partition(" ")[0] for name in reading.METHODS] == ["auto", *FORMALISMS]
+    assert [name.partition(" ")[0] for name in scene.METHODS] == ["auto", *FORMALISMS]

@@ -62,7 +62,7 @@ def test_a_changed_number_is_found(motion: cd.Trajectory, tmp_path: Path, ending
     )
     data[data.index(number) + 3] ^= 1
     path.write_bytes(data)
-    with pytest.raises(cd.ModelError, match="its hash differs|holds no arrays"):
+    with pytest.raises(cd.ModelError, match=r"its hash differs|holds no arrays"):
         cd.load_motion(path)
 
 

@@ -15,7 +15,7 @@ from cardan.errors import BuildError
 from cardan.ir.arithmetic import cos, sin
 from cardan.ir.matrix import Matrix
 from cardan.runtime import placing
-from cardan.runtime.circle_means import Expansion
+from cardan.runtime.joint_motion import Expansion
 from cardan.runtime.judged import scene_from, scene_of
 from cardan.runtime.kind_poses import POSES, joints_of
 from cardan.runtime.newton_euler import poses

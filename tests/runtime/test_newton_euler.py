@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cardan.runtime.circle_means import CIRCLES
-from cardan.runtime.joint_motion import REVERSED, joint_data, joint_motion
+from cardan.runtime.joint_motion import CIRCLES, REVERSED, joint_data, joint_motion
 from cardan.runtime.kind_poses import POSES, Curve, KindNumbers, pose_of
 from cardan.runtime.newton_euler import Scene, inverse_dynamics, mass_matrix
 from cardan.runtime.rotations import PARAMETERS, about

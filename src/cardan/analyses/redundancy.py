@@ -14,12 +14,13 @@ from ..errors import SolveWarning, warn
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 from ..runtime.initial import start_of
-from .held_twice import plain, words
 from .mechanism import Mechanism
 from .self_stress import COMPONENTS, RANK, determined, passed
 
 Array = NDArray[np.float64]
 UNIQUE = 1e-7
+SHARE = 0.2  # entries below this part of the largest are not told
+FORMS = {"p": "translation along {}", "r": "rotation about {}"}
 # fourth-order central differences: step without units, weights by its multiples, rounding left
 NEARBY = 1e-3
 DIFFERENCE = {1: 2 / 3, -1: -2 / 3, 2: -1 / 12, -2: 1 / 12}
@@ -196,7 +197,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     rows = [*m.closing.rows, *rest]
     if rest:
         U = np.linalg.svd(np.concatenate([G, _slopes(m, q, rest)]), full_matrices=True)[0]
-    vectors = plain(U[:, rank:].T)
+    vectors = _plain(U[:, rank:].T)
     unique = {
         str(row["name"]): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
         for k, row in enumerate(rows)
@@ -219,7 +220,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         rank=rank + solved,
         circuits=circuits,
         left_out=tuple(row["name"] for row in rest),
-        directions=tuple(words(vector, rows) for vector in vectors),
+        directions=tuple(_described(vector, rows) for vector in vectors),
         vectors=vectors,
         unique=unique,
         components=_of_circuits(m, unique) if components is None else components,
@@ -273,3 +274,45 @@ def _of_circuits(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, tuple[bo
         for joint in passed(cut):
             found[joint] = found.get(joint, True) and cut["name"] not in loose
     return {joint: (held,) * len(COMPONENTS) for joint, held in found.items()}
+
+
+def _plain(vectors: Array) -> Array:
+    """A basis of the same space with as many zeros as elimination gives, largest entry 1."""
+    if not vectors.size:
+        return vectors
+    basis, row = vectors.copy(), 0
+    for column in range(basis.shape[1]):
+        if row == len(basis):
+            break
+        best = row + int(np.abs(basis[row:, column]).argmax())
+        if abs(basis[best, column]) < 1e-6:
+            continue
+        basis[[row, best]] = basis[[best, row]]
+        basis[row] /= basis[row, column]
+        others = np.arange(len(basis)) != row
+        basis[others] -= np.outer(basis[others, column], basis[row])
+        row += 1
+    largest = np.take_along_axis(basis, np.abs(basis).argmax(axis=1)[:, None], axis=1)
+    return np.asarray(basis / np.where(largest == 0, 1.0, largest))
+
+
+def _described(vector: Array, rows: Sequence[Mapping[str, Any]]) -> str:
+    """A combination of constraints in words: ``translation along y of joint 'J3'``."""
+    told: list[tuple[str, str]] = []
+    sizes = np.abs(vector).round(9) / np.abs(vector).max()
+
+    # a translation first, if it has much of it
+    def order(k: int) -> tuple[bool, float]:
+        return sizes[k] < 0.5 or rows[k]["unit"] != "N", -float(sizes[k])
+
+    for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
+        joint, name = str(rows[k]["joint"]), str(rows[k]["name"])
+        part = name.removeprefix(f"{joint}.")
+        form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
+        told.append((form.format(part[1]) if form else f"'{part}'", joint))
+    first, joint = told[0]
+    if len(told) == 1 and not rows[int(sizes.argmax())].get("level"):
+        return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
+    others = [part if owner == joint else f"{part} of joint '{owner}'" for part, owner in told[1:]]
+    rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""
+    return f"{first} of joint '{joint}'{rest}"

@@ -32,10 +32,12 @@ from .run import Runner
 from .run_file import RunFile, run_file
 from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
-from .spared import spared
 from .times import Span, span
 
 Array = NDArray[np.float64]
+
+
+LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
 
 
 def simulate(
@@ -196,7 +198,7 @@ def runner_of(
     if how.method.suited is not None:
         method, words = how.method.suited(model, how.method)
         how = replace(how, method=method, words=f"{words}, {how.words}")
-    how = spared(model, how)
+    how = _without_costly(model, how)
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
@@ -295,3 +297,29 @@ def _loop(
             reconsider(case, runner, over, begin.x)
         show(min(1.0, done))
     return answer
+
+
+def speed_pairs(manifest: dict[str, Any]) -> int:
+    """Pairs of speeds of which one moves what the other moves: entries of M that are not 0."""
+    rows = [row for row in manifest["joints"] if row["u"] is not None]
+    size = {row["child"]: row["u"][1] for row in rows}
+    parent = {row["child"]: row["parent"] for row in manifest["joints"]}
+    count = 0
+    for body, own in size.items():
+        count += own * own
+        above, seen = parent.get(body), {body}
+        while above is not None and above not in seen:
+            seen.add(above)
+            count += 2 * own * size.get(above, 0)
+            above = parent.get(above)
+    return count
+
+
+def _without_costly(model: CompiledModel, how: Settings) -> Settings:
+    """Settings of a method that differences what a large model would derive for minutes."""
+    found = [name for name in how.method.differenced if name in how.method.needs]
+    if not found or speed_pairs(model.manifest) <= LARGE:
+        return how
+    needs = tuple(name for name in how.method.needs if name not in found)
+    words = f"{how.words}, {' and '.join(found)} by differences as the model is large"
+    return replace(how, method=replace(how.method, needs=needs), words=words)

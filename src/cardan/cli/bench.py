@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..peers import PEERS
 from ..peers.peer import FUNCTIONS
-from . import reading
+from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..peers.comparison import Comparison
@@ -37,7 +37,7 @@ USUAL = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
+    scene_options.arguments(parser)
     contest = parser.add_argument_group("the contest")
     contest.add_argument("--peers", nargs="*", choices=tuple(PEERS), default=tuple(PEERS),
                          metavar="PEER", help=f"of {', '.join(PEERS)} (default all)")  # fmt: skip
@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import STANDARD, compile, derive
     from .terminal import progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and compiling")
         equations = derive(scene)

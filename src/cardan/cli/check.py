@@ -18,7 +18,7 @@ from ..errors import (
     ModelWarning,
     SolveWarning,
 )
-from . import reading
+from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..equations.absolute.record import Absolute
@@ -54,7 +54,7 @@ class Complaint:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
+    scene_options.arguments(parser)
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
@@ -84,7 +84,7 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         try:
-            equations = derive(reading.load(options))
+            equations = derive(scene_options.load(options))
         except (CardanError, OSError) as problem:
             return [Complaint("error", str(problem)), *_doubts(said, ())]
     notes = equations.system.notes

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import INTERRUPTED, reading, running, varying
+from . import INTERRUPTED
+from .options import run as run_options
+from .options import scene as scene_options
+from .options import sweep as sweep_options
 
 if TYPE_CHECKING:
     from ..analyses.ensembles import Ensemble
@@ -39,25 +42,25 @@ reductions: max, min, range, rms, last of NAME: of every run; mean, variance, de
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
-    running.arguments(parser)
+    scene_options.arguments(parser)
+    run_options.arguments(parser)
     many = parser.add_argument_group("the runs")
-    many.add_argument("--vary", metavar="NAME=VALUES", type=varying.vary, action="append",
+    many.add_argument("--vary", metavar="NAME=VALUES", type=sweep_options.vary, action="append",
                       default=[], help="what differs; give it again for another")  # fmt: skip
-    many.add_argument("--runs", metavar="N", type=running.count, help="how many in all")
-    many.add_argument("--plan", choices=tuple(varying.PLANS), default="random",
+    many.add_argument("--runs", metavar="N", type=run_options.count, help="how many in all")
+    many.add_argument("--plan", choices=tuple(sweep_options.PLANS), default="random",
                       help="how distributions are drawn (default random)")  # fmt: skip
     many.add_argument("--seed", type=int, default=0, help="of what is drawn (default 0)")
-    many.add_argument("--threads", metavar="N", type=running.count, help="default: all cores")
+    many.add_argument("--threads", metavar="N", type=run_options.count, help="default: all cores")
     many.add_argument("--checkpoint", metavar="FILE", type=Path,
                       help="keeps finished runs; the same command goes on from there")  # fmt: skip
     results = parser.add_argument_group("results")
     results.add_argument("--reduce", metavar="WORDS", action="append", default=[],
                          help="such as 'max of elbow'; give it again for another")  # fmt: skip
-    results.add_argument("--points", metavar="N", type=running.count,
+    results.add_argument("--points", metavar="N", type=run_options.count,
                          help="output times of reductions (default 201)")  # fmt: skip
-    results.add_argument("-o", "--output", metavar="RUNS.nc", type=running.saved,
-                         help="netCDF file")  # fmt: skip
+    results.add_argument("-o", "--output", metavar="RUNS.nc", type=run_options.saved,
+                         help="the runs: .nc, .npz or .csv")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
@@ -66,8 +69,8 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import compile
     from .terminal import console, progress
 
-    plan = varying.plan(options.vary, options.runs, options.plan, options.seed)
-    scene = reading.read(options)
+    plan = sweep_options.plan(options.vary, options.runs, options.plan, options.seed)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)
@@ -95,7 +98,7 @@ def run(options: argparse.Namespace) -> int:
 
 def settings(scene: Any, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the runs; what is varied comes before what the file says."""
-    found = running.settings(scene, options)
+    found = run_options.settings(scene, options)
     varied = {name for name, _ in options.vary}
     for block, ending in (("q", ""), ("u", ".u"), ("z", "")):
         typed = dict(getattr(options, block))

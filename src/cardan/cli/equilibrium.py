@@ -6,7 +6,7 @@ import argparse
 import json
 import warnings
 
-from . import resting
+from .options import equilibrium as equilibrium_options
 
 DESCRIPTION = """\
 Where a mechanism rests under gravity and its other forces, next to a start, and whether stably.
@@ -30,7 +30,7 @@ exit status 1: none was found; the message tells what moves, and the cure"""
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    group = resting.arguments(parser)
+    group = equilibrium_options.arguments(parser)
     group.add_argument("--stable", action="store_true", help="go downhill to a stable one")
 
 
@@ -38,12 +38,14 @@ def run(options: argparse.Namespace) -> int:
     """Load, compile, search, report."""
     from ..errors import SolveError
 
-    scene, model = resting.model(options)
+    scene, model = equilibrium_options.model(options)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found = model.equilibrium(**resting.loads(scene, model, options), stable=options.stable)
+        found = model.equilibrium(
+            **equilibrium_options.loads(scene, model, options), stable=options.stable
+        )
     if options.json:
-        print(json.dumps(resting.numbers(found), indent=1))
+        print(json.dumps(equilibrium_options.numbers(found), indent=1))
         return 0 if found.converged else 1
     if not found.converged:
         raise SolveError(found.message)

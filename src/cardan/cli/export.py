@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from . import reading
+from .options import scene as scene_options
 
 DESCRIPTION = """\
 Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
@@ -27,7 +27,7 @@ examples:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
+    scene_options.arguments(parser)
     what = parser.add_argument_group("what is written")
     what.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                       help="a new or empty directory, or an earlier export")  # fmt: skip
@@ -37,7 +37,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="cython adds a package for NumPy (default, but for beams)")  # fmt: skip
     what.add_argument("--integrators", metavar="METHOD", nargs="+", default=[],
                       help="such as dop853, radau or alpha: C that simulates")  # fmt: skip
-    reading.method(what)
+    scene_options.method(what)
     what.add_argument("--reproducible", action="store_true",
                       help="flags under which every compiler gives equal bits")  # fmt: skip
     what.add_argument("--prefix", metavar="NAME", default="",
@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import derive
     from .terminal import console, progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and writing")
         chosen = {"language": options.language} if options.language else {}

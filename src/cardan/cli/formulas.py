@@ -8,7 +8,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from ..errors import DerivationError, ModelError
-from . import reading
+from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..equations.record import Equations
@@ -63,7 +63,7 @@ def show(options: argparse.Namespace) -> int:
     from ..pipeline import derive
     from .terminal import progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving")
         equations = derive(scene)

@@ -7,8 +7,9 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import reading, running
-from .resting import finite
+from .options import run as run_options
+from .options import scene as scene_options
+from .options.equilibrium import finite
 
 if TYPE_CHECKING:
     from ..analyses.identification.base import Base
@@ -38,22 +39,23 @@ examples:
         without accelerations, for another program
 
 A table has a first line of names: t, a coordinate by its name, its speed and acceleration with .u
-and .udot where they were measured, its force with .tau; or it is a run (.nc, .npz) that simulate wrote.
+and .udot where they were measured, its force with .tau; or it is a run that simulate
+wrote (.nc, .npz).
 Friction is told where the file has some: a joint's <dynamics damping=""/>, or forces of type
 damping and friction, which may be 0."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
+    scene_options.arguments(parser)
     group = parser.add_argument_group("estimates")
-    group.add_argument("--data", metavar="RUN.csv", type=running.data,
+    group.add_argument("--data", metavar="RUN.csv", type=run_options.data,
                        help="measured motion and forces, or a run")  # fmt: skip
     group.add_argument("--form", choices=("torque", "energy"), default="torque",
                        help="forces at every sample, or energies (default torque)")  # fmt: skip
-    group.add_argument("--cutoff", metavar="HZ", type=running.positive,
+    group.add_argument("--cutoff", metavar="HZ", type=run_options.positive,
                        help="filter positions and forces above")  # fmt: skip
-    group.add_argument("--noise", metavar="JOINT=VALUE", type=running.named, action="append",
+    group.add_argument("--noise", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="standard deviation of a force (default: told by what "
                        "is left over)")  # fmt: skip
     group.add_argument("--actuator", metavar="JOINT", action="append",
@@ -61,17 +63,17 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--plot", metavar="FIT.png", type=Path,
                        help="measured and estimated forces as a picture")  # fmt: skip
     motion = parser.add_argument_group("a motion that excites")
-    motion.add_argument("--excite", metavar="MOTION.csv", type=running.file(".csv"),
+    motion.add_argument("--excite", metavar="MOTION.csv", type=run_options.file(".csv"),
                         help="find a motion and write it as a table")  # fmt: skip
-    motion.add_argument("--period", metavar="SECONDS", type=running.positive,
+    motion.add_argument("--period", metavar="SECONDS", type=run_options.positive,
                         help="of the motion (default 10), or of the measured one")  # fmt: skip
-    motion.add_argument("--harmonics", type=running.count, default=5,
+    motion.add_argument("--harmonics", type=run_options.count, default=5,
                         help="of its Fourier series (default 5)")  # fmt: skip
-    motion.add_argument("--rate", metavar="HZ", type=running.positive, default=100.0,
+    motion.add_argument("--rate", metavar="HZ", type=run_options.positive, default=100.0,
                         help="samples per second in the table (default 100)")  # fmt: skip
-    motion.add_argument("--speed", metavar="VALUE", type=running.positive,
+    motion.add_argument("--speed", metavar="VALUE", type=run_options.positive,
                         help="most of every joint (default: limits of the file)")  # fmt: skip
-    motion.add_argument("--acceleration", metavar="VALUE", type=running.positive,
+    motion.add_argument("--acceleration", metavar="VALUE", type=run_options.positive,
                         help="most of every joint (default any)")  # fmt: skip
     motion.add_argument("--seed", type=int, default=0, help="of the search (default 0)")
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
@@ -82,7 +84,7 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import compile
     from .terminal import progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)

@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
-from . import reading
+from .options import scene as scene_options
 from .terminal import console
 
 if TYPE_CHECKING:
@@ -43,8 +43,8 @@ ROWS, WIDTH = 24, 600
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
-    reading.method(parser.add_argument_group("the equations"))
+    scene_options.arguments(parser)
+    scene_options.method(parser.add_argument_group("the equations"))
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="PAGE", type=Path,
                          help="a page: .html, .tex or .md")  # fmt: skip
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output is not None:
         checked(options.output)
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving")
         equations = derive(scene, method=options.method)

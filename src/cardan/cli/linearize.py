@@ -8,7 +8,10 @@ from collections.abc import Callable
 from typing import Any
 
 from ..errors import ModelError
-from . import formulas, resting, running, varying, wanting
+from . import formulas
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
+from .options import sweep as sweep_options
 
 DESCRIPTION = """\
 The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
@@ -39,16 +42,16 @@ examples:
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    group = resting.arguments(parser)
-    group.add_argument("--u", metavar="JOINT=VALUE", type=running.named, action="append",
+    group = equilibrium_options.arguments(parser)
+    group.add_argument("--u", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="speed of a steady motion")  # fmt: skip
     group.add_argument("--input", metavar="NAME", action="append",
                        help="input, or joint whose force drives (default all inputs)")  # fmt: skip
     group.add_argument("--output", metavar="NAME", action="append",
                        help="output, coordinate or speed (default: all outputs)")  # fmt: skip
-    wanting.arguments(group)
+    equilibrium_options.trim_arguments(group)
     family = parser.add_argument_group("what changes")
-    family.add_argument("--vary", metavar="NAME=VALUES", type=varying.vary, action="append",
+    family.add_argument("--vary", metavar="NAME=VALUES", type=sweep_options.vary, action="append",
                         help="parameter, input or joint whose speed it is: FROM,TO, "
                         "linspace(FROM,TO,COUNT) or a list; repeat: they go together")  # fmt: skip
     family.add_argument("--coordinate", metavar="NAME", action="append",
@@ -57,7 +60,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                         help="frequencies and whirl over the speed that varies")  # fmt: skip
     family.add_argument("--sensitivity", metavar="NAME", action="append",
                         help="derivatives of eigenvalues by a parameter; repeat")  # fmt: skip
-    parser.add_argument("--plot", metavar="PATH.png", type=running.file(".png", ".pdf", ".svg"),
+    parser.add_argument("--plot", metavar="PATH.png", type=run_options.file(".png", ".pdf", ".svg"),
                         help="locus, Campbell diagram or frequency response "
                         "(needs matplotlib)")  # fmt: skip
 
@@ -68,10 +71,10 @@ def run(options: argparse.Namespace) -> int:
     """Load, compile, linearize, report."""
     if formulas.wanted(options):
         return formulas.show(options)
-    scene, model = resting.model(options)
+    scene, model = equilibrium_options.model(options)
     trimmed = bool(options.want or options.free)
-    given = wanting.asked(scene, model, options) if trimmed else {
-        **resting.loads(scene, model, options), "u": dict(options.u)
+    given = equilibrium_options.trim_values(scene, model, options) if trimmed else {
+        **equilibrium_options.loads(scene, model, options), "u": dict(options.u)
     }  # fmt: skip
     found, table = _found(model, given, trimmed, options)
     if options.plot is not None:
@@ -135,7 +138,7 @@ def locus(found: Any) -> dict[str, Any]:
 
 def diagram(found: Any) -> dict[str, Any]:
     """A Campbell diagram for JSON; frequencies [rad/s]."""
-    rows = [[resting.finite(f) for f in row] for row in found.frequencies.tolist()]
+    rows = [[equilibrium_options.finite(f) for f in row] for row in found.frequencies.tolist()]
     return {
         **locus(found.locus),
         "speed": found.speed.tolist(),
@@ -150,7 +153,10 @@ def changes(found: Any) -> dict[str, Any]:
     return {
         "eigenvalues": [[v.real, v.imag] for v in found.eigenvalues.tolist()],
         "derivatives": {
-            name: [[resting.finite(v.real), resting.finite(v.imag)] for v in found[name].tolist()]
+            name: [
+                [equilibrium_options.finite(v.real), equilibrium_options.finite(v.imag)]
+                for v in found[name].tolist()
+            ]
             for name in found.parameters
         },
     }

@@ -6,7 +6,8 @@ import argparse
 import json
 from typing import Any
 
-from . import resting, running
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
 
 DESCRIPTION = """\
 Frequencies, damping ratios and shapes of small vibrations about the equilibrium next to a start,
@@ -28,21 +29,21 @@ Modes are of modal mass 1; 'rigid' is what nothing holds."""
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    group = resting.arguments(parser)
-    group.add_argument("--u", metavar="JOINT=VALUE", type=running.named, action="append",
+    group = equilibrium_options.arguments(parser)
+    group.add_argument("--u", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="speed of a steady motion")  # fmt: skip
-    group.add_argument("--count", type=running.count, help="how many (default all)")
+    group.add_argument("--count", type=run_options.count, help="how many (default all)")
     group.add_argument("--undamped", action="store_true", help="leave dampers out")
     parser.add_argument("--mode", metavar="NUMBER", type=int, default=0,
                         help="which one --view plays, from 0 (default 0)")  # fmt: skip
-    parser.add_argument("--view", metavar="MODE.html", type=running.file(".html", ".htm"),
+    parser.add_argument("--view", metavar="MODE.html", type=run_options.file(".html", ".htm"),
                         help="a mode as a page that plays")  # fmt: skip
 
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, solve, report."""
-    scene, model = resting.model(options)
-    given = resting.loads(scene, model, options)
+    scene, model = equilibrium_options.model(options)
+    given = equilibrium_options.loads(scene, model, options)
     rest = model.equilibrium(**given, u=dict(options.u), check=True)
     found = model.modes(options.count, rest, damped=not options.undamped)
     if options.view is not None:
@@ -63,7 +64,7 @@ def numbers(found: Any) -> dict[str, Any]:
             {
                 "eigenvalue": [value.real, value.imag],
                 "frequency": value.imag / 6.283185307179586,
-                "damping": resting.finite(ratio),
+                "damping": equilibrium_options.finite(ratio),
                 "shape": {n: [x.real, x.imag] for n, x in found.shape(k).items()},
             }
             for k, (value, ratio) in enumerate(

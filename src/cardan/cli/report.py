@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from ..analyses.integrators import INTEGRATORS
 from ..errors import ImpossibleWarning, ModelError
-from . import INTERRUPTED, reading, running
+from . import INTERRUPTED
+from .options import run as run_options
+from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..analyses.precision import Precision
@@ -41,16 +43,16 @@ time of some runs on one core. Ctrl-C ends measuring and shows what there is."""
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
-    running.start(parser)
+    scene_options.arguments(parser)
+    run_options.start(parser)
     contest = parser.add_argument_group("what is measured")
     contest.add_argument("--methods", nargs="+", choices=tuple(INTEGRATORS), metavar="METHOD",
                          help=f"of {', '.join(INTEGRATORS)} (default all)")  # fmt: skip
-    contest.add_argument("--patience", metavar="SECONDS", type=running.positive, default=5.0,
+    contest.add_argument("--patience", metavar="SECONDS", type=run_options.positive, default=5.0,
                          help="longest time for one run (default 5)")  # fmt: skip
     results = parser.add_argument_group("results")
     endings = (".html", ".htm", ".png", ".pdf", ".svg")
-    results.add_argument("-o", "--output", metavar="FILE", type=running.file(*endings),
+    results.add_argument("-o", "--output", metavar="FILE", type=run_options.file(*endings),
                          help="page (.html) or picture; needs matplotlib")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 
@@ -62,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
     from .terminal import console, progress
 
     scene = _real(options)
-    found = running.begin(scene, options)
+    found = run_options.begin(scene, options)
     end = found.pop("t")
     with progress() as show:
         show("deriving and compiling")
@@ -93,7 +95,7 @@ def _real(options: argparse.Namespace) -> Model:
     with warnings.catch_warnings():
         warnings.simplefilter("error", ImpossibleWarning)
         try:
-            return reading.read(options)
+            return scene_options.read(options)
         except ImpossibleWarning as doubt:
             raise ModelError(str(doubt)) from None
 

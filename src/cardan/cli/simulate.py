@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import CardanError
-from . import INTERRUPTED, reading, running
+from . import INTERRUPTED
+from .options import run as run_options
+from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
@@ -47,8 +49,8 @@ Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    reading.arguments(parser)
-    running.arguments(parser)
+    scene_options.arguments(parser)
+    run_options.arguments(parser)
     parser.add_argument(
         "--checkpoint",
         metavar="FILE",
@@ -57,15 +59,19 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     )
     results = parser.add_argument_group("results")
     results.add_argument(
-        "-o", "--output", metavar="RUN.nc", type=running.saved, help="the run: .nc, .npz or .csv"
+        "-o",
+        "--output",
+        metavar="RUN.nc",
+        type=run_options.saved,
+        help="the run: .nc, .npz or .csv",
     )
     results.add_argument(
-        "--view", metavar="RUN.html", type=running.file(".html", ".htm"), help="animated page"
+        "--view", metavar="RUN.html", type=run_options.file(".html", ".htm"), help="animated page"
     )
     results.add_argument(
         "--plot",
         metavar="RUN.png",
-        type=running.file(".png", ".pdf", ".svg"),
+        type=run_options.file(".png", ".pdf", ".svg"),
         help="picture (needs matplotlib)",
     )
     results.add_argument("--json", action="store_true", help="print JSON for another program")
@@ -76,13 +82,13 @@ def run(options: argparse.Namespace) -> int:
     from ..pipeline import compile
     from .terminal import progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)
         show("simulating", 0.0)
         motion = model.simulate(
-            **running.settings(scene, options),
+            **run_options.settings(scene, options),
             checkpoint=options.checkpoint,
             progress=lambda fraction: show("simulating", fraction),
         )

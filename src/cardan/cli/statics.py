@@ -8,7 +8,8 @@ import math
 import warnings
 from typing import Any
 
-from . import resting, running
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
 
 DESCRIPTION = """\
 Equilibria under loads that change slowly: parameters, inputs and held coordinates are swept
@@ -30,12 +31,12 @@ exit status 1: the end was not reached; the path up to there is printed"""
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    group = resting.arguments(parser)
+    group = equilibrium_options.arguments(parser)
     group.add_argument("--sweep", metavar="NAME=FROM,TO", type=swept, action="append",
                        required=True, help="parameter, input or coordinate; repeat")  # fmt: skip
-    group.add_argument("--steps", metavar="COUNT", type=running.count, default=10,
+    group.add_argument("--steps", metavar="COUNT", type=run_options.count, default=10,
                        help="rows, more where the way is hard (default 10)")  # fmt: skip
-    parser.add_argument("--plot", metavar="PATH.png", type=running.file(".png", ".pdf", ".svg"),
+    parser.add_argument("--plot", metavar="PATH.png", type=run_options.file(".png", ".pdf", ".svg"),
                         help="picture of all coordinates (needs matplotlib)")  # fmt: skip
 
 
@@ -53,8 +54,8 @@ def swept(text: str) -> tuple[str, list[float]]:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, follow, report."""
-    scene, model = resting.model(options)
-    given = resting.loads(scene, model, options)
+    scene, model = equilibrium_options.model(options)
+    given = equilibrium_options.loads(scene, model, options)
     moved = {n: v for n, v in options.sweep if n in model.coordinates}
     loads = {n: v for n, v in options.sweep if n not in moved}
     given["hold"] = {**given["hold"], **moved}
@@ -76,7 +77,7 @@ def numbers(path: Any) -> dict[str, Any]:
         "success": path.success,
         "message": path.message,
         "values": {name: column.tolist() for name, column in path.values.items()},
-        "rows": [resting.numbers(row) for row in path.rows],
+        "rows": [equilibrium_options.numbers(row) for row in path.rows],
         "stability_changes": path.critical(),
     }
 

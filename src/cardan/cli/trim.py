@@ -6,7 +6,8 @@ import argparse
 import json
 from typing import Any
 
-from . import resting, running, wanting
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
 
 DESCRIPTION = """\
 Inputs, parameters, forces and speeds with which a wanted steady motion, or a rest, holds: a bicycle
@@ -28,16 +29,16 @@ exit status 1: there is none; the message tells what cannot be met, or is left o
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the command takes."""
-    group = resting.arguments(parser)
-    group.add_argument("--u", metavar="JOINT=VALUE", type=running.named, action="append",
+    group = equilibrium_options.arguments(parser)
+    group.add_argument("--u", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="speed that stays, or starts if it is free")  # fmt: skip
-    wanting.arguments(group)
+    equilibrium_options.trim_arguments(group)
 
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, search, report."""
-    scene, model = resting.model(options)
-    found = model.trim(**wanting.asked(scene, model, options), check=True)
+    scene, model = equilibrium_options.model(options)
+    found = model.trim(**equilibrium_options.trim_values(scene, model, options), check=True)
     print(json.dumps(numbers(found), indent=1) if options.json else found)
     return 0
 

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .circle_means import Pose
-from .joint_motion import REVERSED, JointData, cross, joint_data, times
+from .joint_motion import REVERSED, JointData, Pose, cross, joint_data, times
 from .rotations import PARAMETERS, about, quaternion
 
 Array = NDArray[Any]
@@ -71,6 +70,9 @@ class Curve:
         for power in np.moveaxis(self.coefficients[:, piece], -1, 0):
             total = total * step[..., None] + np.moveaxis(power, 0, -1)
         return np.asarray(total)
+
+
+KindPose = Callable[[KindNumbers, Array], tuple[Array, Array]]
 
 
 def normalized(v: Array) -> Array:
@@ -145,7 +147,7 @@ def _rolling(j: KindNumbers, q: Array) -> tuple[Array, Array]:
     return tilted @ about(y, q[:, 4]), q[:, :2] @ np.stack([x, y]) + crown * n + up
 
 
-def _guided(place: Callable[[KindNumbers, Array], Array]) -> Any:
+def _guided(place: Callable[[KindNumbers, Array], Array]) -> KindPose:
     """A free rotation about a point that moves with the last coordinates."""
 
     def pose(j: KindNumbers, q: Array) -> tuple[Array, Array]:
@@ -168,7 +170,7 @@ def _rod(j: KindNumbers, c: Array) -> Array:
     return times(about(first, c[:, 0]) @ about(second, c[:, 1]), j.sizes[0] * j.along)
 
 
-POSES: Mapping[str, Callable[[KindNumbers, Array], tuple[Array, Array]]] = {
+POSES: Mapping[str, KindPose] = {
     "fixed": lambda j, q: (_still(q), _none(q)),
     "revolute": _revolute,
     "gear": _revolute,

@@ -116,8 +116,8 @@ def measured(
 
     Args:
         model: Whose motion it is.
-        data: A Trajectory, a path (of a saved run, or a table .csv), or a mapping with ``t`` and blocks
-            ``q``, ``u``, ``udot``, ``tau``, ``r`` (nt, ...) or columns such as ``elbow`` and
+        data: A Trajectory, a path (of a saved run, or a table .csv), or a mapping with ``t`` and
+            blocks ``q``, ``u``, ``udot``, ``tau``, ``r`` (nt, ...) or columns such as ``elbow`` and
             ``elbow.tau``.
         cutoff: [Hz] above which coordinates are noise: they are filtered, forward and backward,
             before they are differentiated.

@@ -52,9 +52,9 @@ def identify(
 
     Args:
         model: Its parameters are those the estimates are compared with.
-        data: A Trajectory, a file (of a saved run, or .csv), or a mapping with ``t`` and ``q``, ``u``, ``udot``,
-            ``tau``, ``r`` or their columns; speeds and accelerations that are missing are found by
-            differentiation. See :func:`.data.measured`.
+        data: A Trajectory, a file (of a saved run, or .csv), or a mapping with ``t`` and ``q``,
+            ``u``, ``udot``, ``tau``, ``r`` or their columns; speeds and accelerations that are
+            missing are found by differentiation. See :func:`.data.measured`.
         form: ``"torque"``: forces at every sample; ``"energy"``: what stretches of the motion have
             gained, which needs no accelerations but keeps less of the information.
         noise: Standard deviation of measured forces, one number or by speed or joint; None: from

@@ -9,13 +9,12 @@ from __future__ import annotations
 import json
 from collections.abc import Collection
 from pathlib import Path
-from typing import Any
 
 from ...errors import ModelError
 from ...regular_file import content
 from ...version import VERSION, Format
 from ...whole_file import replaced
-from .contents import Contents, FileFormat, Variable
+from .contents import Attributes, Contents, FileFormat, Variables
 from .csv import CSV
 from .netcdf import NETCDF
 from .npz import NPZ
@@ -116,7 +115,7 @@ def readable() -> tuple[str, ...]:
     return tuple(e for one in FORMATS if one.parse is not None for e in one.endings if e)
 
 
-def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
+def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     """Attributes and variables of a file of any format that is read.
 
     Raises:

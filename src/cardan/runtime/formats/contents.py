@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[Any]
 # texts and single numbers about a whole file
-Attributes = Mapping[str, Any]
+Attributes = dict[str, Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +65,9 @@ def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:
     return Variable((dimension, f"{name or dimension}_letters"), values, {"_Encoding": "utf-8"})
 
 
+Variables = dict[str, Variable]
+
+
 @dataclass(frozen=True)
 class FileFormat:
     """One way to write contents to a file.
@@ -80,7 +83,7 @@ class FileFormat:
 
     name: str
     endings: tuple[str, ...]
-    write: Callable[[Path, Attributes, Mapping[str, Variable]], None]
+    write: Callable[[Path, Attributes, Variables], None]
     magic: tuple[bytes, ...] = ()
-    parse: Callable[[bytes], tuple[dict[str, Any], dict[str, Variable]]] | None = None
+    parse: Callable[[bytes], tuple[Attributes, Variables]] | None = None
     limit: int = 0

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from .contents import Attributes, FileFormat, Variable
+from .contents import Attributes, FileFormat, Variable, Variables
 
 ROWS = ("time", "run")  # axes along which tables go
 
 
-def _written(path: Path, attributes: Attributes, variables: Mapping[str, Variable]) -> None:
+def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
     along = "run" if "cardan_ensemble" in attributes else "time"
     columns = [
         column

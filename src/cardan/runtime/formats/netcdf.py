@@ -6,14 +6,14 @@ Source: Unidata, The NetCDF Classic Format Specification (CDF-1, CDF-2).
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from .contents import Array, Attributes, FileFormat, Variable
+from .contents import Array, Attributes, FileFormat, Variable, Variables
 
 # number of a type in a file -> NumPy's name
 TYPES = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8"}
@@ -22,7 +22,7 @@ DIMENSIONS, VARIABLES, ATTRIBUTES, ABSENT = 10, 11, 12, 0
 AXES = 8  # of one variable
 
 
-def _written(path: Path, attributes: Attributes, variables: Mapping[str, Variable]) -> None:
+def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
     from scipy.io import netcdf_file
 
     with netcdf_file(path, "w", version=2) as file:
@@ -80,9 +80,9 @@ class _Bytes:
             raise ValueError("its header is out of order")
         yield from range(count)
 
-    def attributes(self) -> dict[str, Any]:
+    def attributes(self) -> Attributes:
         """Texts by name; of single numbers the number; None of others."""
-        found: dict[str, Any] = {}
+        found: Attributes = {}
         for _ in self.many(ATTRIBUTES):
             name, kind, count = self.text(), self.kind(), self.integer()
             raw = self.take(np.dtype(kind).itemsize * count)
@@ -102,7 +102,7 @@ class _Bytes:
         return TYPES[number]
 
 
-def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
+def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     """Attributes and variables.
 
     Raises:
@@ -115,7 +115,7 @@ def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
     if not all(size for _, size in dimensions):
         raise ValueError("it has a dimension that grows")
     notes = head.attributes()
-    variables: dict[str, Variable] = {}
+    variables: Variables = {}
     total = 0
     for _ in head.many(VARIABLES):
         name, axes = head.text(), head.integer()

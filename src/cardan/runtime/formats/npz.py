@@ -6,20 +6,19 @@ Names of axes, units and everything the run says about itself stand as JSON in t
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..number_file import packed, plain, unpacked
-from .contents import Attributes, FileFormat, Variable
+from .contents import Array, Attributes, FileFormat, Variable, Variables
 
 ABOUT = "about"
 LETTERS = "S1"  # texts, as bytes
 
 
-def _written(path: Path, attributes: Attributes, variables: Mapping[str, Variable]) -> None:
+def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
     rows = {
         name: {"dimensions": one.dimensions, "attributes": dict(one.attributes)}
         for name, one in variables.items()
@@ -33,7 +32,7 @@ def _written(path: Path, attributes: Attributes, variables: Mapping[str, Variabl
     path.write_bytes(packed({**arrays, ABOUT: np.array(about)}))
 
 
-def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
+def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     """Attributes and variables.
 
     Raises:
@@ -52,7 +51,7 @@ def _parsed(data: bytes) -> tuple[dict[str, Any], dict[str, Variable]]:
     return attributes, {name: _variable(name, rows[name], arrays[name]) for name in rows}
 
 
-def _variable(name: str, row: Any, values: Any) -> Variable:
+def _variable(name: str, row: Any, values: Array) -> Variable:
     """An array with the names of its axes and its texts, checked."""
     dimensions = row.get("dimensions") if isinstance(row, dict) else None
     texts = row.get("attributes") if isinstance(row, dict) else None

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ..model import Model
+    from ...model import Model
 
 DEFAULTS: dict[str, Any] = {"t": 10.0}
 
@@ -54,14 +54,14 @@ def file(*endings: str) -> Callable[[str], Path]:
 
 def saved(text: str) -> Path:
     """The type of a file that a run or an ensemble is written to."""
-    from ..runtime import formats
+    from ...runtime import formats
 
     return file(*formats.writable())(text)
 
 
 def data(text: str) -> Path:
     """The type of a file of measurements: a table or a saved run."""
-    from ..runtime import formats
+    from ...runtime import formats
 
     return file(".csv", *formats.readable())(text)
 
@@ -95,8 +95,8 @@ def _value(text: str) -> float:
     except ValueError:
         if "pi" not in text:
             raise
-    from ..errors import CardanError
-    from ..model.files.expression import parse
+    from ...errors import CardanError
+    from ...model.files.expression import parse
 
     try:
         return float(parse(text, {}, where=text))

@@ -6,23 +6,25 @@ import argparse
 import math
 from typing import TYPE_CHECKING, Any
 
-from . import reading, running
+from ...errors import ModelError
+from . import run as run_options
+from . import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..analyses.equilibrium import Equilibrium
-    from ..model import Model
-    from ..runtime.compiled import CompiledModel
+    from ...analyses.equilibrium import Equilibrium
+    from ...model import Model
+    from ...runtime.compiled import CompiledModel
 
 
 def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     """Declare file, start and loads."""
-    reading.arguments(parser)
+    scene_options.arguments(parser)
     group = parser.add_argument_group("where it rests")
-    group.add_argument("--q", metavar="JOINT=VALUE", type=running.named, action="append",
+    group.add_argument("--q", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate to start from; again for another")  # fmt: skip
-    group.add_argument("--hold", metavar="JOINT=VALUE", type=running.named, action="append",
+    group.add_argument("--hold", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate that is held, by what it takes")  # fmt: skip
-    group.add_argument("--set", metavar="NAME=VALUE", type=running.named, action="append",
+    group.add_argument("--set", metavar="NAME=VALUE", type=run_options.named, action="append",
                        default=[], help="value of a parameter or input")  # fmt: skip
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
     return group
@@ -30,10 +32,10 @@ def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
 
 def model(options: argparse.Namespace) -> tuple[Model, CompiledModel]:
     """The scene and its compiled model."""
-    from ..pipeline import compile
-    from .terminal import progress
+    from ...pipeline import compile
+    from ..terminal import progress
 
-    scene = reading.read(options)
+    scene = scene_options.read(options)
     with progress() as show:
         show("deriving and compiling")
         return scene, compile(scene)
@@ -46,6 +48,26 @@ def loads(scene: Model, found: CompiledModel, options: argparse.Namespace) -> di
     parameters = {name: value for name, value in values.items() if name not in inputs}
     q = {**scene.settings.get("q", {}), **dict(options.q)}
     return {"q": q, "hold": dict(options.hold), "inputs": inputs, "parameters": parameters}
+
+
+def trim_arguments(group: argparse._ArgumentGroup) -> None:
+    """Declare what is wanted and what is free."""
+    group.add_argument("--want", metavar="NAME=VALUE", type=run_options.named, action="append",
+                       default=[], help="coordinate, speed or output with this value")  # fmt: skip
+    group.add_argument("--free", metavar="NAME", action="append", default=[],
+                       help="input, parameter, JOINT.force or SPEED that may change")  # fmt: skip
+
+
+def trim_values(scene: Model, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
+    """What ``model.trim`` takes, of commands that look for a wanted motion.
+
+    Raises:
+        ModelError: something is held.
+    """
+    given = loads(scene, model, options)
+    if given.pop("hold"):
+        raise ModelError("--hold does not go with --want: want it, and give --free JOINT.force")
+    return {**given, "wanted": dict(options.want), "free": options.free, "u": dict(options.u)}
 
 
 def numbers(found: Equilibrium) -> dict[str, Any]:

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ..analyses import sample
-from ..errors import ModelError, near
+from ...analyses import sample
+from ...errors import ModelError, near
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 LIST = re.compile(rf"\s*{NUMBER}\s*(?:,\s*{NUMBER}\s*)*")
