@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import itertools
 import pickle
-from collections.abc import Sequence
+import signal
+import warnings
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import cardan as cd
 from cardan.errors import CompilerMissing
+from cardan.ir import straight_line
+from cardan.ir.function import Function
 from cardan.runtime import cache, interpreted, prebuilt
 
 KERNELS = prebuilt.DIRECTORY
@@ -21,20 +28,22 @@ def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -
     # written and compiled while there is a compiler
     model._kernels()
     content = pickle.dumps(model)
-    usual = cache.compiled
-
-    def compiled(sources: Sequence[Path], *arguments: Any, **named: Any) -> cache.Object:
-        if any(path.parent != KERNELS for path in sources):
-            raise CompilerMissing("no C compiler")
-        return usual(sources, *arguments, **named)
-
-    monkeypatch.setattr(cache, "compiled", compiled)
+    monkeypatch.setattr(cache, "compiled", partial(_kernels_only, cache.compiled))
     interpreted.announce.cache_clear()
     other = pickle.loads(content)
     with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
         other.prepare("rhs")
     assert other._function("rhs").interpreted
     return other
+
+
+def _kernels_only(
+    compiled: Callable[..., cache.Object], sources: Sequence[Path], *given: Any, **named: Any
+) -> cache.Object:
+    """Compile kernels alone, where the installation has none."""
+    if any(path.parent != KERNELS for path in sources):
+        raise CompilerMissing("no C compiler")
+    return compiled(sources, *given, **named)
 
 
 def four_bar() -> cd.Model:
@@ -70,3 +79,59 @@ def beam() -> cd.Model:
     bar = scene.beam("bar", *ends, section, rubber, elements=3, inertia="lumped")
     scene.joint("pin", cd.Revolute("y"), scene.ground, bar.start)
     return scene
+
+
+# Ctrl-C, in a process of its own
+
+
+def simulated(model: cd.CompiledModel) -> dict[str, Any]:
+    """A run that would take very long."""
+    motion = model.simulate(1e4, method="RK4", step=1e-3)
+    return {"status": motion.status, "rows": len(motion), "end": motion.t[-1]}
+
+
+def many(model: cd.CompiledModel) -> dict[str, Any]:
+    """An ensemble by four threads."""
+    made = model.ensemble(20.0, q={"elbow": np.linspace(0, 1, 400)}, threads=4)
+    return {"status": "interrupted" if made.interrupted else "", "rows": made.done}
+
+
+def assembled(model: cd.CompiledModel) -> dict[str, Any]:
+    """Searches from many starts."""
+    found = model.assemble({"A": 0.5}, starts=10_000)
+    gap = max(abs(part) for parts in found.gaps.values() for part in parts)
+    return {"rows": found.starts, "status": "interrupted", "gap": gap}
+
+
+def loaded(model: cd.CompiledModel) -> dict[str, Any]:
+    """A path of many loads."""
+    path = model.statics(hold={"pin": (0.0, 0.1)}, steps=10_000)
+    return {"status": path.status, "rows": len(path)}
+
+
+def interrupted(work: Callable[[cd.CompiledModel], Any], calls: int, place: str, to: Any) -> None:
+    """Do work without a compiler, with one Ctrl-C after so many calls of model functions.
+
+    Args:
+        work, calls: What, and when.
+        place: Folder of the model.
+        to: Takes what the work gives, and its warnings.
+    """
+    usual, count = straight_line.straight_line, itertools.count(1)
+
+    def counted(function: Function) -> Callable[..., list[float]]:
+        evaluate = usual(function)
+
+        def evaluated(*blocks: Sequence[float]) -> list[float]:
+            if next(count) == calls:
+                signal.raise_signal(signal.SIGINT)
+            return evaluate(*blocks)
+
+        return evaluated
+
+    straight_line.straight_line = counted
+    cache.compiled = partial(_kernels_only, cache.compiled)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        found = work(cd.load_model(place))
+    to.send(found | {"calls": next(count), "said": [str(one.message) for one in said]})

@@ -69,7 +69,8 @@ def assemble(
         ArgumentError, SolveError: values of a wrong shape, or not finite.
 
     Warns:
-        SolveWarning: two positions are equally near to the start.
+        SolveWarning: two positions are equally near to the start; or Ctrl-C ended the searches
+            once one had met the targets.
     """
     refuse_nodes(model, "assemble")
     m = Mechanism(model, t, r)

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import SolveWarning, warn
 from ..runtime.initial import start_of
 from .mechanism import Mechanism
 from .meeting import Conditions, Found, meet
@@ -19,12 +20,28 @@ Array = NDArray[np.float64]
 def search(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
 ) -> list[Found]:
-    """Where searches from a start and from random coordinates end."""
+    """Where searches from a start and from random coordinates end.
+
+    Ctrl-C ends them once one of them has met the targets.
+
+    Warns:
+        SolveWarning: they were interrupted.
+    """
     found = list[Found]()
     given = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
     for k in range(starts):
-        end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
+        try:
+            end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
+        except KeyboardInterrupt:
+            if not any(one.met for one in found):
+                raise
+            warn(
+                f"interrupted after {k} of {starts} searches: there may be more positions, and one "
+                "that is nearer to the start",
+                SolveWarning,
+            )
+            break
         found.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
     return found
 

@@ -39,7 +39,7 @@ class StaticPath:
         loading: What was swept.
         s: Place of every row on the path, 0 to 1 (n,).
         rows: The equilibria (n,).
-        status: ``"finished"``, or ``"singular"`` where the end was not reached.
+        status: ``"finished"``; ``"singular"`` where the end was not reached; ``"interrupted"``.
         message: The same as a sentence.
         crossings: Where stability changed, in their order.
         values: What was swept, by name (n,).
@@ -59,12 +59,12 @@ class StaticPath:
         way: Loading,
         rows: list[tuple[float, Equilibrium]],
         crossed: Sequence[Crossing],
+        status: str,
         failure: str,
     ) -> StaticPath:
         """The record of a path that was followed."""
         s = np.array([place for place, _ in rows])
         values = {name: np.array([way.values(place)[name] for place in s]) for name in way.swept}
-        status = "singular" if failure else FINISHED
         message = failure or "reached the end"
         return cls(way, s, tuple(e for _, e in rows), status, message, tuple(crossed), values)
 

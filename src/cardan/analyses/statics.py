@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import Count, Hold, checked
 from ..errors import ModelError, SolveError, SolveWarning, warn
+from ..runtime.conduct import FINISHED
 from .contract import Contract, contract_of
 from .critical_load import limit_load
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
@@ -64,8 +65,8 @@ def statics(
         check: Raise where the end is not reached, instead of warning.
 
     Returns:
-        The path as far as it goes. Where it became unstable a warning says so, between which
-        loads; ``crossings`` and ``critical()`` tell the places.
+        The path as far as it goes, or came before Ctrl-C. Where it became unstable a warning says
+        so, between which loads; ``crossings`` and ``critical()`` tell the places.
 
     Raises:
         ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
@@ -80,9 +81,17 @@ def statics(
     still = {n: v for n, v in (hold or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
     way = loading(system, _known(model), base, {**(swept or {}), **named}, moved)
-    rows, crossed, failure = _follow(model, Problem(system), way, q, steps)
+    rows, crossed = list[tuple[float, Equilibrium]](), list[Crossing]()
+    try:
+        failure = _follow(model, Problem(system), way, q, steps, rows, crossed)
+        status = "singular" if failure else FINISHED
+    except KeyboardInterrupt:
+        if not rows:
+            raise
+        status = "interrupted"
+        failure = f"interrupted behind {_said(way, rows[-1][0])}; what was computed is kept"
     changed = _changed(system, way, crossed)
-    found = StaticPath.of(way, rows, crossed, failure)
+    found = StaticPath.of(way, rows, crossed, status, failure)
     if failure and check:
         raise SolveError(failure)
     for said in filter(None, (changed, failure)):
@@ -100,9 +109,15 @@ def _known(model: Any) -> dict[str, str]:
 
 
 def _follow(
-    model: Any, problem: Problem, way: Loading, q: Any, steps: int
-) -> tuple[list[tuple[float, Equilibrium]], list[Crossing], str]:
-    """Places of the path and equilibria there, critical loads, and why it ended early."""
+    model: Any,
+    problem: Problem,
+    way: Loading,
+    q: Any,
+    steps: int,
+    rows: list[tuple[float, Equilibrium]],
+    crossed: list[Crossing],
+) -> str:
+    """Note places of the path and equilibria there, and critical loads; why it ended early."""
     load = way.at(0.0)
     start = settled(problem, problem.begin(load, q), load, WAYS)
     if not start.converged:
@@ -110,7 +125,7 @@ def _follow(
             f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start, load)}"
         )
     here = begin = first(problem, start, load)
-    rows, crossed = [(0.0, record(model, problem, start, load, here.standing))], list[Crossing]()
+    rows.append((0.0, record(model, problem, start, load, here.standing)))
     for goal in _goals(way, steps):
         length = goal - here.s
         while here.s < goal:
@@ -132,8 +147,8 @@ def _follow(
             if shortest:
                 limit = limit_load(problem, way, begin, here)
                 crossed += [Crossing(here, limit, "limit")] if limit is not None else []
-                return rows, crossed, _stopped(problem.system, way, here, found, limit)
-    return rows, crossed, ""
+                return _stopped(problem.system, way, here, found, limit)
+    return ""
 
 
 def _reached(
