@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import cardan as cd
 from cardan.model.files.mjcf import from_text
-from cardan.model.files.pose import about, of_quaternion, to_quaternion, unit, upright_to
+from cardan.spatial.numbers import about, of_quaternion, to_quaternion, unit, upright_to
 from cardan.topology import build
 from model.fuzzing import FUZZ
 from model.mjcf_texts import SOLID, linkage, mujoco, one

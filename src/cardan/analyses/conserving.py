@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
+from ..runtime.absolute.frames import rotation
 
 if TYPE_CHECKING:
     from ..runtime.absolute.mesh import Mesh
@@ -151,7 +152,7 @@ class _Looked:
                 own = force[e, first : first + n]
                 if tables.kinds[tables.kind[place]].name == "node":
                     pose = q[tables.q[place] : tables.q[place] + 7]
-                    turn = _turned(pose[:4]).T @ motion[:3]
+                    turn = rotation(pose[:4]).T @ motion[:3]
                     power[e] += own[:3] @ turn
                     power[e] += own[3:] @ (motion[3:] + np.cross(motion[:3], pose[4:]))
                 first += n
@@ -195,10 +196,3 @@ def _columns(tables: Any, group: Any, element: int) -> list[Array]:
 def _named(group: Any) -> str:
     """How users know an element of a group."""
     return f"'{group.members[0]}'" if len(group.members) else f"an element '{group.kind.name}'"
-
-
-def _turned(quaternion: Array) -> Array:
-    """Rotation matrix (3, 3) of a unit quaternion."""
-    w, v = quaternion[0], quaternion[1:]
-    cross = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
-    return np.asarray(np.eye(3) + 2 * w * cross + 2 * cross @ cross)

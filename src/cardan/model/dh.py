@@ -23,11 +23,11 @@ from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..elements.written import is_expression
 from ..errors import ModelError, near, shown
+from ..spatial.numbers import cosine_sine
 from .checks import is_number
 from .files.angles import snap as quarter
 from .frame import Frame
 from .model import Model
-from .rotation import cosine_sine
 
 CONVENTIONS = ("standard", "modified")
 KINDS = {"revolute": Revolute, "prismatic": Prismatic}

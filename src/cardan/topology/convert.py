@@ -19,7 +19,7 @@ from ..model import dimensions
 from ..model.checks import is_number
 from ..model.frame import rows_of
 from ..model.model import Model
-from ..model.rotation import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
+from ..spatial.numbers import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
 from .built_in import BuiltIn
 from .system import Nodes, Parameter
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from ..model.checks import is_number
 from ..model.model import Model
-from ..model.rotation import Rows, of_sequence
 from ..model.shape import Shape
+from ..spatial.numbers import Rows, of_sequence
 
 
 def pictures(model: Model, frames: Mapping[Any, int]) -> tuple[tuple[int, dict[str, object]], ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..rotation import QUARTER, of_sequence, product
+from ...spatial.numbers import QUARTER, congruent, of_sequence
 
 # below this, 2 or 1.6 would be taken for pi/2
 FEWEST_DECIMALS = 2
@@ -74,5 +74,5 @@ def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:
     rotation = of_sequence("xyz", rpy)
     xx, xy, xz, yy, yz, zz = inertia
     rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
-    turned_rows = product(product(rotation, rows), [list(c) for c in zip(*rotation, strict=True)])
-    return tuple(turned_rows[i][j] for i in range(3) for j in range(i, 3))
+    in_axes = congruent(rotation, rows)
+    return tuple(in_axes[i][j] for i in range(3) for j in range(i, 3))

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 
 from ....errors import ModelError
-from ...rotation import Rows, product
+from ....spatial.numbers import UPRIGHT, Rows, about, of_quaternion, product, unit, upright_to
 from ..document import Element
-from ..pose import UPRIGHT, Pose, about, of_quaternion, unit, upright_to
+from ..pose import Pose
 
 ORIENTATIONS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 

@@ -9,11 +9,12 @@ from ....elements.joints.fixed import Fixed
 from ....elements.joints.joint import Joint as JointElement
 from ....elements.joints.spherical import Spherical
 from ....errors import ModelError, near
+from ....spatial.numbers import UPRIGHT, of_quaternion
 from ...body import Body
 from ...frame import Place
 from ...model import Model
 from ..document import Element
-from ..pose import HERE, UPRIGHT, Pose, of_quaternion, written
+from ..pose import HERE, Pose, written
 from .compiler import chosen
 from .joints import Hinge
 

@@ -17,11 +17,12 @@ from ....elements.joints.prismatic import Prismatic
 from ....elements.joints.revolute import Revolute
 from ....elements.joints.spherical import Spherical
 from ....errors import ModelError
+from ....spatial.numbers import UPRIGHT, Vector, about, to_quaternion, turned, unit
 from ...body import Body
 from ...frame import Place
 from ...model import Model
 from ..document import Element
-from ..pose import HERE, UPRIGHT, Pose, Vector, about, to_quaternion, turned, unit, written
+from ..pose import HERE, Pose, written
 from .compiler import Compiler, chosen
 
 KINDS = ("hinge", "slide", "ball", "free")

@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ....errors import ModelError
+from ....spatial.numbers import UPRIGHT, Rows, Vector, congruent, upright_to
 from ... import inertia
-from ...rotation import Rows, product
 from ..document import Element
-from ..pose import UPRIGHT, Pose, Vector, transposed, upright_to
+from ..pose import Pose
 from .compiler import Compiler, chosen
 
 KINDS = ("sphere", "capsule", "cylinder", "box", "ellipsoid", "plane", "hfield", "mesh", "sdf")
@@ -159,7 +159,7 @@ def of_geom(geom: Element, kind: str, compiler: Compiler, around: Pose) -> Mass 
 
 def _turned(rotation: Rows, moments: Sequence[float]) -> Rows:
     rows = [[m if i == j else 0.0 for j in range(3)] for i, m in enumerate(moments)]
-    return rows if rotation == UPRIGHT else product(product(rotation, rows), transposed(rotation))
+    return rows if rotation == UPRIGHT else congruent(rotation, rows)
 
 
 def together(parts: Sequence[Mass]) -> Mass:
@@ -205,7 +205,7 @@ def written(inertial: Element, compiler: Compiler, around: Pose) -> Mass:
     xx, yy, zz, xy, xz, yz = inertial.numbers("fullinertia", 6)
     rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     turn = around.rotation
-    return Mass(mass, pose.position, product(product(turn, rows), transposed(turn)))
+    return Mass(mass, pose.position, congruent(turn, rows))
 
 
 def kind_of(geom: Element) -> str:

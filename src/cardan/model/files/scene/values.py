@@ -8,10 +8,10 @@ from typing import Any
 
 from ....elements.material import material
 from ....errors import ModelError, near
+from ....spatial.numbers import check_axes, check_orthonormal
 from ...body import INERTIA_ENTRIES
 from ...frame import Place
 from ...model import Model
-from ...rotation import check_axes, check_orthonormal
 from ..angles import snap
 from ..expression import parse
 from ..meshes import Meshes

@@ -24,10 +24,10 @@ from ....elements.joints.joint import Joint as JointElement
 from ....elements.joints.spherical import Spherical
 from ....elements.joints.universal import Universal
 from ....errors import ModelError, near
+from ....spatial.numbers import of_sequence
 from ...body import Body
 from ...frame import Place
 from ...model import Model
-from ...rotation import of_sequence
 from ..document import Element
 from ..pose import HERE, Pose, written
 from .graph import Edge, known_link
