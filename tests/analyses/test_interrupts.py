@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import multiprocessing
-from collections.abc import Callable
+import signal
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -73,6 +74,55 @@ def work_once(model: cd.CompiledModel, name: str) -> None:
         model.simulate(1e-2, method="RK4", step=1e-3)
 
 
+class Calls:
+    """Model functions that do something at one of their calls.
+
+    Attributes:
+        left: Calls until then.
+        action: What they do.
+    """
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, action: Callable[[], object]) -> None:
+        self.left, self.action = -1, action
+        usual = straight_line.straight_line
+        monkeypatch.setattr(straight_line, "straight_line", lambda f: self.counted(usual(f)))
+
+    def counted(self, evaluate: Callable[..., list[float]]) -> Callable[..., list[float]]:
+        """A function that counts its calls."""
+
+        def evaluated(*blocks: Sequence[float]) -> list[float]:
+            self.left -= 1
+            if self.left == 0:
+                self.action()
+            return evaluate(*blocks)
+
+        return evaluated
+
+
+def raising(error: BaseException) -> Callable[[], object]:
+    """What raises an error."""
+
+    def action() -> None:
+        raise error
+
+    return action
+
+
+def test_a_stepper_goes_on_after_ctrl_c(bare: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = cd.compile(double_scene())
+    calls = Calls(monkeypatch, lambda: signal.raise_signal(signal.SIGINT))
+    stepper = bare(model).stepper(q={"elbow": 0.4}, method="RK4", step=1e-3)
+    stepper.step(0.01)
+    calls.left = 40
+    with pytest.raises(KeyboardInterrupt):
+        stepper.step(1.0)
+    assert 0.01 < stepper.t < 1.0
+    stepper.step(1.0 - stepper.t)
+    whole = model.simulate(1.0, q={"elbow": 0.4}, method="RK4", step=1e-3)
+    # the same grid of steps but for one around the interrupt, of order 4
+    assert stepper.state == pytest.approx(whole.x[-1], abs=1e-8)
+
+
 @pytest.mark.parametrize("error", [ZeroDivisionError("mine"), SystemExit(3), MemoryError()])
 @pytest.mark.parametrize("build", [double_scene, beam])
 def test_what_a_function_raises_comes_through(
@@ -81,24 +131,11 @@ def test_what_a_function_raises_comes_through(
     """Errors of any kind cross the C frames, and the model goes on after them."""
     model = cd.compile(build())
     motion = model.simulate(5e-3, method="RK4", step=1e-3)
-    # none before all is loaded and judged
-    usual, calls = straight_line.straight_line, [-(10**9)]
-
-    def failing(function: Any) -> Callable[..., list[float]]:
-        evaluate = usual(function)
-
-        def evaluated(*blocks: Any) -> list[float]:
-            calls[0] += 1
-            if calls[0] == 40:
-                raise error
-            return evaluate(*blocks)
-
-        return evaluated
-
-    monkeypatch.setattr(straight_line, "straight_line", failing)
+    calls = Calls(monkeypatch, raising(error))
     other = bare(model)
+    # all is loaded and judged
     other.simulate(5e-3, method="RK4", step=1e-3)
-    calls[0] = 0
+    calls.left = 40
     with pytest.raises(type(error) if not isinstance(error, MemoryError) else cd.SolveError):
         other.simulate(5e-2, method="RK4", step=1e-3, check=True)
     again = other.simulate(5e-3, method="RK4", step=1e-3)
