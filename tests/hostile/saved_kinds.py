@@ -49,8 +49,10 @@ def blade() -> cd.CompiledModel:
     return cd.compile(scene)
 
 
+BALL = {"t": 0.6, "q": {"pivot": 0.4}, "u": {"pivot": -3.0, "socket": [0.1, 0, 2]}}
 MOTIONS: dict[str, tuple[Scene, dict[str, Any]]] = {
-    "ball": (ball, {"t": 0.6, "q": {"pivot": 0.4}, "u": {"pivot": -3.0, "socket": [0.1, 0, 2]}}),
+    "ball": (ball, BALL),
+    "archived ball": (ball, BALL),
     "pushed": (double, {"t": 0.3, "inputs": {"torque": ([0.0, 0.1, 0.3], [0.0, 0.2, -0.1])}}),
     "blade": (blade, {"t": np.linspace(0, 0.01, 6)}),
     "dense blade": (blade, {"t": 0.002}),
@@ -61,7 +63,8 @@ def motion(name: str, folder: Path) -> Kind:
     """A saved motion, used without its model."""
     made, options = MOTIONS[name]
     folder.mkdir(parents=True)
-    good = made().simulate(**options).save(folder / "run.nc")
+    ending = ".npz" if name.startswith("archived") else ".nc"
+    good = made().simulate(**options).save(folder / f"run{ending}")
 
     def use(again: cd.Trajectory) -> bytes:
         found = hashlib.sha256((repr(again) + again._repr_html_()).encode())
@@ -78,22 +81,22 @@ def motion(name: str, folder: Path) -> Kind:
             found.update(np.asarray(part).tobytes())
         here = folder / f"again{os.getpid()}"
         found.update(again.animate(here.with_suffix(".html"), fps=100.0).read_bytes())
-        again.save(here.with_suffix(".nc"))
-        for suffix in (".html", ".nc"):
+        again.save(here.with_suffix(ending))
+        for suffix in (".html", ending):
             here.with_suffix(suffix).unlink()
         return found.digest()
 
-    pack, unpack = _packing(RUN, ("title", *storage.NOTES))
+    pack, unpack = _packing(RUN, ("title", *storage.NOTES), ending)
     return Kind(f"motion {name}", good, cd.load_motion, use, unpack, pack, lambda place: True)
 
 
 def _packing(
-    form: Format, notes: tuple[str, ...]
+    form: Format, notes: tuple[str, ...], ending: str = ".nc"
 ) -> tuple[Callable[[dict[str, Any]], bytes], Callable[[bytes], dict[str, Any]]]:
-    """From parts to the content of a netCDF file whose hash is right, and back."""
+    """From parts to the content of a file whose hash is right, and back."""
 
     def path() -> Path:
-        return Path("/dev/shm" if os.path.isdir("/dev/shm") else "/tmp") / f"{os.getpid()}.nc"
+        return Path("/dev/shm" if os.path.isdir("/dev/shm") else "/tmp") / f"{os.getpid()}{ending}"
 
     def pack(parts: dict[str, Any]) -> bytes:
         dimensions: dict[str, int] = {}

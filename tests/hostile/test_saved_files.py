@@ -19,7 +19,7 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
     "ensemble": saved_kinds.ensemble,
     "checkpoint": saved_kinds.checkpoint,
 }
-QUICK = ("motion ball", "motion blade", "ensemble", "checkpoint")
+QUICK = ("motion ball", "motion archived ball", "motion blade", "ensemble", "checkpoint")
 
 
 def _quick(names: tuple[str, ...]) -> list[object]:

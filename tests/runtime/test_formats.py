@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +89,16 @@ def test_archives_that_say_nothing_of_themselves(tmp_path: Path) -> None:
     np.savez(tmp_path / "other.npz", about='{"attributes": {"a": [1]}, "variables": {}}')
     with pytest.raises(cd.ModelError, match="its texts are damaged"):
         cd.load_motion(tmp_path / "other.npz")
+
+
+def test_numbers_without_an_axis_are_refused(motion: cd.Trajectory, tmp_path: Path) -> None:
+    with np.load(motion.save(tmp_path / "run.npz")) as found:
+        arrays = dict(found)
+    about = json.loads(str(arrays["about"]))
+    about["variables"]["time"]["dimensions"] = []
+    np.savez(tmp_path / "flat.npz", **{**arrays, "time": 1.0, "about": json.dumps(about)})
+    with pytest.raises(cd.ModelError, match="what is said about 'time' is damaged"):
+        cd.load_motion(tmp_path / "flat.npz")
 
 
 def test_no_name_is_reserved() -> None:

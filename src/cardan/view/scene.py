@@ -64,7 +64,7 @@ def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
     names = [row["name"] for row in manifest["frames"]]
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in bodies:
-        if manifest["joints"][k]["kind"] not in LOOSE:
+        if manifest["joints"][k]["kind"] not in LOOSE and body["parent"] in links:
             links[str(body["parent"])].append((np.zeros(3), position[k]))
     for k, body in bodies:
         rows = links[str(body["name"])]

@@ -57,8 +57,10 @@ def _variable(name: str, row: Any, values: Array) -> Variable:
     texts = row.get("attributes") if isinstance(row, dict) else None
     if not (isinstance(dimensions, list) and isinstance(texts, dict)):
         raise ValueError(f"nothing is said about '{name}'")
-    if len(dimensions) != values.ndim or not all(
-        isinstance(text, str) for text in (*dimensions, *texts.values())
+    if (
+        not values.ndim
+        or len(dimensions) != values.ndim
+        or not all(isinstance(text, str) for text in (*dimensions, *texts.values()))
     ):
         raise ValueError(f"what is said about '{name}' is damaged")
     if values.dtype.kind == "U":
