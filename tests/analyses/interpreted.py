@@ -28,7 +28,7 @@ def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -
     # written and compiled while there is a compiler
     model._kernels()
     content = pickle.dumps(model)
-    monkeypatch.setattr(cache, "compiled", partial(_kernels_only, cache.compiled))
+    monkeypatch.setattr(cache, "compiled", partial(kernels_only, cache.compiled))
     interpreted.announce.cache_clear()
     other = pickle.loads(content)
     with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
@@ -37,7 +37,7 @@ def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -
     return other
 
 
-def _kernels_only(
+def kernels_only(
     compiled: Callable[..., cache.Object], sources: Sequence[Path], *given: Any, **named: Any
 ) -> cache.Object:
     """Compile kernels alone, where the installation has none."""
@@ -130,7 +130,7 @@ def interrupted(work: Callable[[cd.CompiledModel], Any], calls: int, place: str,
         return evaluated
 
     straight_line.straight_line = counted
-    cache.compiled = partial(_kernels_only, cache.compiled)
+    cache.compiled = partial(kernels_only, cache.compiled)
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         found = work(cd.load_model(place))

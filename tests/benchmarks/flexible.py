@@ -26,7 +26,7 @@ from rich.table import Table
 from cardan.codegen import generate
 from cardan.ir.function import Function
 from cardan.runtime import cache, lanes
-from cardan.runtime.kernels import DIRECTORY
+from cardan.runtime.prebuilt import DIRECTORY
 from elements.flexible.states import ELEMENTS, State, state
 
 DRIVER = Path(__file__).with_name("flexible.c")

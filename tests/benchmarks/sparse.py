@@ -27,7 +27,7 @@ from cardan.runtime import cache
 from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record
 from cardan.runtime.absolute.plan import Plan, plan
 from cardan.runtime.absolute.systems import assembled
-from cardan.runtime.kernels import DIRECTORY
+from cardan.runtime.prebuilt import DIRECTORY
 from runtime.absolute.structures import Structure, bars, grid, line
 
 DRIVER = Path(__file__).with_name("sparse.c")

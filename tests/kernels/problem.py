@@ -12,8 +12,7 @@ import numpy as np
 
 from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
-from cardan.errors import CompilerMissing
-from cardan.runtime import abi, cache, kernels
+from cardan.runtime import abi, cache, kernels, prebuilt
 from cardan.runtime.kinematics import Energy
 from cardan.runtime.trajectory import Trajectory
 
@@ -72,15 +71,16 @@ def function(folder: Path, name: str, body: str, entries: list[str], before: str
     """A C function with the interface of a loaded one, and what stands before it."""
     path = folder / f"{name}.c"
     path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
-    library = ctypes.CDLL(str(cache.build([path], [kernels.DIRECTORY]).path))
+    library = ctypes.CDLL(str(cache.build([path], [prebuilt.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
-    # what runs without integrators in C call it by
-    caller = SimpleNamespace(
-        call=lambda blocks, strides, rows: abi.run(address, blocks, strides, len(rows), rows, 0)
-    )
     return SimpleNamespace(
-        address=address, w=np.zeros(1), work_size=0, outputs=outputs, library=library, caller=caller
+        address=address,
+        w=np.zeros(1),
+        work_size=0,
+        outputs=outputs,
+        library=library,
+        interpreted=False,
     )
 
 
@@ -110,7 +110,6 @@ class Problem(CompiledModel):
         events, transition: Bodies of the functions; the second writes u, z, s.
         kinds: Of every event; they are called e0, e1, ... of elements a0, a1, ...
         ticks: Rows of the manifest.
-        bare: Run it as without a compiler.
     """
 
     folder: Path
@@ -134,7 +133,6 @@ class Problem(CompiledModel):
     transition: str = ""
     kinds: tuple[str, ...] = ()
     ticks: tuple[dict[str, float], ...] = ()
-    bare: bool = False
     _size: float | None = None
     _made: dict[str, Any] = field(default_factory=dict)
 
@@ -171,7 +169,7 @@ class Problem(CompiledModel):
         for k, row in enumerate(out):
             given = {"t": np.array([t[k]]), "q": q[k], "u": u[k], "r": r[k] if self.nr else None}
             blocks = [given.get(name) for name in abi.ORDER]
-            function.caller.call(blocks, [0] * len(blocks), row[None, :])
+            abi.run(function.address, blocks, [0] * len(blocks), 1, row[None, :], 0)
         return Energy(*out.T)
 
     @property
@@ -219,8 +217,6 @@ class Problem(CompiledModel):
         """Nothing to compile side by side."""
 
     def _kernels(self) -> ctypes.CDLL:
-        if self.bare:
-            raise CompilerMissing("as on a machine without a compiler")
         return kernels.library()
 
     def _function(self, name: str) -> Any:

@@ -1,4 +1,4 @@
-"""When events happen, against closed forms: with integrators in C and without a compiler."""
+"""When events happen, against closed forms."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from kernels.problem import OSCILLATOR, Problem, pendulum
 G, RESTITUTION = 9.81, 0.8
 FALL = "out[0] = u[0]; out[1] = -9.81;"
 BOUNCE = "out[0] = e[0] != 0 ? -0.8 * u[0] : u[0];"
-EITHER = pytest.mark.parametrize("bare", [False, True], ids=["C", "NumPy"])
 
 
 def ball(folder: Path, **changed: Any) -> Problem:
@@ -40,10 +39,9 @@ def when(motion: Trajectory, name: str = "") -> Any:
 # transitions
 
 
-@EITHER
 @pytest.mark.parametrize("options", [{}, {"method": "RK4", "step": 0.01}, {"method": "RK45"}])
-def test_a_ball_bounces_when_it_must(bare: bool, options: dict[str, Any], tmp_path: Path) -> None:
-    motion = ball(tmp_path, bare=bare).run(3.0, [1, 0], **options)
+def test_a_ball_bounces_when_it_must(options: dict[str, Any], tmp_path: Path) -> None:
+    motion = ball(tmp_path).run(3.0, [1, 0], **options)
     times = bounces(1.0, 6)
     # parabolas are followed to rounding
     np.testing.assert_allclose(when(motion), times, rtol=0, atol=1e-12)
@@ -66,22 +64,20 @@ def test_a_ball_bounces_when_it_must(bare: bool, options: dict[str, Any], tmp_pa
     np.testing.assert_allclose(height, (k == 0) + speed * d - G / 2 * d**2, rtol=0, atol=1e-12)
 
 
-@EITHER
-def test_wanted_times_get_what_lies_behind_events(bare: bool, tmp_path: Path) -> None:
+def test_wanted_times_get_what_lies_behind_events(tmp_path: Path) -> None:
     # falls for 1 s from such a height; the event is at a wanted time
     start = [G / 2, 0.0]
-    dense = ball(tmp_path, bare=bare).run(2.0, start)
+    dense = ball(tmp_path).run(2.0, start)
     t = when(dense)[0]
-    motion = ball(tmp_path, bare=bare).run(np.array([0.0, 0.5, t, 2.0]), start)
+    motion = ball(tmp_path).run(np.array([0.0, 0.5, t, 2.0]), start)
     assert len(motion) == 4
     assert motion.u[2, 0] == pytest.approx(RESTITUTION * G, rel=1e-12)
     np.testing.assert_allclose(motion.x, dense.at(motion.t), rtol=0, atol=1e-12)
 
 
-@EITHER
-def test_bounces_that_do_not_end_are_chatter(bare: bool, tmp_path: Path) -> None:
+def test_bounces_that_do_not_end_are_chatter(tmp_path: Path) -> None:
     with pytest.warns(SolveWarning, match=r"'e0' of 'a0' happens ever again"):
-        motion = ball(tmp_path, bare=bare).run(30.0, [1, 0])
+        motion = ball(tmp_path).run(30.0, [1, 0])
     assert motion.status == "chatter"
     fall = np.sqrt(2 / G)
     end = fall + 2 * fall * RESTITUTION / (1 - RESTITUTION)
@@ -91,36 +87,32 @@ def test_bounces_that_do_not_end_are_chatter(bare: bool, tmp_path: Path) -> None
     assert np.abs(motion.x[-1]).max() < 1e-5
 
 
-@EITHER
-def test_a_ball_at_rest_on_the_floor_is_chatter(bare: bool, tmp_path: Path) -> None:
+def test_a_ball_at_rest_on_the_floor_is_chatter(tmp_path: Path) -> None:
     with pytest.warns(SolveWarning, match="comes to rest"):
-        motion = ball(tmp_path, bare=bare).run(1.0, [0, 0])
+        motion = ball(tmp_path).run(1.0, [0, 0])
     assert motion.status == "chatter"
     assert motion.t[-1] < 1e-4
 
 
-@EITHER
-def test_what_is_violated_at_the_start_happens_there(bare: bool, tmp_path: Path) -> None:
-    motion = ball(tmp_path, bare=bare).run(0.1, [-0.5, -2.0])
+def test_what_is_violated_at_the_start_happens_there(tmp_path: Path) -> None:
+    motion = ball(tmp_path).run(0.1, [-0.5, -2.0])
     assert when(motion).tolist() == [0.0]
     np.testing.assert_array_equal(motion.x[:2], [[-0.5, -2.0], [-0.5, 1.6]])
     np.testing.assert_array_equal(motion.t[:2], [0.0, 0.0])
 
 
-@EITHER
-def test_events_that_cause_themselves_are_a_storm(bare: bool, tmp_path: Path) -> None:
-    stuck = ball(tmp_path, bare=bare, transition="out[0] = u[0];", events="out[0] = u[0] + 1;")
+def test_events_that_cause_themselves_are_a_storm(tmp_path: Path) -> None:
+    stuck = ball(tmp_path, transition="out[0] = u[0];", events="out[0] = u[0] + 1;")
     with pytest.warns(SolveWarning, match=r"'e0' of 'a0' happens (again and again|ever again)"):
         motion = stuck.run(1.0, [0, 0.0])
     assert motion.status in ("event_storm", "chatter")
     assert motion.t[-1] < 0.2
-    jump = ball(tmp_path, bare=bare, transition="out[0] = 2 * u[0];", events="out[0] = u[0] + 1;")
+    jump = ball(tmp_path, transition="out[0] = 2 * u[0];", events="out[0] = u[0] + 1;")
     with pytest.warns(SolveWarning, match="again and again at this one time"):
         assert jump.run(1.0, [0, -2.0]).status == "event_storm"
 
 
-@EITHER
-def test_two_events_of_one_time_happen_together(bare: bool, tmp_path: Path) -> None:
+def test_two_events_of_one_time_happen_together(tmp_path: Path) -> None:
     # two balls from heights that differ by rounding only
     both = Problem(
         tmp_path,
@@ -130,7 +122,6 @@ def test_two_events_of_one_time_happen_together(bare: bool, tmp_path: Path) -> N
         events="out[0] = q[0]; out[1] = q[1];",
         transition="out[0] = e[0] ? -u[0] : u[0]; out[1] = e[1] ? -0.5 * u[1] : u[1];",
         kinds=("impact", "impact"),
-        bare=bare,
     )
     motion = both.run(0.6, [1.0, 1.0 + 2e-16, 0, 0])
     assert [event.name for event in motion.events] == ["e0", "e1"]
@@ -140,8 +131,7 @@ def test_two_events_of_one_time_happen_together(bare: bool, tmp_path: Path) -> N
     assert len(motion.happened.log) == 1
 
 
-@EITHER
-def test_events_one_after_the_other_in_one_step(bare: bool, tmp_path: Path) -> None:
+def test_events_one_after_the_other_in_one_step(tmp_path: Path) -> None:
     # uniform motion: one step would do for all of it
     steady = Problem(
         tmp_path,
@@ -150,7 +140,6 @@ def test_events_one_after_the_other_in_one_step(bare: bool, tmp_path: Path) -> N
         events="out[0] = s[0] == 0 ? 0.301 - q[0] : 1; out[1] = 0.3010001 - q[0];",
         transition="out[0] = u[0]; out[1] = s[0] + e[0];",
         kinds=("mode", "mark"),
-        bare=bare,
     )
     motion = steady.run(1.0, [0, 1])
     assert [event.name for event in motion.events] == ["e0", "e1"]
@@ -164,14 +153,9 @@ def test_events_one_after_the_other_in_one_step(bare: bool, tmp_path: Path) -> N
 # times
 
 
-@pytest.mark.parametrize(
-    ("bare", "method"),
-    [(False, "DOP853"), (True, "DOP853"), (False, "RK45"), (True, "RK45"), (False, "Radau")],
-)
-def test_a_pendulum_passes_its_lowest_point_in_time(
-    bare: bool, method: str, tmp_path: Path
-) -> None:
-    swing = Problem(tmp_path, "out[0] = u[0]; out[1] = -9.81 * sin(q[0]);", bare=bare)
+@pytest.mark.parametrize("method", ["DOP853", "RK45", "Radau"])
+def test_a_pendulum_passes_its_lowest_point_in_time(method: str, tmp_path: Path) -> None:
+    swing = Problem(tmp_path, "out[0] = u[0]; out[1] = -9.81 * sin(q[0]);")
     amplitude = 2.0
     period = 4 / np.sqrt(G) * ellipk(np.sin(amplitude / 2) ** 2)
     seen = {"low": (("q0", 0.0), "mark")}
@@ -202,10 +186,9 @@ def test_times_converge_with_the_order_of_the_dense_output(tmp_path: Path) -> No
     assert (slopes > 3.7).all()
 
 
-@EITHER
-def test_an_event_that_only_just_happens_is_seen(bare: bool, tmp_path: Path) -> None:
+def test_an_event_that_only_just_happens_is_seen(tmp_path: Path) -> None:
     # cos t dips below -1 + depth for a moment inside a long step
-    problem = Problem(tmp_path, OSCILLATOR, bare=bare)
+    problem = Problem(tmp_path, OSCILLATOR)
     for depth in (1e-3, 1e-6, 1e-9):
         touch = {"low": (("q0", -1 + depth), "mark")}
         motion = problem.run(6.0, [1, 0], rtol=1e-12, atol=1e-12, events=touch)
@@ -215,10 +198,9 @@ def test_an_event_that_only_just_happens_is_seen(bare: bool, tmp_path: Path) -> 
     assert not problem.run(6.0, [1, 0], rtol=1e-12, atol=1e-12, events=miss).events
 
 
-@EITHER
 @pytest.mark.parametrize("at", [0.5, 1.0])
-def test_an_event_at_a_stop_or_at_the_end(bare: bool, at: float, tmp_path: Path) -> None:
-    steady = Problem(tmp_path, "out[0] = 1; out[1] = r[0];", inputs=("push",), bare=bare)
+def test_an_event_at_a_stop_or_at_the_end(at: float, tmp_path: Path) -> None:
+    steady = Problem(tmp_path, "out[0] = 1; out[1] = r[0];", inputs=("push",))
     push = {"push": ([0, 0.5, 0.5, 1], [0, 0, 1, 1])}
     end = steady.run(1.0, [-at, 0], inputs=push, events={"zero": ("q0", 0.0)})
     mark = steady.run(1.0, [-at, 0], inputs=push, events={"zero": (("q0", 0.0), "mark")})
@@ -229,17 +211,15 @@ def test_an_event_at_a_stop_or_at_the_end(bare: bool, at: float, tmp_path: Path)
     assert mark.u[-1, 0] == pytest.approx(0.5, abs=1e-13)
 
 
-@EITHER
-def test_an_event_at_the_start_needs_to_come_from_above(bare: bool, tmp_path: Path) -> None:
-    problem = Problem(tmp_path, OSCILLATOR, bare=bare)
+def test_an_event_at_the_start_needs_to_come_from_above(tmp_path: Path) -> None:
+    problem = Problem(tmp_path, OSCILLATOR)
     # sin t: zero at the start, then at pi and 2 pi
     motion = problem.run(7.0, [0, 1], rtol=1e-10, events={"zero": (("q0", 0.0), "mark")})
     np.testing.assert_allclose(when(motion), [np.pi, 2 * np.pi], rtol=0, atol=1e-8)
 
 
-@EITHER
-def test_directions(bare: bool, tmp_path: Path) -> None:
-    problem = Problem(tmp_path, OSCILLATOR, bare=bare)
+def test_directions(tmp_path: Path) -> None:
+    problem = Problem(tmp_path, OSCILLATOR)
     options: dict[str, Any] = {"rtol": 1e-10, "atol": 1e-12}
     found = {}
     for way in ("down", "up", "both"):
@@ -251,22 +231,20 @@ def test_directions(bare: bool, tmp_path: Path) -> None:
     np.testing.assert_allclose(found["both"], [up, down, up + 2 * np.pi], rtol=0, atol=1e-8)
 
 
-@EITHER
-def test_backward_runs_know_marks_and_ends(bare: bool, tmp_path: Path) -> None:
-    problem = Problem(tmp_path, OSCILLATOR, bare=bare)
+def test_backward_runs_know_marks_and_ends(tmp_path: Path) -> None:
+    problem = Problem(tmp_path, OSCILLATOR)
     watch = {"zero": (("q0", 0.0), "mark"), "stop": (lambda t, x: t + 4.0)}
     motion = problem.run((0.0, -7.0), [1, 0], rtol=1e-10, events=watch)
     assert motion.status == "event"
     assert motion.t[-1] == pytest.approx(-4.0, abs=1e-14)
     np.testing.assert_allclose(when(motion, "zero"), [-np.pi / 2], rtol=0, atol=1e-9)
     with pytest.raises(ModelError, match=r"'e0' changes the state.*forward only"):
-        ball(tmp_path, bare=bare).run((0.0, -1.0), [1, 0])
+        ball(tmp_path).run((0.0, -1.0), [1, 0])
 
 
-@EITHER
-def test_many_events(bare: bool, tmp_path: Path) -> None:
-    fast = Problem(tmp_path, "out[0] = u[0]; out[1] = -40000 * q[0];", bare=bare)
-    end = 3.0 if not bare else 0.3
+def test_many_events(tmp_path: Path) -> None:
+    fast = Problem(tmp_path, "out[0] = u[0]; out[1] = -40000 * q[0];")
+    end = 3.0
     motion = fast.run(end, [1, 0], rtol=1e-9, atol=1e-9, events={"zero": (("q0", 0.0), "mark")})
     count = int(200 * end / np.pi + 0.5)
     wanted = (0.5 + np.arange(count)) * np.pi / 200
@@ -284,9 +262,8 @@ def test_marks_change_nothing(tmp_path: Path) -> None:
 # circuits, internal states, samples
 
 
-@EITHER
-def test_events_are_found_on_the_constraints(bare: bool, tmp_path: Path) -> None:
-    rod = pendulum(tmp_path, bare=bare)
+def test_events_are_found_on_the_constraints(tmp_path: Path) -> None:
+    rod = pendulum(tmp_path)
     motion = rod.run(3.0, [1, 0, 0, 0], rtol=1e-9, events={"low": ("q0", 0.0)})
     x = motion.x[-1]
     # at the lowest point: speed from the height it fell
@@ -294,8 +271,7 @@ def test_events_are_found_on_the_constraints(bare: bool, tmp_path: Path) -> None
     assert x[2] == pytest.approx(-np.sqrt(2 * G), abs=1e-7)
 
 
-@EITHER
-def test_internal_states_and_ticks(bare: bool, tmp_path: Path) -> None:
+def test_internal_states_and_ticks(tmp_path: Path) -> None:
     # z' = s - z, and s is set to 1 - z every 0.25 s: a sampled controller of a lag
     lag = Problem(
         tmp_path,
@@ -306,7 +282,6 @@ def test_internal_states_and_ticks(bare: bool, tmp_path: Path) -> None:
         transition="out[0] = u[0]; out[1] = z[0]; out[2] = e[0] ? 1 - z[0] : s[0];",
         kinds=("tick",),
         ticks=({"event": 0, "period": 0.25, "phase": 0.0},),
-        bare=bare,
     )
     motion = lag.run(1.1, [0, 0, 0], rtol=1e-11, atol=1e-12)
     assert motion.events == ()

@@ -13,7 +13,7 @@ import pytest
 
 from cardan.analyses import record
 from cardan.errors import SolveError, SolveWarning
-from cardan.runtime import cache, kernels
+from cardan.runtime import cache, kernels, prebuilt
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 
 BOTH = pytest.mark.parametrize("method", METHODS)
@@ -27,7 +27,7 @@ def test_record_has_the_size_of_the_c_struct() -> None:
 
 def test_kernels_compile_strictly(tmp_path: Path) -> None:
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-O2"]
-    for source in sorted(kernels.DIRECTORY.glob("*.c")):
+    for source in sorted(prebuilt.DIRECTORY.glob("*.c")):
         command = [*cache.compiler().command, *strict, "-c", str(source), "-o", "out.o"]
         done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, check=False)
         assert done.returncode == 0, done.stderr
