@@ -10,6 +10,7 @@ ORDER = (
     "regular_file",
     "whole_file",
     "arguments",
+    "schema",
     "ir",
     "spatial",
     "elements",
@@ -45,6 +46,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "regular_file",
     "whole_file",
     "arguments",
+    "schema",
     "ir",
 }
 

@@ -1,63 +1,91 @@
-"""Records that C and Python share: the same fields of the same kinds in the same order."""
+"""Records that C and Python share: read from the headers, held against what compilers make."""
 
 from __future__ import annotations
 
 import ctypes
-import re
+import shutil
+from pathlib import Path
 
 import pytest
 
 from cardan.analyses import record
 from cardan.analyses.ensembles import lanes
-from cardan.runtime.prebuilt import DIRECTORY
+from cardan.errors import BuildError
+from cardan.runtime import cache, kernels, prebuilt
+from cardan.runtime.absolute import records as elements
+from cardan.runtime.absolute.blocks import FactorsRecord, PlanRecord
+from cardan.schema import records
 
-WORD = {"ptrdiff_t": record.COUNT, "real": record.REAL, "double": record.REAL}
-WORD["cardan_any_function"] = record.POINTER
-RECORDS = [
-    ("run.h", "cardan_run", record.Run),
-    ("run.h", "cardan_signal", record.Signal),
-    ("run.h", "cardan_tick", record.Tick),
-    ("abreast.h", "cardan_abreast", lanes.Abreast),
-    ("ensemble.h", "cardan_own", lanes.Own),
-    ("ensemble.h", "cardan_lane", lanes.Lane),
-    ("ensemble.h", "cardan_ensemble", lanes.Driver),
-]
-
-
-def fields(header: str, name: str) -> list[tuple[str, object]]:
-    """Name and kind of every field of a struct; a ``cardan_call`` is two pointers."""
-    text = re.sub(r"/\*.*?\*/", "", (DIRECTORY / header).read_text(), flags=re.DOTALL)
-    found = re.search(rf"struct {name} \{{(.*?)\n\}}", text, flags=re.DOTALL)
-    assert found is not None
-    listed: list[tuple[str, object]] = []
-    for statement in found[1].split(";"):
-        words = " ".join(statement.split())
-        function = re.search(r"\(\*(\w+)\)\(", words)
-        if function:
-            listed.append((function[1], record.POINTER))
-            continue
-        declared = re.match(r"(?:(?:const|volatile|struct) )*(\w+) (.+)", words)
-        for part in declared[2].split(",") if declared else ():
-            own = part.strip().lstrip("*")
-            if "*" in part:
-                listed.append((own, record.POINTER))
-            elif declared[1] == "cardan_call":
-                listed += [(own, record.POINTER), (f"{own}_w", record.POINTER)]
-            else:
-                listed.append((own, WORD[declared[1]]))
-    return listed
+ANSWERS = (
+    *("DONE", "MORE", "FULL", "STOPPED", "EVENT", "NOT_FINITE", "TOO_SMALL", "MODEL", "INPUT"),
+    *("SIZE", "OPEN", "TURNED", "UNSOLVED", "STORM", "CHATTER", "WHIRLED"),
+    *("MODE", "IMPACT", "TICK", "END", "MARK", "HALT"),
+)
+STRUCTURES: dict[str, type[ctypes.Structure]] = {
+    "cardan_run": record.Run,
+    "cardan_signal": record.Signal,
+    "cardan_tick": record.Tick,
+    "cardan_own": lanes.Own,
+    "cardan_lane": lanes.Lane,
+    "cardan_ensemble": lanes.Driver,
+    "cardan_form": elements.Form,
+    "cardan_group": elements.Group,
+    "cardan_movers": elements.Movers,
+    "cardan_mesh": elements.MeshRecord,
+    "cardan_state": elements.StateRecord,
+    "cardan_sparse": PlanRecord,
+    "cardan_sparse_factors": FactorsRecord,
+}
 
 
-@pytest.mark.parametrize(("header", "name", "mirror"), RECORDS, ids=[r[1] for r in RECORDS])
-def test_records_agree(header: str, name: str, mirror: type[ctypes.Structure]) -> None:
-    here = [(field[0], field[1]) for field in mirror._fields_]
-    assert here == fields(header, name)
+def test_layouts_are_those_of_the_headers() -> None:
+    """kernels/layouts.c is what the headers say; write it anew with ``records.layouts()``."""
+    assert (prebuilt.DIRECTORY / "layouts.c").read_text("utf-8") == records.layouts()
+
+
+def test_every_record_is_known() -> None:
+    assert set(STRUCTURES) == set(records.RECORDS)
+
+
+@pytest.mark.parametrize("name", STRUCTURES)
+def test_fields_begin_where_c_has_them(name: str) -> None:
+    records.check(kernels.library(), name, STRUCTURES[name])
+
+
+def test_fields_of_lanes_begin_where_c_has_them() -> None:
+    width = cache.compiler().level.lanes
+    if width == 1:
+        pytest.skip("no vectors here")
+    records.check(kernels.library(lanes=width), "cardan_abreast", lanes.Abreast)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (("real period, phase;", "real phase, period;"), "its field 'period' begins at 16 bytes"),
+        (("ptrdiff_t count;", "int count[3];"), "it is as long as 48 bytes"),
+    ],
+)
+def test_records_of_another_version_are_refused(
+    tmp_path: Path, change: tuple[str, str], says: str
+) -> None:
+    """A library whose header differs by the order or by the kind of a field."""
+    for path in prebuilt.DIRECTORY.glob("*.h"):
+        shutil.copy(path, tmp_path)
+    text = (tmp_path / "run.h").read_text("utf-8")
+    assert change[0] in text
+    (tmp_path / "run.h").write_text(text.replace(*change), "utf-8")
+    source = tmp_path / "tick.c"
+    shutil.copy(prebuilt.DIRECTORY / "layouts.c", source)
+    library = cache.build([source], [tmp_path]).load()
+    with pytest.raises(BuildError, match=f"record cardan_tick: {says}.*install cardan again"):
+        records.check(library, "cardan_tick", record.Tick)
 
 
 def test_answers_and_kinds_agree() -> None:
-    text = re.sub(r"/\*.*?\*/", "", (DIRECTORY / "run.h").read_text(), flags=re.DOTALL)
-    numbers = {n: int(v) for n, v in re.findall(r"CARDAN_([A-Z_]+) = (-?\d+)", text)}
-    assert numbers.pop("MOST_ROWS") > 0
-    assert len(numbers) == 22
+    """What Python calls the answers of kernels and the kinds of events."""
+    numbers = {n: v for n, v in records.constants("run.h").items() if n.isupper()}
+    assert numbers.pop("CARDAN_MOST_ROWS") > 0
+    assert set(numbers) == {f"CARDAN_{name}" for name in ANSWERS}
     for name, value in numbers.items():
-        assert getattr(record, name) == value, name
+        assert getattr(record, name.removeprefix("CARDAN_")) == value, name

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 import signal
 import subprocess
@@ -11,18 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.analyses import record
 from cardan.errors import SolveError, SolveWarning
-from cardan.runtime import cache, kernels, prebuilt
+from cardan.runtime import cache, prebuilt
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 
 BOTH = pytest.mark.parametrize("method", METHODS)
-
-
-def test_record_has_the_size_of_the_c_struct() -> None:
-    library = kernels.library()
-    library.cardan_run_size.restype = ctypes.c_size_t
-    assert library.cardan_run_size() == ctypes.sizeof(record.Run)
 
 
 def test_kernels_compile_strictly(tmp_path: Path) -> None:

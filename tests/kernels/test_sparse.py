@@ -3,30 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cardan.runtime import cache, kernels, prebuilt
-from cardan.runtime.absolute.blocks import FactorsRecord, Memory, PlanRecord, plan_record, solver
+from cardan.runtime import kernels
+from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record, solver
 from cardan.runtime.absolute.plan import plan
-
-SIZES = """
-#include "sparse.h"
-ptrdiff_t plan_size(void);
-ptrdiff_t factors_size(void);
-ptrdiff_t plan_size(void) { return sizeof(cardan_sparse); }
-ptrdiff_t factors_size(void) { return sizeof(cardan_sparse_factors); }
-"""
-
-
-def test_records_are_those_of_c(tmp_path: Path) -> None:
-    source = tmp_path / "sizes.c"
-    source.write_text(SIZES)
-    library = cache.build([source], [prebuilt.DIRECTORY]).load()
-    assert library.plan_size() == ctypes.sizeof(PlanRecord)
-    assert library.factors_size() == ctypes.sizeof(FactorsRecord)
 
 
 def test_denormals_are_flushed_inside_only() -> None:

@@ -322,8 +322,8 @@ void model_pattern(int32_t *columns, int32_t *starts, ptrdiff_t *unknowns)
 """
 OUTPUTS = """
 /* Add what elements contribute to the outputs of the scene. */
-static void take_outputs(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
-                         real *out, void *to)
+static void take_outputs(const cardan_mesh *mesh, const cardan_group *g,
+                         const cardan_element_lanes *some, real *out, void *to)
 {
     const ptrdiff_t size = g->forms[CARDAN_OUTPUTS].size, *which = output_of[g - mesh->groups];
 

@@ -22,11 +22,11 @@ from ..ir.recursion import Recursion
 from ..ir.rows import dumped, opened
 from ..ir.seal import sealed, unsealed
 from ..ir.serialize import to_dict
+from ..schema.records import KERNELS
 from . import header
 from .manifest import Base
 from .writing import CFile
 
-KERNELS = Path(__file__).parents[1] / "kernels"
 # what every function stands on
 HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 # frames up to which a manifest is written for people

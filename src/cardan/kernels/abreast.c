@@ -11,11 +11,6 @@ enum { L = CARDAN_LANES, NOT_FINITE = -1 /* as in run.h */ };
 
 typedef int lane_function(const cardan_in *in, real *out, real *work);
 
-size_t cardan_abreast_size(void)
-{
-    return sizeof(cardan_abreast);
-}
-
 void cardan_abreast_derivative(cardan_abreast *a, const real *y, real *f)
 {
     cardan_in in = {0};

@@ -68,7 +68,6 @@ ptrdiff_t cardan_abreast_try(cardan_abreast *a);
 /* Where `taken` the trial becomes the present state; whether some run came to where steps end. */
 ptrdiff_t cardan_abreast_move(cardan_abreast *a);
 /* For bindings: the size they must agree with. */
-size_t cardan_abreast_size(void);
 
 /* What the texts of methods say in lanes: the present step, a stage, the size against which errors
  * count (fmax takes the number where the other one is none). */

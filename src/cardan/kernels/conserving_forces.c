@@ -35,7 +35,7 @@ static ptrdiff_t number_of(const cardan_mesh *mesh, const cardan_group *g, ptrdi
 }
 
 static void take_potential(const cardan_mesh *mesh, const cardan_group *g,
-                           const cardan_abreast *some, real *out, void *to)
+                           const cardan_element_lanes *some, real *out, void *to)
 {
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         ((real *)to)[number_of(mesh, g, some->element[lane])] = out[some->lanes + lane];
@@ -101,7 +101,7 @@ static void add_mass(const cardan_mesh *mesh, const cardan_group *g, ptrdiff_t e
     }
 }
 
-static void take_mass(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_mass(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                       real *out, void *to)
 {
     for (ptrdiff_t lane = 0; lane < some->filled && g->parts[CARDAN_M] >= 0; lane++)
@@ -329,7 +329,7 @@ static void add_force(const cardan_conserving *v, const cardan_group *g, ptrdiff
             v->missing[i] += out[j * stride] + (part != 0 ? part * along[j] : 0);
 }
 
-static void take_force(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_force(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                        real *out, void *to)
 {
     (void)mesh;

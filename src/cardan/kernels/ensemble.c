@@ -9,11 +9,6 @@
 
 enum { SLICE = 1000 /* steps between two looks at `stop` */ };
 
-size_t cardan_ensemble_size(void)
-{
-    return sizeof(cardan_ensemble);
-}
-
 /* Begin the next run of the queue in a lane. */
 static int begin(cardan_ensemble *e, cardan_lane *lane)
 {

@@ -56,6 +56,5 @@ typedef struct cardan_ensemble {
 /* Do all runs, or those that are done when `stop` is set: the answers of others are STOPPED where
  * a run was under way, and stay what they were where it has not begun. */
 void cardan_ensemble_drive(cardan_ensemble *e);
-size_t cardan_ensemble_size(void);
 
 #endif

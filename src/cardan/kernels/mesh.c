@@ -116,7 +116,7 @@ static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_sta
     }
     for (ptrdiff_t first = 0; first < g->count && status == 0; first += lanes) {
         const ptrdiff_t left = g->count - first;
-        cardan_abreast some = {lanes, left < lanes ? left : lanes, {0}};
+        cardan_element_lanes some = {lanes, left < lanes ? left : lanes, {0}};
         real *out;
 
         /* lanes that are left over repeat the last element */
@@ -153,7 +153,7 @@ int cardan_mesh_each(const cardan_mesh *mesh, const cardan_state *at, int form,
 }
 
 /* Set the rows of elements: those of positions, then the others. */
-static void set_rows(const cardan_group *g, const cardan_abreast *some, const real *out, real *to)
+static void set_rows(const cardan_group *g, const cardan_element_lanes *some, const real *out, real *to)
 {
     for (ptrdiff_t k = 0; k < g->m; k++, out += some->lanes)
         for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
@@ -163,7 +163,7 @@ static void set_rows(const cardan_group *g, const cardan_abreast *some, const re
 }
 
 static void take_balance(const cardan_mesh *mesh, const cardan_group *g,
-                         const cardan_abreast *some, real *out, void *to)
+                         const cardan_element_lanes *some, real *out, void *to)
 {
     real *sum = to, *gaps = sum + mesh->nu, *rates = gaps + mesh->mp, *rows[CARDAN_ABREAST];
 
@@ -202,7 +202,7 @@ int cardan_mesh_gaps(const cardan_mesh *mesh, const cardan_state *at, real *out,
     return status;
 }
 
-static void take_rows(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_rows(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                       real *out, void *to)
 {
     (void)mesh;
@@ -221,7 +221,7 @@ typedef struct sum {
     ptrdiff_t size;
 } sum;
 
-static void take_sum(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_sum(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                      real *out, void *to)
 {
     const sum *total = to;
@@ -247,7 +247,7 @@ typedef struct stored {
     int form;
 } stored;
 
-static void take_result(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_result(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                         real *out, void *to)
 {
     const stored *all = to;

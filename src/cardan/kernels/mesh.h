@@ -97,15 +97,15 @@ typedef struct cardan_state {
 } cardan_state;
 
 /* Elements side by side. */
-typedef struct cardan_abreast {
+typedef struct cardan_element_lanes {
     ptrdiff_t lanes, filled;  /* how many go together, and how many of these are elements */
     ptrdiff_t element[8];     /* (lanes) which; behind the filled ones the last again */
-} cardan_abreast;
+} cardan_element_lanes;
 
 /* Takes the results of elements: entry i of the k-th stands at out[i * lanes + k]; may change
  * them. */
 typedef void cardan_taker(const cardan_mesh *mesh, const cardan_group *group,
-                          const cardan_abreast *some, real *out, void *to);
+                          const cardan_element_lanes *some, real *out, void *to);
 
 /* numbers of memory that a loop over elements needs */
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh);

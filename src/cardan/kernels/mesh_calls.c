@@ -113,7 +113,7 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
     return status;
 }
 
-static void take_power(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_power(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                        real *out, void *to)
 {
     const ptrdiff_t size = g->forms[CARDAN_POWER].size;

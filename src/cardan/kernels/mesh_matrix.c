@@ -17,7 +17,7 @@ typedef struct assembling {
 
 /* Speeds of the k-th place of elements that go together. */
 static ptrdiff_t place_of(const cardan_mesh *mesh, const cardan_group *g,
-                          const cardan_abreast *some, ptrdiff_t k)
+                          const cardan_element_lanes *some, ptrdiff_t k)
 {
     const ptrdiff_t *own = mesh->u + g->place[some->element[0] * g->places + k];
 
@@ -36,7 +36,7 @@ static int turns(const real *T, ptrdiff_t lanes)
 }
 
 /* Turn the columns of `height` rows (nu) from increments of rotations to motions. */
-static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                  const real *turned, ptrdiff_t height, real *rows)
 {
     const real *from[CARDAN_ABREAST];
@@ -60,7 +60,7 @@ static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_ab
 
 /* Add `height` rows (nu) to those of row block k. */
 static void add_rows(real *values, const cardan_mesh *mesh, const cardan_group *g,
-                     const cardan_abreast *some, ptrdiff_t k, ptrdiff_t height, const real *rows)
+                     const cardan_element_lanes *some, ptrdiff_t k, ptrdiff_t height, const real *rows)
 {
     const ptrdiff_t blocks = g->places + (g->m > 0), size = blocks * (blocks + 1);
     const ptrdiff_t *spots[CARDAN_ABREAST];
@@ -84,7 +84,7 @@ static void add_rows(real *values, const cardan_mesh *mesh, const cardan_group *
 
 /* Add the rows of constraints (m, nu) as columns. */
 static void add_columns(real *values, const cardan_mesh *mesh, const cardan_group *g,
-                        const cardan_abreast *some, const real *rows)
+                        const cardan_element_lanes *some, const real *rows)
 {
     const ptrdiff_t blocks = g->places + 1, size = blocks * (blocks + 1);
 
@@ -103,7 +103,7 @@ static void add_columns(real *values, const cardan_mesh *mesh, const cardan_grou
 
 /* The rows of the constraints of elements, and their transposed columns. */
 static void add_constraints(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
-                            const cardan_abreast *some, real *out)
+                            const cardan_element_lanes *some, real *out)
 {
     const cardan_assembly *parts = to->parts;
     const ptrdiff_t *starts = g->parts, lanes = some->lanes, first = parts->stabilized ? 0 : g->mp;
@@ -121,7 +121,7 @@ static void add_constraints(const assembling *to, const cardan_mesh *mesh, const
 
 /* Shares of K T, C and M, in place of the first of them; NULL: there is none. */
 static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
-                    const cardan_abreast *some, real *out)
+                    const cardan_element_lanes *some, real *out)
 {
     const ptrdiff_t *starts = g->parts, size = g->nu * g->nu * some->lanes;
     real *sum = NULL;
@@ -142,7 +142,7 @@ static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_
     return sum;
 }
 
-static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_abreast *some,
+static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                         real *out, void *into)
 {
     const assembling *to = into;

@@ -9,11 +9,6 @@
 enum { FINAL = -1000 }; /* within this file: the end of the run */
 
 /* For bindings: the size they must agree with. */
-size_t cardan_run_size(void)
-{
-    return sizeof(cardan_run);
-}
-
 /* y (n) inside a step from its dense output; theta in 0 ... 1.
  *
  * y_old + theta (F0 + (1 - theta) (F1 + theta (F2 + ...))): F0 alone is the chord, every further

@@ -242,7 +242,6 @@ static inline int cardan_places_fit(const real *x, ptrdiff_t count, real least, 
 }
 
 /* run.c */
-size_t cardan_run_size(void);
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
 int cardan_run_at(cardan_run *run, real t, real *y);

@@ -15,11 +15,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from ..schema.records import KERNELS
 from .levels import Level
 
-DIRECTORY = Path(__file__).resolve().parent.parent / "kernels"
+DIRECTORY = KERNELS
 LEVEL = "level.c"  # chooses among the others, so that it is built for any processor
 INDEX = "index.json"
+# what works on lanes: shared parameters, or each lane its own
+LANE_SOURCES = (("batch.c", "abreast.c", "lane_*.c", "layouts.c"), ("batch.c",))
 WIDTHS = (2, 4, 8)
 
 
@@ -50,11 +53,7 @@ class Variant:
 
     def sources(self) -> list[Path]:
         """C files."""
-        patterns: Sequence[str] = ("*.c",)
-        if self.lanes > 1:
-            patterns = (
-                ("batch.c",) if self.lane_parameters else ("batch.c", "abreast.c", "lane_*.c")
-            )
+        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[self.lane_parameters]
         paths = {path for pattern in patterns for path in DIRECTORY.glob(pattern)}
         return sorted(paths - {DIRECTORY / LEVEL})
 

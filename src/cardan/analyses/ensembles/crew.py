@@ -203,7 +203,7 @@ class Crew:
         a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count
         a.rtol, a.atol, a.max_step = run.rtol, run.atol, run.max_step
         a.order = self.how.method.order
-        sizes = dict.fromkeys(records.PER_LANE.split(), 1)
+        sizes = dict.fromkeys(records.PER_LANE, 1)
         sizes |= dict.fromkeys(("y", "trial", "next"), n)
         sizes |= {"k": run.stages * n, "spread": run.dense_rows * n, "r": run.nr, "s": run.ns}
         sizes |= {"at_rest": len(self.runners[0].views["at_rest"]), "work": function.work_size}

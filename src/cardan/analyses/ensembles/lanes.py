@@ -9,60 +9,39 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import BuildError
 from ...runtime import kernels
-from .. import record
+from ...schema.records import check, fields
 
 Array = NDArray[np.float64]
-POINTER, COUNT, REAL = record.POINTER, record.COUNT, record.REAL
-RUNS = "t size until span idle rejected steps rejections evaluations"
-TRIALS = "h t_new at error culprit taken failed ended"
-PER_LANE = f"{RUNS} {TRIALS}"
-ABREAST: tuple[tuple[Any, str], ...] = (
-    (POINTER, "rhs w owner inputs alone quaternions"),
-    (COUNT, "quaternion_count n nq nu nr"),
-    (POINTER, "trial_step dense worst"),
-    (REAL, "rtol atol max_step"),
-    (COUNT, "order known"),
-    (POINTER, PER_LANE),
-    (POINTER, "y trial next k spread r s at_rest work"),
-)
-ENSEMBLE: tuple[tuple[Any, str], ...] = (
-    (POINTER, "lanes abreast attempt move"),
-    (COUNT, "lane_count memory_length"),
-    (POINTER, "x0 r own w"),
-    (COUNT, "count own_count w_size timed"),
-    (POINTER, "rows x numbers ends answers"),
-    (COUNT, "next finished vacant stop"),
+# fields of Abreast that are one number per lane: of its run, of its trial
+PER_LANE = (
+    *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
+    *("h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
 )
 
 
 class Abreast(ctypes.Structure):
     """``cardan_abreast``: trial steps side by side."""
 
-    _fields_ = [(name, kind) for kind, names in ABREAST for name in names.split()]
+    _fields_ = fields("cardan_abreast")
 
 
 class Own(ctypes.Structure):
     """``cardan_own``: numbers of a run that a pointer of its record shall point to."""
 
-    _fields_ = [("offset", COUNT), ("base", POINTER), ("stride", COUNT)]
+    _fields_ = fields("cardan_own")
 
 
 class Lane(ctypes.Structure):
     """``cardan_lane``: the record at work, and how each run begins."""
 
-    _fields_ = [
-        *((name, POINTER) for name in ("run", "memory", "fresh", "fresh_memory")),
-        ("number", COUNT),
-        ("parked", COUNT),
-    ]
+    _fields_ = fields("cardan_lane")
 
 
 class Driver(ctypes.Structure):
     """``cardan_ensemble``: many runs by one thread."""
 
-    _fields_ = [(name, kind) for kind, names in ENSEMBLE for name in names.split()]
+    _fields_ = fields("cardan_ensemble")
 
 
 @lru_cache(maxsize=4)
@@ -72,8 +51,8 @@ def driver(library: ctypes.CDLL) -> Any:
     Raises:
         BuildError: its record differs from the one here.
     """
-    library.cardan_ensemble_size.restype = ctypes.c_size_t
-    _agree(library.cardan_ensemble_size(), Driver)
+    for name, structure in (("own", Own), ("lane", Lane), ("ensemble", Driver)):
+        check(library, f"cardan_{name}", structure)
     library.cardan_ensemble_drive.argtypes = [ctypes.POINTER(Driver)]
     library.cardan_ensemble_drive.restype = None
     return library.cardan_ensemble_drive
@@ -87,17 +66,8 @@ def trials(reproducible: bool, width: int) -> ctypes.CDLL:
         BuildError: the compiler failed.
     """
     library = kernels.library(reproducible, width)
-    library.cardan_abreast_size.restype = ctypes.c_size_t
-    _agree(library.cardan_abreast_size(), Abreast)
+    check(library, "cardan_abreast", Abreast)
     return library
-
-
-def _agree(size: int, here: type[ctypes.Structure]) -> None:
-    if size != ctypes.sizeof(here):
-        raise BuildError(
-            f"the kernels were built for a record of {size} bytes, this cardan has "
-            f"{ctypes.sizeof(here)}: install cardan again, it is from two versions"
-        )
 
 
 def aligned(size: int, width: int) -> Array:

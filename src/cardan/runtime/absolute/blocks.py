@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError, SolveError
+from ...schema.records import fields
 from .. import kernels
 from .plan import Plan
 from .systems import Reals, checked, guess, named, refused, scales, sides
@@ -29,22 +30,13 @@ ELIMINATION = (
 class PlanRecord(ctypes.Structure):
     """``cardan_sparse``."""
 
-    _fields_ = [
-        *((name, ctypes.c_ssize_t) for name in NUMBERS),
-        *((name, ctypes.c_void_p) for name in (*MATRIX, *ELIMINATION)),
-    ]
+    _fields_ = fields("cardan_sparse")
 
 
 class FactorsRecord(ctypes.Structure):
     """``cardan_sparse_factors``."""
 
-    _fields_ = [
-        *((name, ctypes.c_void_p) for name in ("values", "scale", "work", "shift")),
-        *((name, ctypes.c_void_p) for name in ("pivot", "exchanged", "replaced")),
-        *((name, ctypes.c_void_p) for name in ("rows", "columns")),
-        ("hidden", ctypes.c_double),
-        *((name, ctypes.c_int32) for name in ("count", "weak", "singular", "positive", "negative")),
-    ]
+    _fields_ = fields("cardan_sparse_factors")
 
 
 def plan_numbers(plan: Plan) -> dict[str, int]:

@@ -1,0 +1,1 @@
+"""What the compiler and what runs share as data, each said once."""

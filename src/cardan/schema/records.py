@@ -1,0 +1,160 @@
+"""The records that C and Python share, as the headers of the kernels declare them.
+
+The headers are the one place where fields are said: :func:`fields` reads them from there, and
+``kernels/layouts.c``, which :func:`layouts` writes, tells at load where C has them.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from ..errors import BuildError
+
+KERNELS = Path(__file__).resolve().parent.parent / "kernels"
+POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
+KINDS: dict[str, Any] = {
+    "ptrdiff_t": COUNT,
+    "real": REAL,
+    "double": REAL,
+    "int32_t": ctypes.c_int32,
+    "cardan_any_function": POINTER,
+    "cardan_function": POINTER,
+}
+# a function of the model: two pointers, of which Python calls the second <name>_w
+CALL = "cardan_call"
+# header of each record that Python has; those of lanes are in builds of lanes only
+RECORDS = {
+    "cardan_run": "run.h",
+    "cardan_signal": "run.h",
+    "cardan_tick": "run.h",
+    "cardan_own": "ensemble.h",
+    "cardan_lane": "ensemble.h",
+    "cardan_ensemble": "ensemble.h",
+    "cardan_form": "mesh.h",
+    "cardan_group": "mesh.h",
+    "cardan_movers": "mesh.h",
+    "cardan_mesh": "mesh.h",
+    "cardan_state": "mesh.h",
+    "cardan_sparse": "sparse.h",
+    "cardan_sparse_factors": "sparse.h",
+}
+LANE_RECORDS = {"cardan_abreast": "abreast.h"}
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_FUNCTION = re.compile(r"\(\*(\w+)\)\(")
+_DECLARED = re.compile(r"(?:(?:const|volatile|struct) )*(\w+) (.+)")
+_ARRAY = re.compile(r"(\w+)\[(\w+)\]$")
+
+
+@cache
+def _text(header: str) -> str:
+    """A header without its comments."""
+    return _COMMENT.sub("", (KERNELS / header).read_text("utf-8"))
+
+
+@cache
+def constants(header: str) -> dict[str, int]:
+    """What the enumerations of a header call numbers, such as ``CARDAN_MORE``."""
+    values: dict[str, int] = {}
+    for body in re.findall(r"enum \{(.*?)\}", _text(header), re.DOTALL):
+        number = 0
+        for entry in filter(str.strip, body.split(",")):
+            name, _, value = (part.strip() for part in entry.partition("="))
+            number = int(value) if value else number
+            values[name] = number
+            number += 1
+    return values
+
+
+def _members(record: str) -> list[tuple[str, str, str]]:
+    """Name in Python, designator in C and type of every field; a pointer has the type ``*``."""
+    header = {**RECORDS, **LANE_RECORDS}[record]
+    body = re.search(rf"struct {record} \{{(.*?)\n\}}", _text(header), re.DOTALL)
+    assert body is not None, f"{header} declares no {record}"
+    members: list[tuple[str, str, str]] = []
+    for statement in filter(str.strip, body[1].split(";")):
+        line = " ".join(statement.split())
+        if function := _FUNCTION.search(line):
+            members.append((function[1], function[1], "*"))
+            continue
+        declared = _DECLARED.match(line)
+        assert declared is not None, f"{header}: {line}"
+        for part in declared[2].split(","):
+            name = part.strip().lstrip("*")
+            if declared[1] == CALL:
+                members += [(name, f"{name}.function", "*"), (f"{name}_w", f"{name}.w", "*")]
+            else:
+                members.append((name, name, "*" if "*" in part else declared[1]))
+    return members
+
+
+def fields(record: str, **nested: type[ctypes.Structure]) -> list[tuple[str, Any]]:
+    """The fields of a record for ``ctypes.Structure``.
+
+    Args:
+        record: Its name in C.
+        nested: Records by the names of the fields that are arrays of them.
+    """
+    header = {**RECORDS, **LANE_RECORDS}[record]
+    listed: list[tuple[str, Any]] = []
+    for name, _, kind in _members(record):
+        array = _ARRAY.match(name)
+        if array:
+            listed.append((array[1], nested[array[1]] * constants(header)[array[2]]))
+        else:
+            listed.append((name, POINTER if kind == "*" else KINDS[kind]))
+    return listed
+
+
+def check(library: ctypes.CDLL, record: str, structure: type[ctypes.Structure]) -> None:
+    """Compare a record of Python with that of compiled kernels: its size, where its fields begin.
+
+    Raises:
+        BuildError: they differ.
+    """
+    names = [name for name, *_ in structure._fields_]
+    numbers = list((ctypes.c_size_t * (len(names) + 1)).in_dll(library, f"{record}_layout"))
+    here = [ctypes.sizeof(structure), *(getattr(structure, name).offset for name in names)]
+    if numbers != here:
+        at = next(k for k, pair in enumerate(zip(numbers, here, strict=True)) if pair[0] != pair[1])
+        what = f"its field '{names[at - 1]}' begins at" if at else "it is as long as"
+        raise BuildError(
+            f"the kernels were built for another record {record}: {what} {numbers[at]} bytes "
+            f"there, {here[at]} here: install cardan again, it is from two versions"
+        )
+
+
+def layouts() -> str:
+    """Text of ``kernels/layouts.c``."""
+    lines = [
+        "/* Sizes of the records that Python shares, then where their fields begin [bytes].",
+        " *",
+        " * Part of cardan, written by cardan.schema.records from the headers.",
+        " */",
+        "#include <stddef.h>",
+        "",
+        "#if CARDAN_LANES > 1",
+        *_tables(LANE_RECORDS),
+        "#else",
+        *_tables(RECORDS),
+        "#endif",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _tables(records: dict[str, str]) -> list[str]:
+    lines = [f'#include "{header}"' for header in dict.fromkeys(records.values())]
+    for record in records:
+        members = [_ARRAY.sub(r"\1", designator) for _, designator, _ in _members(record)]
+        lines += [
+            "",
+            f"extern const size_t {record}_layout[{len(members) + 1}];",
+            f"const size_t {record}_layout[{len(members) + 1}] = {{",
+            f"    sizeof({record}),",
+            *(f"    offsetof({record}, {member})," for member in members),
+            "};",
+        ]
+    return lines
