@@ -9,11 +9,8 @@ from pathlib import Path
 import pytest
 
 from cardan.analyses import record
-from cardan.analyses.ensembles import lanes
 from cardan.errors import BuildError
 from cardan.runtime import cache, kernels, prebuilt
-from cardan.runtime.absolute import records as elements
-from cardan.runtime.absolute.blocks import FactorsRecord, PlanRecord
 from cardan.schema import records
 
 ANSWERS = (
@@ -22,19 +19,19 @@ ANSWERS = (
     *("MODE", "IMPACT", "TICK", "END", "MARK", "HALT"),
 )
 STRUCTURES: dict[str, type[ctypes.Structure]] = {
-    "cardan_run": record.Run,
-    "cardan_signal": record.Signal,
-    "cardan_tick": record.Tick,
-    "cardan_own": lanes.Own,
-    "cardan_lane": lanes.Lane,
-    "cardan_ensemble": lanes.Driver,
-    "cardan_form": elements.Form,
-    "cardan_group": elements.Group,
-    "cardan_movers": elements.Movers,
-    "cardan_mesh": elements.MeshRecord,
-    "cardan_state": elements.StateRecord,
-    "cardan_sparse": PlanRecord,
-    "cardan_sparse_factors": FactorsRecord,
+    "cardan_run": records.Run,
+    "cardan_signal": records.Signal,
+    "cardan_tick": records.Tick,
+    "cardan_own": records.Own,
+    "cardan_lane": records.Lane,
+    "cardan_ensemble": records.Driver,
+    "cardan_form": records.Form,
+    "cardan_group": records.Group,
+    "cardan_movers": records.Movers,
+    "cardan_mesh": records.MeshRecord,
+    "cardan_state": records.StateRecord,
+    "cardan_sparse": records.PlanRecord,
+    "cardan_sparse_factors": records.FactorsRecord,
 }
 
 
@@ -56,7 +53,7 @@ def test_fields_of_lanes_begin_where_c_has_them() -> None:
     width = cache.compiler().level.lanes
     if width == 1:
         pytest.skip("no vectors here")
-    records.check(kernels.library(lanes=width), "cardan_abreast", lanes.Abreast)
+    records.check(kernels.library(lanes=width), "cardan_abreast", records.Abreast)
 
 
 @pytest.mark.parametrize(
@@ -79,7 +76,7 @@ def test_records_of_another_version_are_refused(
     shutil.copy(prebuilt.DIRECTORY / "layouts.c", source)
     library = cache.build([source], [tmp_path]).load()
     with pytest.raises(BuildError, match=f"record cardan_tick: {says}.*install cardan again"):
-        records.check(library, "cardan_tick", record.Tick)
+        records.check(library, "cardan_tick", records.Tick)
 
 
 def test_answers_and_kinds_agree() -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from cardan.analyses import record
 from cardan.runtime import abi, abi_ctypes, kernels
+from cardan.schema.records import Run
 
 MOST = 2**63 - 1
 NEVER = ctypes.CFUNCTYPE(ctypes.c_int, *[ctypes.c_void_p] * 3)
@@ -72,7 +73,7 @@ ABSURD = [
 
 @pytest.mark.parametrize(("name", "size"), ABSURD)
 def test_run_refuses(name: str, size: int) -> None:
-    run = record.Run()
+    run = Run()
     run.n, run.nx, run.nq, run.nu, run.nr, run.stages, run.dense_rows = 4, 4, 2, 2, 1, 16, 7
     run.capacity, run.stop_count = 10, 1
     setattr(run, name, size)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from functools import lru_cache
 
-from ..schema.records import COUNT, POINTER, REAL, check, fields
+from ..schema.records import COUNT, POINTER, REAL, Run, Signal, Tick, check
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
@@ -17,24 +17,6 @@ MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 INPUTS = ctypes.CFUNCTYPE(
     ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
 )
-
-
-class Run(ctypes.Structure):
-    """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
-
-    _fields_ = fields("cardan_run")
-
-
-class Signal(ctypes.Structure):
-    """``cardan_signal``: an input given by pieces."""
-
-    _fields_ = fields("cardan_signal")
-
-
-class Tick(ctypes.Structure):
-    """``cardan_tick``: an event at known times."""
-
-    _fields_ = fields("cardan_tick")
 
 
 @lru_cache(maxsize=4)

@@ -19,11 +19,12 @@ from ..runtime.closing import Closing, columns_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import called_back
 from ..runtime.ledger import Ledger
+from ..schema.records import Run, Signal, Tick
 from . import record as abi
 from .bounded import bounded
 from .happenings import NOTHING, Happenings
 from .jumps import FEW, FUNCTION, stops_of
-from .record import INPUTS, Run, Signal, Tick
+from .record import INPUTS
 from .settings import Settings
 from .signals import Signals
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError
+from ..schema.records import Run
 from ..version import written_by
 from . import record as abi
 from .run import Runner, Saved
@@ -98,7 +99,7 @@ def saved_of(
             "start the run anew"
         )
     checked(numbers, limits(runner), path)
-    run = abi.Run.from_buffer_copy(whole.record)
+    run = Run.from_buffer_copy(whole.record)
     for name, value in numbers.items():
         setattr(run, name, value)
     _fits_itself(run, path)
@@ -136,7 +137,7 @@ def impossible(path: Path, what: str) -> ModelError:
     return ModelError(f"{path} is damaged or was changed: {what}. Start the run anew")
 
 
-def _fits_itself(run: abi.Run, path: Path) -> None:
+def _fits_itself(run: Run, path: Path) -> None:
     """Whether numbers of a record that belong together do."""
     if run.happened and not run.ne + run.watched:
         raise impossible(path, "an event happens that the model does not have")

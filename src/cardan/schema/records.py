@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import re
+import textwrap
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -43,6 +44,27 @@ RECORDS = {
     "cardan_sparse_factors": "sparse.h",
 }
 LANE_RECORDS = {"cardan_abreast": "abreast.h"}
+# what the functions of an element give, in the order of mesh.h
+FORMS = (
+    "balance",
+    "balance_tangent",
+    "gamma",
+    "energy",
+    "momentum",
+    "power",
+    "reaction",
+    "outputs",
+    "stress",
+    "mixed",
+    "mixed_step",
+)
+# the matrices of a tangent
+PARTS = ("K", "C", "M", "R", "G")
+# fields of Abreast that are one number per lane: of its run, of its trial
+PER_LANE = (
+    *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
+    *("h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
+)
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _FUNCTION = re.compile(r"\(\*(\w+)\)\(")
 _DECLARED = re.compile(r"(?:(?:const|volatile|struct) )*(\w+) (.+)")
@@ -109,6 +131,90 @@ def fields(record: str, **nested: type[ctypes.Structure]) -> list[tuple[str, Any
     return listed
 
 
+class Run(ctypes.Structure):
+    """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
+
+    _fields_ = fields("cardan_run")
+
+
+class Signal(ctypes.Structure):
+    """``cardan_signal``: an input given by pieces."""
+
+    _fields_ = fields("cardan_signal")
+
+
+class Tick(ctypes.Structure):
+    """``cardan_tick``: an event at known times."""
+
+    _fields_ = fields("cardan_tick")
+
+
+class Abreast(ctypes.Structure):
+    """``cardan_abreast``: trial steps side by side."""
+
+    _fields_ = fields("cardan_abreast")
+
+
+class Own(ctypes.Structure):
+    """``cardan_own``: numbers of a run that a pointer of its record shall point to."""
+
+    _fields_ = fields("cardan_own")
+
+
+class Lane(ctypes.Structure):
+    """``cardan_lane``: the record at work, and how each run begins."""
+
+    _fields_ = fields("cardan_lane")
+
+
+class Driver(ctypes.Structure):
+    """``cardan_ensemble``: many runs by one thread."""
+
+    _fields_ = fields("cardan_ensemble")
+
+
+class Form(ctypes.Structure):
+    """``cardan_form``: a function of a kind with the prepared data of its elements."""
+
+    _fields_ = fields("cardan_form")
+
+
+class Group(ctypes.Structure):
+    """``cardan_group``: the elements of one kind."""
+
+    _fields_ = fields("cardan_group", forms=Form)
+
+
+class Movers(ctypes.Structure):
+    """``cardan_movers``: places that move by functions of their own."""
+
+    _fields_ = fields("cardan_movers")
+
+
+class MeshRecord(ctypes.Structure):
+    """``cardan_mesh``."""
+
+    _fields_ = fields("cardan_mesh")
+
+
+class StateRecord(ctypes.Structure):
+    """``cardan_state``: what elements are asked at."""
+
+    _fields_ = fields("cardan_state")
+
+
+class PlanRecord(ctypes.Structure):
+    """``cardan_sparse``."""
+
+    _fields_ = fields("cardan_sparse")
+
+
+class FactorsRecord(ctypes.Structure):
+    """``cardan_sparse_factors``."""
+
+    _fields_ = fields("cardan_sparse_factors")
+
+
 def check(library: ctypes.CDLL, record: str, structure: type[ctypes.Structure]) -> None:
     """Compare a record of Python with that of compiled kernels: its size, where its fields begin.
 
@@ -153,8 +259,12 @@ def _tables(records: dict[str, str]) -> list[str]:
             "",
             f"extern const size_t {record}_layout[{len(members) + 1}];",
             f"const size_t {record}_layout[{len(members) + 1}] = {{",
-            f"    sizeof({record}),",
-            *(f"    offsetof({record}, {member})," for member in members),
+            *textwrap.wrap(
+                ", ".join((f"sizeof({record})", *(f"offsetof({record}, {m})" for m in members))),
+                initial_indent="    ",
+                subsequent_indent="    ",
+                width=100,
+            ),
             "};",
         ]
     return lines

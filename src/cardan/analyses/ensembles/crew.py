@@ -18,6 +18,7 @@ from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
 from ...runtime.interpreted import called_back
 from ...runtime.samples import build
+from ...schema.records import PER_LANE, Abreast, Driver, Lane, Own, Run
 from .. import record as abi
 from ..happenings import Happenings
 from ..jumps import FUNCTION
@@ -120,14 +121,14 @@ class Crew:
         start = self.runners[0].record.r - self.runners[0].memory.ctypes.data
         left = [runner.memory[start // UNITS :] for runner in self.runners]
         self._keep: list[Any] = [memory.copy() for memory in left]
-        size = ctypes.sizeof(abi.Run)
+        size = ctypes.sizeof(Run)
         fresh = [ctypes.create_string_buffer(bytes(r.record), size) for r in self.runners]
-        self.lanes = (records.Lane * width)()
+        self.lanes = (Lane * width)()
         for k, (lane, record, memory) in enumerate(zip(self.lanes, fresh, self._keep, strict=True)):
             lane.run, lane.memory = ctypes.addressof(self.runners[k].record), left[k].ctypes.data
             lane.fresh, lane.fresh_memory = ctypes.addressof(record), memory.ctypes.data
         self._keep += fresh
-        self.driver = records.Driver()
+        self.driver = Driver()
         self.driver.lanes, self.driver.lane_count = ctypes.addressof(self.lanes), width
         self.driver.memory_length = len(left[0])
         self.driver.timed = bool(given.pieces)
@@ -146,8 +147,8 @@ class Crew:
         width = 1 + run.n + run.nr + run.ns + run.nlam
         rows = np.full((count, len(self.times), width), np.nan)
         # memory that nobody writes to is never touched
-        zeros = np.zeros(count * ctypes.sizeof(abi.Run), np.uint8)
-        ends = (abi.Run * count).from_buffer(zeros.data)
+        zeros = np.zeros(count * ctypes.sizeof(Run), np.uint8)
+        ends = (Run * count).from_buffer(zeros.data)
         numbers = np.zeros((count, len(NUMBERS)))
         d = self.driver
         keep = self._own(p)
@@ -172,11 +173,11 @@ class Crew:
         if p is None:
             return []
         pointers = [
-            (name.removesuffix("_w"), getattr(abi.Run, name).offset)
-            for name in (field[0] for field in abi.Run._fields_)
+            (name.removesuffix("_w"), getattr(Run, name).offset)
+            for name in (field[0] for field in Run._fields_)
             if name.endswith("_w") and getattr(self.runners[0].record, name)
         ]
-        own, keep = (records.Own * len(pointers))(), []
+        own, keep = (Own * len(pointers))(), []
         for row, (name, offset) in zip(own, pointers, strict=True):
             w = np.ascontiguousarray(self.model._function(name).prepared(p))
             keep.append(w)
@@ -192,7 +193,7 @@ class Crew:
         built = function.caller.batch.ready(own)
         assert built is not None
         library = records.trials(self.model._objects.reproducible, width)
-        a = records.Abreast()
+        a = Abreast()
         kernel, n = self.how.method.kernel, run.n
         a.rhs, a.n, a.nq, a.nu, a.nr = built.address, n, run.nq, run.nu, run.nr
         a.trial_step = abi.address(library, f"cardan_{kernel}_abreast")
@@ -203,7 +204,7 @@ class Crew:
         a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count
         a.rtol, a.atol, a.max_step = run.rtol, run.atol, run.max_step
         a.order = self.how.method.order
-        sizes = dict.fromkeys(records.PER_LANE, 1)
+        sizes = dict.fromkeys(PER_LANE, 1)
         sizes |= dict.fromkeys(("y", "trial", "next"), n)
         sizes |= {"k": run.stages * n, "spread": run.dense_rows * n, "r": run.nr, "s": run.ns}
         sizes |= {"at_rest": len(self.runners[0].views["at_rest"]), "work": function.work_size}
@@ -223,7 +224,7 @@ class Crew:
         rows: Array,
         answers: NDArray[np.intp],
         numbers: Array,
-        ends: ctypes.Array[abi.Run],
+        ends: ctypes.Array[Run],
     ) -> Ends:
         """Answers in words and numbers."""
         begun = answers != NOT_RUN
@@ -235,7 +236,7 @@ class Crew:
                 status[k], messages[k] = self._explain(ends[k], int(answers[k]))
         return Ends(x, rows, status, messages, numbers)
 
-    def _explain(self, end: abi.Run, answer: int) -> tuple[str, str]:
+    def _explain(self, end: Run, answer: int) -> tuple[str, str]:
         """The status of a run and a sentence about it."""
         runner = self.runners[0]
         usual = bytes(runner.record)

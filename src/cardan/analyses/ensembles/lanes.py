@@ -10,38 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...runtime import kernels
-from ...schema.records import check, fields
+from ...schema.records import Abreast, Driver, Lane, Own, check
 
 Array = NDArray[np.float64]
-# fields of Abreast that are one number per lane: of its run, of its trial
-PER_LANE = (
-    *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
-    *("h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
-)
-
-
-class Abreast(ctypes.Structure):
-    """``cardan_abreast``: trial steps side by side."""
-
-    _fields_ = fields("cardan_abreast")
-
-
-class Own(ctypes.Structure):
-    """``cardan_own``: numbers of a run that a pointer of its record shall point to."""
-
-    _fields_ = fields("cardan_own")
-
-
-class Lane(ctypes.Structure):
-    """``cardan_lane``: the record at work, and how each run begins."""
-
-    _fields_ = fields("cardan_lane")
-
-
-class Driver(ctypes.Structure):
-    """``cardan_ensemble``: many runs by one thread."""
-
-    _fields_ = fields("cardan_ensemble")
 
 
 @lru_cache(maxsize=4)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ArgumentError, SolveError
-from ...schema.records import fields
+from ...schema.records import FactorsRecord, PlanRecord
 from .. import kernels
 from .plan import Plan
 from .systems import Reals, checked, guess, named, refused, scales, sides
@@ -25,18 +25,6 @@ ELIMINATION = (
     *("order", "multiplier", "start", "panel", "width", "later", "turned", "open_start", "open"),
     *("load_start", "load", "run_start", "run", "target_start", "target"),
 )
-
-
-class PlanRecord(ctypes.Structure):
-    """``cardan_sparse``."""
-
-    _fields_ = fields("cardan_sparse")
-
-
-class FactorsRecord(ctypes.Structure):
-    """``cardan_sparse_factors``."""
-
-    _fields_ = fields("cardan_sparse_factors")
 
 
 def plan_numbers(plan: Plan) -> dict[str, int]:

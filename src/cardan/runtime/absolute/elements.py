@@ -11,7 +11,7 @@ import numpy as np
 import scipy.sparse
 from numpy.typing import NDArray
 
-from .records import PARTS
+from ...schema.records import PARTS
 from .tables import Table, Tables
 
 Array = NDArray[np.float64]

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import SolveError
+from ...schema.records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
 from ..interpreted import SINGULAR, called_back
@@ -24,7 +25,6 @@ from .blocks import plan_record
 from .elements import INNER, Elements, State
 from .massless import refusal
 from .matrices import Matrices
-from .records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .tables import Kind, Table, Tables
 
 Array = NDArray[np.float64]

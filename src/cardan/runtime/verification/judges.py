@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from ..objects import Key
-from . import bodies, closures, forces, increments, linear, motions, slopes
+from . import bodies, forces, increments, linear, motions, slopes
 from .asked import Asked
 from .differences import BLURRED
 from .written import written
@@ -16,7 +16,7 @@ from .written import written
 Judge = Callable[[Asked, str], float | str]
 JUDGES: dict[str, Judge] = {
     name: judge
-    for module in (bodies, motions, increments, forces, slopes, linear, closures)
+    for module in (bodies, motions, increments, forces, slopes, linear)
     for name, judge in module.JUDGES.items()
 }
 
