@@ -54,36 +54,37 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* K1: first moment, inertia, base inertia */
+    /* K1: first moment, origin inertia, base inertia */
     const wreal K1_mass = p[0]; /* kg */
     const wreal K1_com_x = p[1]; /* m */
     const wreal K1_inertia_zz = p[4]; /* kg m^2 */
     const wreal theta_position_x = p[5]; /* m */
     const wreal K2_mass = p[6]; /* kg */
     const wreal K1_first_moment_x = K1_mass * K1_com_x;
-    const wreal K1_inertia_zz_2 = K1_inertia_zz + K1_com_x * K1_first_moment_x;
-    /* K1_base_inertia_zz */
-    w[27] = K1_inertia_zz_2 + 0.5 * K2_mass * theta_position_x * theta_position_x * 2.0;
+    const wreal K1_origin_inertia_zz = K1_inertia_zz + K1_com_x * K1_first_moment_x;
+    const wreal K1_base_inertia_zz = K1_origin_inertia_zz
+        + 0.5 * K2_mass * theta_position_x * theta_position_x * 2.0;
+    w[27] = K1_base_inertia_zz;
 
-    /* K2: first moment, inertia */
+    /* K2: first moment, origin inertia */
     const wreal K2_com_x = p[7]; /* m */
     const wreal K2_inertia_zz = p[10]; /* kg m^2 */
     const wreal K2_first_moment_x = K2_mass * K2_com_x;
-    const wreal K2_inertia_zz_2 = K2_inertia_zz + K2_com_x * K2_first_moment_x;
-    w[1] = K2_first_moment_x; /* K2_first_moment_x */
-    w[2] = K2_inertia_zz_2; /* K2_inertia_zz_2 */
+    const wreal K2_origin_inertia_zz = K2_inertia_zz + K2_com_x * K2_first_moment_x;
+    w[1] = K2_first_moment_x;
+    w[2] = K2_origin_inertia_zz;
 
-    /* K3: first moment, inertia */
+    /* K3: first moment, origin inertia */
     const wreal K3_mass = p[13]; /* kg */
     const wreal K3_com_x = p[14]; /* m */
     const wreal K3_com_y = p[15]; /* m */
     const wreal K3_inertia_zz = p[18]; /* kg m^2 */
     const wreal K3_first_moment_x = K3_mass * K3_com_x;
     const wreal K3_first_moment_y = K3_mass * K3_com_y;
-    const wreal K3_inertia_zz_2 = K3_com_x * K3_first_moment_x + K3_com_y * K3_first_moment_y
-        + K3_inertia_zz;
+    const wreal K3_origin_inertia_zz = K3_com_x * K3_first_moment_x
+        + K3_com_y * K3_first_moment_y + K3_inertia_zz;
 
-    /* K5: first moment, inertia, base inertia */
+    /* K5: first moment, origin inertia, base inertia */
     const wreal K5_mass = p[21]; /* kg */
     const wreal K5_com_x = p[22]; /* m */
     const wreal K5_com_y = p[23]; /* m */
@@ -92,20 +93,21 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K4_mass = p[28]; /* kg */
     const wreal K5_first_moment_x = K5_mass * K5_com_x;
     const wreal K5_first_moment_y = K5_mass * K5_com_y;
-    const wreal K5_inertia_zz_2 = K5_com_x * K5_first_moment_x + K5_com_y * K5_first_moment_y
-        + K5_inertia_zz;
-    /* K5_base_inertia_zz */
-    w[26] = K5_inertia_zz_2 + 0.5 * K4_mass * phi_position_x * phi_position_x * 2.0;
+    const wreal K5_origin_inertia_zz = K5_com_x * K5_first_moment_x
+        + K5_com_y * K5_first_moment_y + K5_inertia_zz;
+    const wreal K5_base_inertia_zz = K5_origin_inertia_zz
+        + 0.5 * K4_mass * phi_position_x * phi_position_x * 2.0;
+    w[26] = K5_base_inertia_zz;
 
-    /* K4: first moment, inertia */
+    /* K4: first moment, origin inertia */
     const wreal K4_com_y = p[29]; /* m */
     const wreal K4_inertia_zz = p[32]; /* kg m^2 */
     const wreal K4_first_moment_y = K4_mass * K4_com_y;
-    const wreal K4_inertia_zz_2 = K4_inertia_zz + K4_com_y * K4_first_moment_y;
-    w[8] = K4_first_moment_y; /* K4_first_moment_y */
-    w[9] = K4_inertia_zz_2; /* K4_inertia_zz_2 */
+    const wreal K4_origin_inertia_zz = K4_inertia_zz + K4_com_y * K4_first_moment_y;
+    w[8] = K4_first_moment_y;
+    w[9] = K4_origin_inertia_zz;
 
-    /* K7: first moment, inertia, base inertia */
+    /* K7: first moment, origin inertia, base inertia */
     const wreal K7_mass = p[35]; /* kg */
     const wreal K7_com_x = p[36]; /* m */
     const wreal K7_com_y = p[37]; /* m */
@@ -114,24 +116,29 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K6_mass = p[42]; /* kg */
     const wreal K7_first_moment_x = K7_mass * K7_com_x;
     const wreal K7_first_moment_y = K7_mass * K7_com_y;
-    const wreal K7_inertia_zz_2 = K7_com_x * K7_first_moment_x + K7_com_y * K7_first_moment_y
-        + K7_inertia_zz;
-    /* K7_base_inertia_zz */
-    w[25] = K7_inertia_zz_2 + 0.5 * K6_mass * omega_position_y * omega_position_y * 2.0;
+    const wreal K7_origin_inertia_zz = K7_com_x * K7_first_moment_x
+        + K7_com_y * K7_first_moment_y + K7_inertia_zz;
+    const wreal K7_base_inertia_zz = K7_origin_inertia_zz
+        + 0.5 * K6_mass * omega_position_y * omega_position_y * 2.0;
+    w[25] = K7_base_inertia_zz;
 
-    /* K6: first moment, inertia */
+    /* K6: first moment, origin inertia */
     const wreal K6_com_x = p[43]; /* m */
     const wreal K6_inertia_zz = p[46]; /* kg m^2 */
     const wreal K6_first_moment_x = K6_mass * K6_com_x;
-    const wreal K6_inertia_zz_2 = K6_inertia_zz + K6_com_x * K6_first_moment_x;
-    w[13] = K6_first_moment_x; /* K6_first_moment_x */
-    w[14] = K6_inertia_zz_2; /* K6_inertia_zz_2 */
+    const wreal K6_origin_inertia_zz = K6_inertia_zz + K6_com_x * K6_first_moment_x;
+    w[13] = K6_first_moment_x;
+    w[14] = K6_origin_inertia_zz;
 
-    /* constraints: D inverse */
-    w[28] = 1.0 / K6_inertia_zz_2; /* constraints_D_inverse_7 */
-    w[29] = 1.0 / K4_inertia_zz_2; /* constraints_D_inverse_5 */
-    w[30] = 1.0 / K3_inertia_zz_2; /* constraints_D_inverse_3 */
-    w[31] = 1.0 / K2_inertia_zz_2; /* constraints_D_inverse_2 */
+    /* constraints: multipliers */
+    const wreal M_factor_D_inverse_omega = 1.0 / K6_origin_inertia_zz;
+    const wreal M_factor_D_inverse_phi = 1.0 / K4_origin_inertia_zz;
+    const wreal M_factor_D_inverse_gamma = 1.0 / K3_origin_inertia_zz;
+    const wreal M_factor_D_inverse_theta = 1.0 / K2_origin_inertia_zz;
+    w[28] = M_factor_D_inverse_omega;
+    w[29] = M_factor_D_inverse_phi;
+    w[30] = M_factor_D_inverse_gamma;
+    w[31] = M_factor_D_inverse_theta;
 
     /* parameters as they are */
     w[0] = p[5]; /* theta.position.x [m] */
@@ -167,7 +174,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     int status = CARDAN_OK;
 
-    /* shared by several: R, cos, sin */
+    /* shared by several: R */
     const real beta_q = q[0]; /* rad */
     const real theta_q = q[1]; /* rad */
     const real gamma_q = q[2]; /* rad */
@@ -175,11 +182,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real phi_q = q[4]; /* rad */
     const real epsilon_q = q[5]; /* rad */
     const real omega_q = q[6]; /* rad */
-    const real theta_R = beta_q + theta_q;
-    const real phi_R = delta_q + phi_q;
-    const real omega_R = epsilon_q + omega_q;
-    const real angle[CARDAN_PADDED(7)] = {beta_q, delta_q, epsilon_q, theta_R, gamma_q, phi_R,
-        omega_R};
+    const real theta_turn = beta_q + theta_q;
+    const real phi_turn = delta_q + phi_q;
+    const real omega_turn = epsilon_q + omega_q;
+    const real angle[CARDAN_PADDED(7)] = {beta_q, delta_q, epsilon_q, theta_turn, gamma_q,
+        phi_turn, omega_turn};
     real sine[CARDAN_PADDED(7)], cosine[CARDAN_PADDED(7)];
     cardan_sincos(7, angle, sine, cosine);
     const real beta_cos = cosine[0];
@@ -188,29 +195,38 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real delta_sin = sine[1];
     const real epsilon_cos = cosine[2];
     const real epsilon_sin = sine[2];
-    const real theta_cos = cosine[3];
-    const real theta_sin = sine[3];
+    const real theta_turn_cos = cosine[3];
+    const real theta_turn_sin = sine[3];
     const real gamma_cos = cosine[4];
     const real gamma_sin = sine[4];
-    const real phi_cos = cosine[5];
-    const real phi_sin = sine[5];
-    const real omega_cos = cosine[6];
-    const real omega_sin = sine[6];
+    const real phi_turn_cos = cosine[5];
+    const real phi_turn_sin = sine[5];
+    const real omega_turn_cos = cosine[6];
+    const real omega_turn_sin = sine[6];
 
     /* theta: p */
+    const real beta_u = u[0]; /* rad/s */
     const wreal theta_position_x = w[0]; /* m */
     const real theta_p_x = theta_position_x * beta_cos;
     const real theta_p_y = theta_position_x * beta_sin;
+    const real theta_minus_p_x_rate = beta_u * beta_sin * theta_position_x;
+    const real theta_p_y_rate = beta_u * beta_cos * theta_position_x;
 
     /* phi: p */
+    const real delta_u = u[3]; /* rad/s */
     const wreal phi_position_x = w[7]; /* m */
     const real phi_p_x = phi_position_x * delta_cos;
     const real phi_p_y = phi_position_x * delta_sin;
+    const real phi_minus_p_x_rate = delta_u * delta_sin * phi_position_x;
+    const real phi_p_y_rate = delta_u * delta_cos * phi_position_x;
 
     /* omega: p */
+    const real epsilon_u = u[5]; /* rad/s */
     const wreal omega_position_y = w[12]; /* m */
-    const real omega_p = omega_position_y * epsilon_sin;
+    const real omega_minus_p_x = omega_position_y * epsilon_sin;
     const real omega_p_y = omega_position_y * epsilon_cos;
+    const real omega_minus_p_x_rate = epsilon_u * epsilon_cos * omega_position_y;
+    const real omega_minus_p_y_rate = epsilon_u * epsilon_sin * omega_position_y;
 
     /* shared by several: position, inertia */
     const wreal K2_first_moment_x = w[1];
@@ -220,16 +236,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal epsilon_position_x = w[10]; /* m */
     const wreal epsilon_position_y = w[11]; /* m */
     const wreal K6_first_moment_x = w[13];
-    const real K4_position = delta_position_x + phi_p_x;
-    const real K4_position_2 = delta_position_y + phi_p_y;
-    const real K6_position = epsilon_position_x - omega_p;
-    const real K6_position_2 = epsilon_position_y + omega_p_y;
-    const real K7_inertia = K6_first_moment_x * omega_sin * omega_p_y
-        - K6_first_moment_x * omega_cos * omega_p;
-    const real K5_inertia = K4_first_moment_y * phi_cos * phi_p_y
-        - K4_first_moment_y * phi_sin * phi_p_x;
-    const real K1_inertia = K2_first_moment_x * theta_cos * theta_p_x
-        + K2_first_moment_x * theta_sin * theta_p_y;
+    const real K4_position_x = delta_position_x + phi_p_x;
+    const real K4_position_y = delta_position_y + phi_p_y;
+    const real K6_position_x = epsilon_position_x - omega_minus_p_x;
+    const real K6_position_y = epsilon_position_y + omega_p_y;
+    const real K7_inertia_shift_part = K6_first_moment_x * omega_turn_sin * omega_p_y
+        - K6_first_moment_x * omega_turn_cos * omega_minus_p_x;
+    const real K5_inertia_shift_part = K4_first_moment_y * phi_turn_cos * phi_p_y
+        - K4_first_moment_y * phi_turn_sin * phi_p_x;
+    const real K1_inertia_shift_part = K2_first_moment_x * theta_turn_cos * theta_p_x
+        + K2_first_moment_x * theta_turn_sin * theta_p_y;
 
     /* spring: force */
     const wreal gamma_position_x = w[3]; /* m */
@@ -240,178 +256,194 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal spring_a_position_y = w[21]; /* m */
     const wreal spring_b_position_x = w[22]; /* m */
     const wreal spring_b_position_y = w[23]; /* m */
-    const real spring_force = spring_b_position_x * gamma_cos - spring_b_position_y * gamma_sin
-        + gamma_position_x - spring_a_position_x;
-    const real spring_force_2 = spring_b_position_x * gamma_sin + spring_b_position_y * gamma_cos
-        + gamma_position_y - spring_a_position_y;
-    const real spring_force_3 = cardan_sqrt(spring_force * spring_force
-        + spring_force_2 * spring_force_2);
-    const real spring_force_4 = cardan_lt(0.0, spring_force_3);
-    const real spring_force_5 = cardan_select(spring_force_4, 1.0,
-        0.0) / cardan_select(spring_force_4, spring_force_3, 1.0);
-    const real spring_force_6 = spring_stiffness * (spring_force_3 - spring_length);
-    const real spring_force_7 = spring_force * spring_force_5 * spring_force_6;
-    const real spring_force_8 = spring_force_2 * spring_force_5 * spring_force_6;
-    const real spring_force_9 = spring_b_position_x * (gamma_sin * spring_force_7
-        - gamma_cos * spring_force_8);
+    const real spring_force_span_x = spring_b_position_x * gamma_cos
+        - spring_b_position_y * gamma_sin + gamma_position_x - spring_a_position_x;
+    const real spring_force_span_y = spring_b_position_x * gamma_sin
+        + spring_b_position_y * gamma_cos + gamma_position_y - spring_a_position_y;
+    const real spring_force_distance = cardan_sqrt(spring_force_span_x * spring_force_span_x
+        + spring_force_span_y * spring_force_span_y);
+    const real spring_force_apart = cardan_lt(0.0, spring_force_distance);
+    const real spring_force_inverse_distance = cardan_select(spring_force_apart, 1.0,
+        0.0) / cardan_select(spring_force_apart, spring_force_distance, 1.0);
+    const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_force_distance
+        - spring_length);
+    const real spring_force_on_spring_a_x = spring_force_span_x * spring_force_inverse_distance *
+        spring_force_on_spring_a_x_part;
+    const real spring_force_on_spring_a_y = spring_force_span_y * spring_force_inverse_distance *
+        spring_force_on_spring_a_x_part;
 
-    /* E3: pose, twist, G */
-    const real beta_u = u[0]; /* rad/s */
+    /* E3: pose, twist, G px beta, G px theta, G px gamma, G, G py gamma */
     const real theta_u = u[1]; /* rad/s */
     const real gamma_u = u[2]; /* rad/s */
     const wreal E3_child_position_y = w[15]; /* m */
-    const real E3_pose = gamma_position_x - E3_child_position_y * gamma_sin;
-    const real E3_pose_2 = gamma_position_y + E3_child_position_y * gamma_cos;
-    const real E3_pose_3 = theta_cos * gamma_cos + theta_sin * gamma_sin;
-    const real E3_pose_4 = theta_sin * gamma_cos - theta_cos * gamma_sin;
-    const real E3_twist = E3_pose - theta_p_x;
-    const real E3_twist_2 = E3_pose_2 - theta_p_y;
-    const real E3_twist_3 = E3_pose - gamma_position_x;
-    const real E3_twist_4 = E3_pose_2 - gamma_position_y;
-    const real E3_twist_5 = beta_u * E3_pose_2 + theta_u * E3_twist_2 - gamma_u * E3_twist_4;
-    const real E3_twist_6 = gamma_u * E3_twist_3 - (beta_u * E3_pose + theta_u * E3_twist);
-    const real E3_twist_7 = gamma_cos * E3_pose_2 - gamma_sin * E3_pose;
-    const real E3_twist_8 = gamma_sin * E3_pose_2 + gamma_cos * E3_pose;
-    const real E3_twist_9 = gamma_cos * E3_twist_2 - gamma_sin * E3_twist;
-    const real E3_twist_10 = gamma_sin * E3_twist_2 + gamma_cos * E3_twist;
-    const real E3_twist_11 = gamma_sin * E3_twist_3 - gamma_cos * E3_twist_4;
-    const real E3_twist_12 = gamma_sin * E3_twist_4 + gamma_cos * E3_twist_3;
-    const real E3_twist_13 = gamma_cos * E3_twist_5 + gamma_sin * E3_twist_6;
-    const real E3_twist_14 = gamma_cos * E3_twist_6 - gamma_sin * E3_twist_5;
-    const real E3_G = E3_pose_3 * E3_twist_7 - E3_pose_4 * E3_twist_8;
-    const real E3_G_2 = E3_pose_3 * E3_twist_9 - E3_pose_4 * E3_twist_10;
-    const real E3_G_3 = E3_pose_3 * E3_twist_11 + E3_pose_4 * E3_twist_12;
-    const real E3_G_4 = E3_pose_4 * E3_twist_7 + E3_pose_3 * E3_twist_8;
-    const real E3_G_5 = E3_pose_4 * E3_twist_9 + E3_pose_3 * E3_twist_10;
-    const real E3_G_6 = E3_pose_3 * E3_twist_12 - E3_pose_4 * E3_twist_11;
+    const real E3_child_p_x = gamma_position_x - E3_child_position_y * gamma_sin;
+    const real E3_child_p_y = gamma_position_y + E3_child_position_y * gamma_cos;
+    const real E3_R_xx = theta_turn_cos * gamma_cos + theta_turn_sin * gamma_sin;
+    const real E3_R_xy = theta_turn_sin * gamma_cos - theta_turn_cos * gamma_sin;
+    const real E3_arm_theta_x = E3_child_p_x - theta_p_x;
+    const real E3_arm_theta_y = E3_child_p_y - theta_p_y;
+    const real E3_arm_gamma_x = E3_child_p_x - gamma_position_x;
+    const real E3_arm_gamma_y = E3_child_p_y - gamma_position_y;
+    const real E3_base_twist_vx = beta_u * E3_child_p_y + theta_u * E3_arm_theta_y
+        - gamma_u * E3_arm_gamma_y;
+    const real E3_base_twist_vy = gamma_u * E3_arm_gamma_x - (beta_u * E3_child_p_x
+        + theta_u * E3_arm_theta_x);
+    const real E3_twist_beta_vx = gamma_cos * E3_child_p_y - gamma_sin * E3_child_p_x;
+    const real E3_minus_twist_beta_vy = gamma_sin * E3_child_p_y + gamma_cos * E3_child_p_x;
+    const real E3_twist_theta_vx = gamma_cos * E3_arm_theta_y - gamma_sin * E3_arm_theta_x;
+    const real E3_minus_twist_theta_vy = gamma_sin * E3_arm_theta_y + gamma_cos * E3_arm_theta_x;
+    const real E3_twist_gamma_vx = gamma_sin * E3_arm_gamma_x - gamma_cos * E3_arm_gamma_y;
+    const real E3_twist_gamma_vy = gamma_sin * E3_arm_gamma_y + gamma_cos * E3_arm_gamma_x;
+    const real E3_twist_vx = gamma_cos * E3_base_twist_vx + gamma_sin * E3_base_twist_vy;
+    const real E3_twist_vy = gamma_cos * E3_base_twist_vy - gamma_sin * E3_base_twist_vx;
+    const real E3_G_px_beta = E3_R_xx * E3_twist_beta_vx - E3_R_xy * E3_minus_twist_beta_vy;
+    const real E3_G_px_theta = E3_R_xx * E3_twist_theta_vx - E3_R_xy * E3_minus_twist_theta_vy;
+    const real E3_G_px_gamma = E3_R_xx * E3_twist_gamma_vx + E3_R_xy * E3_twist_gamma_vy;
+    const real E3_minus_G_py_beta = E3_R_xy * E3_twist_beta_vx + E3_R_xx * E3_minus_twist_beta_vy;
+    const real E3_minus_G_py_theta = E3_R_xy * E3_twist_theta_vx
+        + E3_R_xx * E3_minus_twist_theta_vy;
+    const real E3_G_py_gamma = E3_R_xx * E3_twist_gamma_vy - E3_R_xy * E3_twist_gamma_vx;
 
     /* K2: omega, inertia force */
     const real K2_omega_z = beta_u + theta_u;
-    const real K2_inertia_force = K2_omega_z * K2_omega_z * K2_first_moment_x;
+    const real K2_minus_f_x = K2_omega_z * K2_omega_z * K2_first_moment_x;
 
-    /* E4: pose, twist, G */
-    const real delta_u = u[3]; /* rad/s */
+    /* E4: pose, twist, G px beta, G px theta, G px delta, G px phi, G, G py delta, G py phi */
     const real phi_u = u[4]; /* rad/s */
     const wreal E4_child_position_y = w[16]; /* m */
-    const real E4_pose = K4_position - E4_child_position_y * phi_sin;
-    const real E4_pose_2 = K4_position_2 + E4_child_position_y * phi_cos;
-    const real E4_pose_3 = theta_cos * phi_cos + theta_sin * phi_sin;
-    const real E4_pose_4 = theta_sin * phi_cos - theta_cos * phi_sin;
-    const real E4_twist = E4_pose - theta_p_x;
-    const real E4_twist_2 = E4_pose_2 - theta_p_y;
-    const real E4_twist_3 = E4_pose - delta_position_x;
-    const real E4_twist_4 = E4_pose_2 - delta_position_y;
-    const real E4_twist_5 = E4_pose - K4_position;
-    const real E4_twist_6 = E4_pose_2 - K4_position_2;
-    const real E4_twist_7 = beta_u * E4_pose_2 + theta_u * E4_twist_2 - delta_u * E4_twist_4
-        - phi_u * E4_twist_6;
-    const real E4_twist_8 = delta_u * E4_twist_3 - (beta_u * E4_pose + theta_u * E4_twist)
-        + phi_u * E4_twist_5;
-    const real E4_twist_9 = phi_cos * E4_pose_2 - phi_sin * E4_pose;
-    const real E4_twist_10 = phi_sin * E4_pose_2 + phi_cos * E4_pose;
-    const real E4_twist_11 = phi_cos * E4_twist_2 - phi_sin * E4_twist;
-    const real E4_twist_12 = phi_sin * E4_twist_2 + phi_cos * E4_twist;
-    const real E4_twist_13 = phi_sin * E4_twist_3 - phi_cos * E4_twist_4;
-    const real E4_twist_14 = phi_sin * E4_twist_4 + phi_cos * E4_twist_3;
-    const real E4_twist_15 = phi_sin * E4_twist_5 - phi_cos * E4_twist_6;
-    const real E4_twist_16 = phi_sin * E4_twist_6 + phi_cos * E4_twist_5;
-    const real E4_twist_17 = phi_cos * E4_twist_7 + phi_sin * E4_twist_8;
-    const real E4_twist_18 = phi_cos * E4_twist_8 - phi_sin * E4_twist_7;
-    const real E4_G = E4_pose_3 * E4_twist_9 - E4_pose_4 * E4_twist_10;
-    const real E4_G_2 = E4_pose_3 * E4_twist_11 - E4_pose_4 * E4_twist_12;
-    const real E4_G_3 = E4_pose_3 * E4_twist_13 + E4_pose_4 * E4_twist_14;
-    const real E4_G_4 = E4_pose_3 * E4_twist_15 + E4_pose_4 * E4_twist_16;
-    const real E4_G_5 = E4_pose_4 * E4_twist_9 + E4_pose_3 * E4_twist_10;
-    const real E4_G_6 = E4_pose_4 * E4_twist_11 + E4_pose_3 * E4_twist_12;
-    const real E4_G_7 = E4_pose_3 * E4_twist_14 - E4_pose_4 * E4_twist_13;
-    const real E4_G_8 = E4_pose_3 * E4_twist_16 - E4_pose_4 * E4_twist_15;
+    const real E4_child_p_x = K4_position_x - E4_child_position_y * phi_turn_sin;
+    const real E4_child_p_y = K4_position_y + E4_child_position_y * phi_turn_cos;
+    const real E4_R_xx = theta_turn_cos * phi_turn_cos + theta_turn_sin * phi_turn_sin;
+    const real E4_R_xy = theta_turn_sin * phi_turn_cos - theta_turn_cos * phi_turn_sin;
+    const real E4_arm_theta_x = E4_child_p_x - theta_p_x;
+    const real E4_arm_theta_y = E4_child_p_y - theta_p_y;
+    const real E4_arm_delta_x = E4_child_p_x - delta_position_x;
+    const real E4_arm_delta_y = E4_child_p_y - delta_position_y;
+    const real E4_arm_phi_x = E4_child_p_x - K4_position_x;
+    const real E4_arm_phi_y = E4_child_p_y - K4_position_y;
+    const real E4_base_twist_vx = beta_u * E4_child_p_y + theta_u * E4_arm_theta_y
+        - delta_u * E4_arm_delta_y - phi_u * E4_arm_phi_y;
+    const real E4_base_twist_vy = delta_u * E4_arm_delta_x - (beta_u * E4_child_p_x
+        + theta_u * E4_arm_theta_x) + phi_u * E4_arm_phi_x;
+    const real E4_twist_beta_vx = phi_turn_cos * E4_child_p_y - phi_turn_sin * E4_child_p_x;
+    const real E4_minus_twist_beta_vy = phi_turn_sin * E4_child_p_y + phi_turn_cos * E4_child_p_x;
+    const real E4_twist_theta_vx = phi_turn_cos * E4_arm_theta_y - phi_turn_sin * E4_arm_theta_x;
+    const real E4_minus_twist_theta_vy = phi_turn_sin * E4_arm_theta_y
+        + phi_turn_cos * E4_arm_theta_x;
+    const real E4_twist_delta_vx = phi_turn_sin * E4_arm_delta_x - phi_turn_cos * E4_arm_delta_y;
+    const real E4_twist_delta_vy = phi_turn_sin * E4_arm_delta_y + phi_turn_cos * E4_arm_delta_x;
+    const real E4_twist_phi_vx = phi_turn_sin * E4_arm_phi_x - phi_turn_cos * E4_arm_phi_y;
+    const real E4_twist_phi_vy = phi_turn_sin * E4_arm_phi_y + phi_turn_cos * E4_arm_phi_x;
+    const real E4_twist_vx = phi_turn_cos * E4_base_twist_vx + phi_turn_sin * E4_base_twist_vy;
+    const real E4_twist_vy = phi_turn_cos * E4_base_twist_vy - phi_turn_sin * E4_base_twist_vx;
+    const real E4_G_px_beta = E4_R_xx * E4_twist_beta_vx - E4_R_xy * E4_minus_twist_beta_vy;
+    const real E4_G_px_theta = E4_R_xx * E4_twist_theta_vx - E4_R_xy * E4_minus_twist_theta_vy;
+    const real E4_G_px_delta = E4_R_xx * E4_twist_delta_vx + E4_R_xy * E4_twist_delta_vy;
+    const real E4_G_px_phi = E4_R_xx * E4_twist_phi_vx + E4_R_xy * E4_twist_phi_vy;
+    const real E4_minus_G_py_beta = E4_R_xy * E4_twist_beta_vx + E4_R_xx * E4_minus_twist_beta_vy;
+    const real E4_minus_G_py_theta = E4_R_xy * E4_twist_theta_vx
+        + E4_R_xx * E4_minus_twist_theta_vy;
+    const real E4_G_py_delta = E4_R_xx * E4_twist_delta_vy - E4_R_xy * E4_twist_delta_vx;
+    const real E4_G_py_phi = E4_R_xx * E4_twist_phi_vy - E4_R_xy * E4_twist_phi_vx;
 
-    /* E6: pose, twist, G */
-    const real epsilon_u = u[5]; /* rad/s */
+    /* E6: pose, twist, G px beta, G px theta, G px epsilon, G px omega, G, G py epsilon, ... */
     const real omega_u = u[6]; /* rad/s */
     const wreal E6_child_position_x = w[17]; /* m */
-    const real E6_pose = K6_position + E6_child_position_x * omega_cos;
-    const real E6_pose_2 = K6_position_2 + E6_child_position_x * omega_sin;
-    const real E6_pose_3 = theta_cos * omega_cos + theta_sin * omega_sin;
-    const real E6_pose_4 = theta_sin * omega_cos - theta_cos * omega_sin;
-    const real E6_twist = E6_pose - theta_p_x;
-    const real E6_twist_2 = E6_pose_2 - theta_p_y;
-    const real E6_twist_3 = E6_pose - epsilon_position_x;
-    const real E6_twist_4 = E6_pose_2 - epsilon_position_y;
-    const real E6_twist_5 = E6_pose - K6_position;
-    const real E6_twist_6 = E6_pose_2 - K6_position_2;
-    const real E6_twist_7 = beta_u * E6_pose_2 + theta_u * E6_twist_2 - epsilon_u * E6_twist_4
-        - omega_u * E6_twist_6;
-    const real E6_twist_8 = epsilon_u * E6_twist_3 - (beta_u * E6_pose + theta_u * E6_twist)
-        + omega_u * E6_twist_5;
-    const real E6_twist_9 = omega_cos * E6_pose_2 - omega_sin * E6_pose;
-    const real E6_twist_10 = omega_sin * E6_pose_2 + omega_cos * E6_pose;
-    const real E6_twist_11 = omega_cos * E6_twist_2 - omega_sin * E6_twist;
-    const real E6_twist_12 = omega_sin * E6_twist_2 + omega_cos * E6_twist;
-    const real E6_twist_13 = omega_sin * E6_twist_3 - omega_cos * E6_twist_4;
-    const real E6_twist_14 = omega_sin * E6_twist_4 + omega_cos * E6_twist_3;
-    const real E6_twist_15 = omega_sin * E6_twist_5 - omega_cos * E6_twist_6;
-    const real E6_twist_16 = omega_sin * E6_twist_6 + omega_cos * E6_twist_5;
-    const real E6_twist_17 = omega_cos * E6_twist_7 + omega_sin * E6_twist_8;
-    const real E6_twist_18 = omega_cos * E6_twist_8 - omega_sin * E6_twist_7;
-    const real E6_G = E6_pose_3 * E6_twist_9 - E6_pose_4 * E6_twist_10;
-    const real E6_G_2 = E6_pose_3 * E6_twist_11 - E6_pose_4 * E6_twist_12;
-    const real E6_G_3 = E6_pose_3 * E6_twist_13 + E6_pose_4 * E6_twist_14;
-    const real E6_G_4 = E6_pose_3 * E6_twist_15 + E6_pose_4 * E6_twist_16;
-    const real E6_G_5 = E6_pose_4 * E6_twist_9 + E6_pose_3 * E6_twist_10;
-    const real E6_G_6 = E6_pose_4 * E6_twist_11 + E6_pose_3 * E6_twist_12;
-    const real E6_G_7 = E6_pose_3 * E6_twist_14 - E6_pose_4 * E6_twist_13;
-    const real E6_G_8 = E6_pose_3 * E6_twist_16 - E6_pose_4 * E6_twist_15;
+    const real E6_child_p_x = K6_position_x + E6_child_position_x * omega_turn_cos;
+    const real E6_child_p_y = K6_position_y + E6_child_position_x * omega_turn_sin;
+    const real E6_R_xx = theta_turn_cos * omega_turn_cos + theta_turn_sin * omega_turn_sin;
+    const real E6_R_xy = theta_turn_sin * omega_turn_cos - theta_turn_cos * omega_turn_sin;
+    const real E6_arm_theta_x = E6_child_p_x - theta_p_x;
+    const real E6_arm_theta_y = E6_child_p_y - theta_p_y;
+    const real E6_arm_epsilon_x = E6_child_p_x - epsilon_position_x;
+    const real E6_arm_epsilon_y = E6_child_p_y - epsilon_position_y;
+    const real E6_arm_omega_x = E6_child_p_x - K6_position_x;
+    const real E6_arm_omega_y = E6_child_p_y - K6_position_y;
+    const real E6_base_twist_vx = beta_u * E6_child_p_y + theta_u * E6_arm_theta_y
+        - epsilon_u * E6_arm_epsilon_y - omega_u * E6_arm_omega_y;
+    const real E6_base_twist_vy = epsilon_u * E6_arm_epsilon_x - (beta_u * E6_child_p_x
+        + theta_u * E6_arm_theta_x) + omega_u * E6_arm_omega_x;
+    const real E6_twist_beta_vx = omega_turn_cos * E6_child_p_y - omega_turn_sin * E6_child_p_x;
+    const real E6_minus_twist_beta_vy = omega_turn_sin * E6_child_p_y
+        + omega_turn_cos * E6_child_p_x;
+    const real E6_twist_theta_vx = omega_turn_cos * E6_arm_theta_y
+        - omega_turn_sin * E6_arm_theta_x;
+    const real E6_minus_twist_theta_vy = omega_turn_sin * E6_arm_theta_y
+        + omega_turn_cos * E6_arm_theta_x;
+    const real E6_twist_epsilon_vx = omega_turn_sin * E6_arm_epsilon_x
+        - omega_turn_cos * E6_arm_epsilon_y;
+    const real E6_twist_epsilon_vy = omega_turn_sin * E6_arm_epsilon_y
+        + omega_turn_cos * E6_arm_epsilon_x;
+    const real E6_twist_omega_vx = omega_turn_sin * E6_arm_omega_x
+        - omega_turn_cos * E6_arm_omega_y;
+    const real E6_twist_omega_vy = omega_turn_sin * E6_arm_omega_y
+        + omega_turn_cos * E6_arm_omega_x;
+    const real E6_twist_vx = omega_turn_cos * E6_base_twist_vx + omega_turn_sin * E6_base_twist_vy;
+    const real E6_twist_vy = omega_turn_cos * E6_base_twist_vy - omega_turn_sin * E6_base_twist_vx;
+    const real E6_G_px_beta = E6_R_xx * E6_twist_beta_vx - E6_R_xy * E6_minus_twist_beta_vy;
+    const real E6_G_px_theta = E6_R_xx * E6_twist_theta_vx - E6_R_xy * E6_minus_twist_theta_vy;
+    const real E6_G_px_epsilon = E6_R_xx * E6_twist_epsilon_vx + E6_R_xy * E6_twist_epsilon_vy;
+    const real E6_G_px_omega = E6_R_xx * E6_twist_omega_vx + E6_R_xy * E6_twist_omega_vy;
+    const real E6_minus_G_py_beta = E6_R_xy * E6_twist_beta_vx + E6_R_xx * E6_minus_twist_beta_vy;
+    const real E6_minus_G_py_theta = E6_R_xy * E6_twist_theta_vx
+        + E6_R_xx * E6_minus_twist_theta_vy;
+    const real E6_G_py_epsilon = E6_R_xx * E6_twist_epsilon_vy - E6_R_xy * E6_twist_epsilon_vx;
+    const real E6_G_py_omega = E6_R_xx * E6_twist_omega_vy - E6_R_xy * E6_twist_omega_vx;
 
     /* K7: composite inertia, U */
-    const wreal K6_inertia_zz_2 = w[14];
+    const wreal K6_origin_inertia_zz = w[14];
     const wreal K7_base_inertia_zz = w[25];
-    const real K7_composite_inertia_zz = K6_inertia_zz_2 + 2.0 * K7_inertia + K7_base_inertia_zz;
-    const real K7_U = epsilon_u * epsilon_u;
+    const real K7_composite_inertia_zz = K6_origin_inertia_zz + 2.0 * K7_inertia_shift_part
+        + K7_base_inertia_zz;
+    const real K7_minus_U_xx = epsilon_u * epsilon_u;
 
     /* K5: composite inertia, U */
-    const wreal K4_inertia_zz_2 = w[9];
+    const wreal K4_origin_inertia_zz = w[9];
     const wreal K5_base_inertia_zz = w[26];
-    const real K5_composite_inertia_zz = K4_inertia_zz_2 + 2.0 * K5_inertia + K5_base_inertia_zz;
-    const real K5_U = delta_u * delta_u;
+    const real K5_composite_inertia_zz = K4_origin_inertia_zz + 2.0 * K5_inertia_shift_part
+        + K5_base_inertia_zz;
+    const real K5_minus_U_xx = delta_u * delta_u;
 
     /* K1: composite inertia, U */
-    const wreal K2_inertia_zz_2 = w[2];
+    const wreal K2_origin_inertia_zz = w[2];
     const wreal K1_base_inertia_zz = w[27];
-    const real K1_composite_inertia_zz = K2_inertia_zz_2 + 2.0 * K1_inertia + K1_base_inertia_zz;
-    const real K1_U = beta_u * beta_u;
+    const real K1_composite_inertia_zz = K2_origin_inertia_zz + 2.0 * K1_inertia_shift_part
+        + K1_base_inertia_zz;
+    const real K1_minus_U_xx = beta_u * beta_u;
 
-    /* M */
-    const real M_7_6 = K6_inertia_zz_2 + K7_inertia;
-    const real M_5_4 = K4_inertia_zz_2 + K5_inertia;
-    const real M_2_1 = K2_inertia_zz_2 + K1_inertia;
+    /* M: omega epsilon, phi delta, theta beta */
+    const real M_omega_epsilon = K6_origin_inertia_zz + K7_inertia_shift_part;
+    const real M_phi_delta = K4_origin_inertia_zz + K5_inertia_shift_part;
+    const real M_theta_beta = K2_origin_inertia_zz + K1_inertia_shift_part;
 
     /* K4: omega, n, inertia force */
     const real K4_omega_z = delta_u + phi_u;
-    const real K4_n_z = K4_first_moment_y * (phi_p_x * K5_U * phi_cos + phi_p_y * K5_U * phi_sin);
-    const real K4_inertia_force = K4_omega_z * K4_omega_z * K4_first_moment_y;
+    const real K4_n_z = K4_first_moment_y * (phi_p_x * K5_minus_U_xx * phi_turn_cos
+        + phi_p_y * K5_minus_U_xx * phi_turn_sin);
+    const real K4_minus_f_y = K4_omega_z * K4_omega_z * K4_first_moment_y;
 
     /* K6: omega, inertia force */
     const real K6_omega_z = epsilon_u + omega_u;
-    const real K6_inertia_force = K6_first_moment_x * (omega_p * K7_U * omega_sin
-        + omega_p_y * K7_U * omega_cos);
-    const real K6_inertia_force_2 = K6_omega_z * K6_omega_z * K6_first_moment_x;
+    const real K6_minus_n_z = K6_first_moment_x * (omega_minus_p_x * K7_minus_U_xx * omega_turn_sin
+        + omega_p_y * K7_minus_U_xx * omega_turn_cos);
+    const real K6_minus_f_x = K6_omega_z * K6_omega_z * K6_first_moment_x;
 
     /* K2: a, n */
-    const real K2_a_y = theta_p_x * K1_U * theta_sin - theta_p_y * K1_U * theta_cos;
+    const real K2_a_y = theta_p_x * K1_minus_U_xx * theta_turn_sin
+        - theta_p_y * K1_minus_U_xx * theta_turn_cos;
     const real K2_n_z = K2_first_moment_x * K2_a_y;
 
     /* K7: n */
-    const real K7_n_z = omega_sin * K6_inertia_force_2 * omega_p
-        + omega_cos * K6_inertia_force_2 * omega_p_y - K6_inertia_force;
+    const real K7_n_z = omega_turn_sin * K6_minus_f_x * omega_minus_p_x
+        + omega_turn_cos * K6_minus_f_x * omega_p_y - K6_minus_n_z;
 
     /* K5: n */
-    const real K5_n_z = K4_n_z - (phi_cos * K4_inertia_force * phi_p_x
-        + phi_sin * K4_inertia_force * phi_p_y);
+    const real K5_n_z = K4_n_z - (phi_turn_cos * K4_minus_f_y * phi_p_x
+        + phi_turn_sin * K4_minus_f_y * phi_p_y);
 
     /* K1: n */
-    const real K1_n_z = theta_cos * K2_inertia_force * theta_p_y
-        - theta_sin * K2_inertia_force * theta_p_x + K2_n_z;
+    const real K1_n_z = theta_turn_cos * K2_minus_f_x * theta_p_y
+        - theta_turn_sin * K2_minus_f_x * theta_p_x + K2_n_z;
 
     /* beta: tau, drive */
     const real beta_u_tau = tau[0]; /* N*m */
@@ -419,348 +451,303 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real beta_tau = K1_n_z - drive_force;
     const real beta_drive = beta_u_tau - beta_tau;
 
-    /* theta: drive */
+    /* theta: drive, R */
     const real theta_u_tau = tau[1]; /* N*m */
     const real theta_drive = theta_u_tau - K2_n_z;
+    const real theta_turn_sin_times_K2_omega_z = theta_turn_sin * K2_omega_z;
+    const real theta_turn_cos_times_K2_omega_z = theta_turn_cos * K2_omega_z;
 
-    /* gamma: drive */
+    /* gamma: drive, R */
     const real gamma_u_tau = tau[2]; /* N*m */
-    const real gamma_drive = spring_force_9 + spring_b_position_y * (gamma_cos * spring_force_7
-        + gamma_sin * spring_force_8) + gamma_u_tau;
+    const real gamma_drive = spring_b_position_x * (gamma_sin * spring_force_on_spring_a_x
+        - gamma_cos * spring_force_on_spring_a_y)
+        + spring_b_position_y * (gamma_cos * spring_force_on_spring_a_x
+        + gamma_sin * spring_force_on_spring_a_y) + gamma_u_tau;
+    const real gamma_u_times_sin = gamma_u * gamma_sin;
+    const real gamma_u_times_cos = gamma_u * gamma_cos;
 
     /* delta: drive */
     const real delta_u_tau = tau[3]; /* N*m */
     const real delta_drive = delta_u_tau - K5_n_z;
 
-    /* phi: drive */
+    /* phi: drive, R */
     const real phi_u_tau = tau[4]; /* N*m */
     const real phi_drive = phi_u_tau - K4_n_z;
+    const real phi_turn_sin_times_K4_omega_z = phi_turn_sin * K4_omega_z;
+    const real phi_turn_cos_times_K4_omega_z = phi_turn_cos * K4_omega_z;
 
     /* epsilon: drive */
     const real epsilon_u_tau = tau[5]; /* N*m */
     const real epsilon_drive = epsilon_u_tau - K7_n_z;
 
-    /* omega: drive */
+    /* omega: drive, R */
     const real omega_u_tau = tau[6]; /* N*m */
-    const real omega_drive = omega_u_tau + K6_inertia_force;
+    const real omega_drive = omega_u_tau + K6_minus_n_z;
+    const real omega_turn_sin_times_K6_omega_z = omega_turn_sin * K6_omega_z;
+    const real omega_turn_cos_times_K6_omega_z = omega_turn_cos * K6_omega_z;
 
-    /* constraints: multipliers, L, D inverse */
-    const wreal constraints_D_inverse_7 = w[28];
-    const wreal constraints_D_inverse_5 = w[29];
-    const wreal constraints_D_inverse_3 = w[30];
-    const wreal constraints_D_inverse_2 = w[31];
-    const real constraints_multipliers = theta_sin * K2_omega_z;
-    const real constraints_multipliers_2 = theta_cos * K2_omega_z;
-    const real constraints_multipliers_3 = beta_u * beta_sin * theta_position_x;
-    const real constraints_multipliers_4 = beta_u * beta_cos * theta_position_x;
-    const real constraints_multipliers_5 = gamma_u * gamma_sin;
-    const real constraints_multipliers_6 = gamma_u * gamma_cos;
-    const real constraints_multipliers_7 = phi_sin * K4_omega_z;
-    const real constraints_multipliers_8 = phi_cos * K4_omega_z;
-    const real constraints_multipliers_9 = delta_u * delta_sin * phi_position_x;
-    const real constraints_multipliers_10 = delta_u * delta_cos * phi_position_x;
-    const real constraints_multipliers_11 = omega_sin * K6_omega_z;
-    const real constraints_multipliers_12 = omega_cos * K6_omega_z;
-    const real constraints_multipliers_13 = epsilon_u * epsilon_cos * omega_position_y;
-    const real constraints_multipliers_14 = epsilon_u * epsilon_sin * omega_position_y;
-    const real constraints_multipliers_15 = E3_child_position_y * constraints_multipliers_6;
-    const real constraints_multipliers_16 = E3_child_position_y * constraints_multipliers_5;
-    const real constraints_multipliers_17 = gamma_sin * constraints_multipliers_2
-        + theta_sin * constraints_multipliers_6;
-    const real constraints_multipliers_18 = constraints_multipliers_17
-        - (gamma_cos * constraints_multipliers + theta_cos * constraints_multipliers_5);
-    const real constraints_multipliers_19 = gamma_cos * constraints_multipliers_2
-        - theta_sin * constraints_multipliers_5;
-    const real constraints_multipliers_20 = constraints_multipliers_19
-        - (theta_cos * constraints_multipliers_6 - gamma_sin * constraints_multipliers);
-    const real constraints_multipliers_21 = beta_u * constraints_multipliers_16
-        + theta_u * (constraints_multipliers_4 + constraints_multipliers_16);
-    const real constraints_multipliers_22 = theta_u * (constraints_multipliers_3
-        - constraints_multipliers_15) - beta_u * constraints_multipliers_15;
-    const real constraints_multipliers_23 = gamma_u * constraints_multipliers_16
-        - constraints_multipliers_21;
-    const real constraints_multipliers_24 = constraints_multipliers_22
-        + gamma_u * constraints_multipliers_15;
-    const real constraints_multipliers_25 = gamma_cos * constraints_multipliers_23
-        - E3_twist_5 * constraints_multipliers_5;
-    const real constraints_multipliers_26 = E3_twist_6 * constraints_multipliers_6
-        - gamma_sin * constraints_multipliers_24 + constraints_multipliers_25;
-    const real constraints_multipliers_27 = E3_twist_5 * constraints_multipliers_6
-        + gamma_sin * constraints_multipliers_23;
-    const real constraints_multipliers_28 = E3_twist_6 * constraints_multipliers_5
-        + gamma_cos * constraints_multipliers_24 + constraints_multipliers_27;
-    const real constraints_multipliers_29 = constraints_multipliers_9
-        + E4_child_position_y * constraints_multipliers_8;
-    const real constraints_multipliers_30 = constraints_multipliers_10
-        - E4_child_position_y * constraints_multipliers_7;
-    const real constraints_multipliers_31 = phi_sin * constraints_multipliers_2
-        + theta_sin * constraints_multipliers_8;
-    const real constraints_multipliers_32 = constraints_multipliers_31
-        - (phi_cos * constraints_multipliers + theta_cos * constraints_multipliers_7);
-    const real constraints_multipliers_33 = phi_cos * constraints_multipliers_2
-        - theta_sin * constraints_multipliers_7;
-    const real constraints_multipliers_34 = constraints_multipliers_33
-        - (theta_cos * constraints_multipliers_8 - phi_sin * constraints_multipliers);
-    const real constraints_multipliers_35 = beta_u * constraints_multipliers_30
-        + theta_u * (constraints_multipliers_30 - constraints_multipliers_4);
-    const real constraints_multipliers_36 = theta_u * (constraints_multipliers_3
-        - constraints_multipliers_29) - beta_u * constraints_multipliers_29;
-    const real constraints_multipliers_37 = constraints_multipliers_35
-        - delta_u * constraints_multipliers_30;
-    const real constraints_multipliers_38 = constraints_multipliers_36
-        + delta_u * constraints_multipliers_29;
-    const real constraints_multipliers_39 = constraints_multipliers_37
-        - phi_u * (constraints_multipliers_30 - constraints_multipliers_10);
-    const real constraints_multipliers_40 = phi_u * (constraints_multipliers_9
-        - constraints_multipliers_29) - constraints_multipliers_38;
-    const real constraints_multipliers_41 = phi_cos * constraints_multipliers_39
-        - E4_twist_7 * constraints_multipliers_7;
-    const real constraints_multipliers_42 = E4_twist_8 * constraints_multipliers_8
-        + phi_sin * constraints_multipliers_40 + constraints_multipliers_41;
-    const real constraints_multipliers_43 = phi_cos * constraints_multipliers_40
-        - E4_twist_8 * constraints_multipliers_7;
-    const real constraints_multipliers_44 = constraints_multipliers_43
-        - (E4_twist_7 * constraints_multipliers_8 + phi_sin * constraints_multipliers_39);
-    const real constraints_multipliers_45 = constraints_multipliers_13
-        + E6_child_position_x * constraints_multipliers_11;
-    const real constraints_multipliers_46 = E6_child_position_x * constraints_multipliers_12
-        - constraints_multipliers_14;
-    const real constraints_multipliers_47 = omega_sin * constraints_multipliers_2
-        + theta_sin * constraints_multipliers_12;
-    const real constraints_multipliers_48 = constraints_multipliers_47
-        - (omega_cos * constraints_multipliers + theta_cos * constraints_multipliers_11);
-    const real constraints_multipliers_49 = omega_cos * constraints_multipliers_2
-        - theta_sin * constraints_multipliers_11;
-    const real constraints_multipliers_50 = constraints_multipliers_49
-        - (theta_cos * constraints_multipliers_12 - omega_sin * constraints_multipliers);
-    const real constraints_multipliers_51 = beta_u * constraints_multipliers_46
-        + theta_u * (constraints_multipliers_46 - constraints_multipliers_4);
-    const real constraints_multipliers_52 = theta_u * (constraints_multipliers_3
-        - constraints_multipliers_45) - beta_u * constraints_multipliers_45;
-    const real constraints_multipliers_53 = constraints_multipliers_51
-        - epsilon_u * constraints_multipliers_46;
-    const real constraints_multipliers_54 = constraints_multipliers_52
-        + epsilon_u * constraints_multipliers_45;
-    const real constraints_multipliers_55 = constraints_multipliers_53
-        - omega_u * (constraints_multipliers_14 + constraints_multipliers_46);
-    const real constraints_multipliers_56 = omega_u * (constraints_multipliers_13
-        - constraints_multipliers_45) - constraints_multipliers_54;
-    const real constraints_multipliers_57 = omega_cos * constraints_multipliers_55
-        - E6_twist_7 * constraints_multipliers_11;
-    const real constraints_multipliers_58 = E6_twist_8 * constraints_multipliers_12
-        + omega_sin * constraints_multipliers_56 + constraints_multipliers_57;
-    const real constraints_multipliers_59 = omega_cos * constraints_multipliers_56
-        - E6_twist_8 * constraints_multipliers_11;
-    const real constraints_multipliers_60 = constraints_multipliers_59
-        - (E6_twist_7 * constraints_multipliers_12 + omega_sin * constraints_multipliers_55);
-    const real constraints_multipliers_61 = E3_twist_13 * constraints_multipliers_18
-        + E3_pose_3 * constraints_multipliers_26;
-    const real constraints_multipliers_62 = E3_twist_14 * constraints_multipliers_20
-        - E3_pose_4 * constraints_multipliers_28 + constraints_multipliers_61;
-    const real constraints_multipliers_63 = E3_twist_14 * constraints_multipliers_18
-        - E3_pose_3 * constraints_multipliers_28;
-    const real constraints_multipliers_64 = constraints_multipliers_63
-        - (E3_twist_13 * constraints_multipliers_20 + E3_pose_4 * constraints_multipliers_26);
-    const real constraints_multipliers_65 = E4_twist_17 * constraints_multipliers_32
-        + E4_pose_3 * constraints_multipliers_42;
-    const real constraints_multipliers_66 = E4_twist_18 * constraints_multipliers_34
-        + E4_pose_4 * constraints_multipliers_44 + constraints_multipliers_65;
-    const real constraints_multipliers_67 = E4_twist_18 * constraints_multipliers_32
-        + E4_pose_3 * constraints_multipliers_44;
-    const real constraints_multipliers_68 = constraints_multipliers_67
-        - (E4_twist_17 * constraints_multipliers_34 + E4_pose_4 * constraints_multipliers_42);
-    const real constraints_multipliers_69 = E6_twist_17 * constraints_multipliers_48
-        + E6_pose_3 * constraints_multipliers_58;
-    const real constraints_multipliers_70 = E6_twist_18 * constraints_multipliers_50
-        + E6_pose_4 * constraints_multipliers_60 + constraints_multipliers_69;
-    const real constraints_multipliers_71 = E6_twist_18 * constraints_multipliers_48
-        + E6_pose_3 * constraints_multipliers_60;
-    const real constraints_multipliers_72 = constraints_multipliers_71
-        - (E6_twist_17 * constraints_multipliers_50 + E6_pose_4 * constraints_multipliers_58);
-    const real constraints_L_7_6 = M_7_6 * constraints_D_inverse_7;
-    const real constraints_D_inverse_6 = 1.0 / (K7_composite_inertia_zz
-        - M_7_6 * constraints_L_7_6);
-    const real constraints_L_5_4 = M_5_4 * constraints_D_inverse_5;
-    const real constraints_D_inverse_4 = 1.0 / (K5_composite_inertia_zz
-        - M_5_4 * constraints_L_5_4);
-    const real constraints_L_2_1 = M_2_1 * constraints_D_inverse_2;
-    const real constraints_D_inverse_1 = 1.0 / (K1_composite_inertia_zz
-        - M_2_1 * constraints_L_2_1);
-    const real constraints_multipliers_73 = constraints_D_inverse_1 * (beta_drive
-        - theta_drive * constraints_L_2_1);
-    const real constraints_multipliers_74 = gamma_drive * constraints_D_inverse_3;
-    const real constraints_multipliers_75 = constraints_D_inverse_4 * (delta_drive
-        - phi_drive * constraints_L_5_4);
-    const real constraints_multipliers_76 = constraints_D_inverse_6 * (epsilon_drive
-        - omega_drive * constraints_L_7_6);
-    const real constraints_multipliers_77 = theta_drive * constraints_D_inverse_2
-        - constraints_L_2_1 * constraints_multipliers_73;
-    const real constraints_multipliers_78 = phi_drive * constraints_D_inverse_5
-        - constraints_L_5_4 * constraints_multipliers_75;
-    const real constraints_multipliers_79 = omega_drive * constraints_D_inverse_7
-        - constraints_L_7_6 * constraints_multipliers_76;
-    const real constraints_multipliers_80 = constraints_D_inverse_1 * (E3_G
-        - E3_G_2 * constraints_L_2_1);
-    const real constraints_multipliers_81 = E3_G_3 * constraints_D_inverse_3;
-    const real constraints_multipliers_82 = E3_G_2 * constraints_D_inverse_2
-        - constraints_L_2_1 * constraints_multipliers_80;
-    const real constraints_multipliers_83 = constraints_D_inverse_1 * (E3_G_5 * constraints_L_2_1
-        - E3_G_4);
-    const real constraints_multipliers_84 = E3_G_6 * constraints_D_inverse_3;
-    const real constraints_multipliers_85 = E3_G_5 * constraints_D_inverse_2
-        + constraints_L_2_1 * constraints_multipliers_83;
-    const real constraints_multipliers_86 = constraints_D_inverse_1 * (E4_G
-        - E4_G_2 * constraints_L_2_1);
-    const real constraints_multipliers_87 = constraints_D_inverse_4 * (E4_G_3
-        - E4_G_4 * constraints_L_5_4);
-    const real constraints_multipliers_88 = E4_G_2 * constraints_D_inverse_2
-        - constraints_L_2_1 * constraints_multipliers_86;
-    const real constraints_multipliers_89 = E4_G_4 * constraints_D_inverse_5
-        - constraints_L_5_4 * constraints_multipliers_87;
-    const real constraints_multipliers_90 = constraints_D_inverse_1 * (E4_G_6 * constraints_L_2_1
-        - E4_G_5);
-    const real constraints_multipliers_91 = constraints_D_inverse_4 * (E4_G_7
-        - E4_G_8 * constraints_L_5_4);
-    const real constraints_multipliers_92 = E4_G_6 * constraints_D_inverse_2
-        + constraints_L_2_1 * constraints_multipliers_90;
-    const real constraints_multipliers_93 = E4_G_8 * constraints_D_inverse_5
-        - constraints_L_5_4 * constraints_multipliers_91;
-    const real constraints_multipliers_94 = constraints_D_inverse_1 * (E6_G
-        - E6_G_2 * constraints_L_2_1);
-    const real constraints_multipliers_95 = constraints_D_inverse_6 * (E6_G_3
-        - E6_G_4 * constraints_L_7_6);
-    const real constraints_multipliers_96 = E6_G_2 * constraints_D_inverse_2
-        - constraints_L_2_1 * constraints_multipliers_94;
-    const real constraints_multipliers_97 = E6_G_4 * constraints_D_inverse_7
-        - constraints_L_7_6 * constraints_multipliers_95;
-    const real constraints_multipliers_98 = constraints_D_inverse_1 * (E6_G_6 * constraints_L_2_1
-        - E6_G_5);
-    const real constraints_multipliers_99 = constraints_D_inverse_6 * (E6_G_7
-        - E6_G_8 * constraints_L_7_6);
-    const real constraints_multipliers_100 = E6_G_6 * constraints_D_inverse_2
-        + constraints_L_2_1 * constraints_multipliers_98;
-    const real constraints_multipliers_101 = E6_G_8 * constraints_D_inverse_7
-        - constraints_L_7_6 * constraints_multipliers_99;
-    const real constraints_multipliers_102 = E3_G * constraints_multipliers_80
-        + E3_G_2 * constraints_multipliers_82 + E3_G_3 * constraints_multipliers_81;
-    work[0] = constraints_multipliers_102;
-    const real constraints_multipliers_103 = E3_G_6 * constraints_multipliers_81
-        - (E3_G_4 * constraints_multipliers_80 + E3_G_5 * constraints_multipliers_82);
-    work[1] = constraints_multipliers_103;
-    work[6] = constraints_multipliers_103;
-    const real constraints_multipliers_104 = E3_G_6 * constraints_multipliers_84
-        - (E3_G_4 * constraints_multipliers_83 - E3_G_5 * constraints_multipliers_85);
-    work[7] = constraints_multipliers_104;
-    const real constraints_multipliers_105 = E4_G * constraints_multipliers_80
-        + E4_G_2 * constraints_multipliers_82;
-    work[2] = constraints_multipliers_105;
-    work[12] = constraints_multipliers_105;
-    const real constraints_multipliers_106 = E4_G * constraints_multipliers_83
-        - E4_G_2 * constraints_multipliers_85;
-    work[8] = constraints_multipliers_106;
-    work[13] = constraints_multipliers_106;
-    const real constraints_multipliers_107 = E4_G * constraints_multipliers_86
-        + E4_G_2 * constraints_multipliers_88 + E4_G_3 * constraints_multipliers_87;
-    const real constraints_multipliers_108 = constraints_multipliers_107
-        + E4_G_4 * constraints_multipliers_89;
-    work[14] = constraints_multipliers_108;
-    const real constraints_multipliers_109 = -(E4_G_5 * constraints_multipliers_80
-        + E4_G_6 * constraints_multipliers_82);
-    work[3] = constraints_multipliers_109;
-    work[18] = constraints_multipliers_109;
-    const real constraints_multipliers_110 = -(E4_G_5 * constraints_multipliers_83
-        - E4_G_6 * constraints_multipliers_85);
-    work[9] = constraints_multipliers_110;
-    work[19] = constraints_multipliers_110;
-    const real constraints_multipliers_111 = E4_G_7 * constraints_multipliers_87
-        - (E4_G_5 * constraints_multipliers_86 + E4_G_6 * constraints_multipliers_88);
-    const real constraints_multipliers_112 = constraints_multipliers_111
-        + E4_G_8 * constraints_multipliers_89;
-    work[15] = constraints_multipliers_112;
-    work[20] = constraints_multipliers_112;
-    const real constraints_multipliers_113 = E4_G_7 * constraints_multipliers_91
-        - (E4_G_5 * constraints_multipliers_90 - E4_G_6 * constraints_multipliers_92);
-    const real constraints_multipliers_114 = constraints_multipliers_113
-        + E4_G_8 * constraints_multipliers_93;
-    work[21] = constraints_multipliers_114;
-    const real constraints_multipliers_115 = E6_G * constraints_multipliers_80
-        + E6_G_2 * constraints_multipliers_82;
-    work[4] = constraints_multipliers_115;
-    work[24] = constraints_multipliers_115;
-    const real constraints_multipliers_116 = E6_G * constraints_multipliers_83
-        - E6_G_2 * constraints_multipliers_85;
-    work[10] = constraints_multipliers_116;
-    work[25] = constraints_multipliers_116;
-    const real constraints_multipliers_117 = E6_G * constraints_multipliers_86
-        + E6_G_2 * constraints_multipliers_88;
-    work[16] = constraints_multipliers_117;
-    work[26] = constraints_multipliers_117;
-    const real constraints_multipliers_118 = E6_G * constraints_multipliers_90
-        - E6_G_2 * constraints_multipliers_92;
-    work[22] = constraints_multipliers_118;
-    work[27] = constraints_multipliers_118;
-    const real constraints_multipliers_119 = E6_G * constraints_multipliers_94
-        + E6_G_2 * constraints_multipliers_96 + E6_G_3 * constraints_multipliers_95;
-    const real constraints_multipliers_120 = constraints_multipliers_119
-        + E6_G_4 * constraints_multipliers_97;
-    work[28] = constraints_multipliers_120;
-    const real constraints_multipliers_121 = -(E6_G_5 * constraints_multipliers_80
-        + E6_G_6 * constraints_multipliers_82);
-    work[5] = constraints_multipliers_121;
-    work[30] = constraints_multipliers_121;
-    const real constraints_multipliers_122 = -(E6_G_5 * constraints_multipliers_83
-        - E6_G_6 * constraints_multipliers_85);
-    work[11] = constraints_multipliers_122;
-    work[31] = constraints_multipliers_122;
-    const real constraints_multipliers_123 = -(E6_G_5 * constraints_multipliers_86
-        + E6_G_6 * constraints_multipliers_88);
-    work[17] = constraints_multipliers_123;
-    work[32] = constraints_multipliers_123;
-    const real constraints_multipliers_124 = -(E6_G_5 * constraints_multipliers_90
-        - E6_G_6 * constraints_multipliers_92);
-    work[23] = constraints_multipliers_124;
-    work[33] = constraints_multipliers_124;
-    const real constraints_multipliers_125 = E6_G_7 * constraints_multipliers_95
-        - (E6_G_5 * constraints_multipliers_94 + E6_G_6 * constraints_multipliers_96);
-    const real constraints_multipliers_126 = constraints_multipliers_125
-        + E6_G_8 * constraints_multipliers_97;
-    work[29] = constraints_multipliers_126;
-    work[34] = constraints_multipliers_126;
-    const real constraints_multipliers_127 = E6_G_7 * constraints_multipliers_99
-        - (E6_G_5 * constraints_multipliers_98 - E6_G_6 * constraints_multipliers_100);
-    const real constraints_multipliers_128 = constraints_multipliers_127
-        + E6_G_8 * constraints_multipliers_101;
-    work[35] = constraints_multipliers_128;
-    const real constraints_multipliers_129 = E3_G * constraints_multipliers_73
-        + E3_G_2 * constraints_multipliers_77 + E3_G_3 * constraints_multipliers_74;
-    const real constraints_multipliers_130 = E3_G_6 * constraints_multipliers_74
-        - (E3_G_4 * constraints_multipliers_73 + E3_G_5 * constraints_multipliers_77);
-    const real constraints_multipliers_131 = E4_G * constraints_multipliers_73
-        + E4_G_2 * constraints_multipliers_77 + E4_G_3 * constraints_multipliers_75;
-    const real constraints_multipliers_132 = E4_G_7 * constraints_multipliers_75
-        - (E4_G_5 * constraints_multipliers_73 + E4_G_6 * constraints_multipliers_77);
-    const real constraints_multipliers_133 = E6_G * constraints_multipliers_73
-        + E6_G_2 * constraints_multipliers_77 + E6_G_3 * constraints_multipliers_76;
-    const real constraints_multipliers_134 = E6_G_7 * constraints_multipliers_76
-        - (E6_G_5 * constraints_multipliers_73 + E6_G_6 * constraints_multipliers_77);
-    const real constraints_multipliers_135 = -(constraints_multipliers_62
-        + constraints_multipliers_129);
-    work[36] = constraints_multipliers_135;
-    const real constraints_multipliers_136 = -(constraints_multipliers_64
-        + constraints_multipliers_130);
-    work[37] = constraints_multipliers_136;
-    const real constraints_multipliers_137 = -(constraints_multipliers_131
-        + E4_G_4 * constraints_multipliers_78 + constraints_multipliers_66);
-    work[38] = constraints_multipliers_137;
-    const real constraints_multipliers_138 = -(constraints_multipliers_132
-        + E4_G_8 * constraints_multipliers_78 + constraints_multipliers_68);
-    work[39] = constraints_multipliers_138;
-    const real constraints_multipliers_139 = -(constraints_multipliers_133
-        + E6_G_4 * constraints_multipliers_79 + constraints_multipliers_70);
-    work[40] = constraints_multipliers_139;
-    const real constraints_multipliers_140 = -(constraints_multipliers_134
-        + E6_G_8 * constraints_multipliers_79 + constraints_multipliers_72);
-    work[41] = constraints_multipliers_140;
+    /* E3: pose, twist */
+    const real E3_minus_child_p_x_rate = E3_child_position_y * gamma_u_times_cos;
+    const real E3_minus_child_p_y_rate = E3_child_position_y * gamma_u_times_sin;
+    const real E3_R_xx_rate = gamma_sin * theta_turn_cos_times_K2_omega_z
+        + theta_turn_sin * gamma_u_times_cos - (gamma_cos * theta_turn_sin_times_K2_omega_z
+        + theta_turn_cos * gamma_u_times_sin);
+    const real E3_R_xy_rate = gamma_cos * theta_turn_cos_times_K2_omega_z
+        - theta_turn_sin * gamma_u_times_sin - (theta_turn_cos * gamma_u_times_cos
+        - gamma_sin * theta_turn_sin_times_K2_omega_z);
+    const real E3_base_twist_vx_rate = gamma_u * E3_minus_child_p_y_rate
+        - (beta_u * E3_minus_child_p_y_rate + theta_u * (theta_p_y_rate + E3_minus_child_p_y_rate));
+    const real E3_minus_base_twist_vy_rate = theta_u * (theta_minus_p_x_rate
+        - E3_minus_child_p_x_rate) - beta_u * E3_minus_child_p_x_rate
+        + gamma_u * E3_minus_child_p_x_rate;
+    const real E3_twist_vx_rate = gamma_cos * E3_base_twist_vx_rate
+        - E3_base_twist_vx * gamma_u_times_sin + (E3_base_twist_vy * gamma_u_times_cos
+        - gamma_sin * E3_minus_base_twist_vy_rate);
+    const real E3_minus_twist_vy_rate = E3_base_twist_vx * gamma_u_times_cos
+        + gamma_sin * E3_base_twist_vx_rate + (E3_base_twist_vy * gamma_u_times_sin
+        + gamma_cos * E3_minus_base_twist_vy_rate);
+
+    /* E4: pose, twist */
+    const real E4_minus_child_p_x_rate = phi_minus_p_x_rate
+        + E4_child_position_y * phi_turn_cos_times_K4_omega_z;
+    const real E4_child_p_y_rate = phi_p_y_rate
+        - E4_child_position_y * phi_turn_sin_times_K4_omega_z;
+    const real E4_R_xx_rate = phi_turn_sin * theta_turn_cos_times_K2_omega_z
+        + theta_turn_sin * phi_turn_cos_times_K4_omega_z
+        - (phi_turn_cos * theta_turn_sin_times_K2_omega_z
+        + theta_turn_cos * phi_turn_sin_times_K4_omega_z);
+    const real E4_R_xy_rate = phi_turn_cos * theta_turn_cos_times_K2_omega_z
+        - theta_turn_sin * phi_turn_sin_times_K4_omega_z
+        - (theta_turn_cos * phi_turn_cos_times_K4_omega_z
+        - phi_turn_sin * theta_turn_sin_times_K2_omega_z);
+    const real E4_base_twist_vx_rate = beta_u * E4_child_p_y_rate + theta_u * (E4_child_p_y_rate
+        - theta_p_y_rate) - delta_u * E4_child_p_y_rate - phi_u * (E4_child_p_y_rate
+        - phi_p_y_rate);
+    const real E4_base_twist_vy_rate = phi_u * (phi_minus_p_x_rate - E4_minus_child_p_x_rate)
+        - (theta_u * (theta_minus_p_x_rate - E4_minus_child_p_x_rate)
+        - beta_u * E4_minus_child_p_x_rate + delta_u * E4_minus_child_p_x_rate);
+    const real E4_twist_vx_rate = phi_turn_cos * E4_base_twist_vx_rate
+        - E4_base_twist_vx * phi_turn_sin_times_K4_omega_z
+        + (E4_base_twist_vy * phi_turn_cos_times_K4_omega_z + phi_turn_sin * E4_base_twist_vy_rate);
+    const real E4_twist_vy_rate = phi_turn_cos * E4_base_twist_vy_rate
+        - E4_base_twist_vy * phi_turn_sin_times_K4_omega_z
+        - (E4_base_twist_vx * phi_turn_cos_times_K4_omega_z + phi_turn_sin * E4_base_twist_vx_rate);
+
+    /* E6: pose, twist */
+    const real E6_minus_child_p_x_rate = omega_minus_p_x_rate
+        + E6_child_position_x * omega_turn_sin_times_K6_omega_z;
+    const real E6_child_p_y_rate = E6_child_position_x * omega_turn_cos_times_K6_omega_z
+        - omega_minus_p_y_rate;
+    const real E6_R_xx_rate = omega_turn_sin * theta_turn_cos_times_K2_omega_z
+        + theta_turn_sin * omega_turn_cos_times_K6_omega_z
+        - (omega_turn_cos * theta_turn_sin_times_K2_omega_z
+        + theta_turn_cos * omega_turn_sin_times_K6_omega_z);
+    const real E6_R_xy_rate = omega_turn_cos * theta_turn_cos_times_K2_omega_z
+        - theta_turn_sin * omega_turn_sin_times_K6_omega_z
+        - (theta_turn_cos * omega_turn_cos_times_K6_omega_z
+        - omega_turn_sin * theta_turn_sin_times_K2_omega_z);
+    const real E6_base_twist_vx_rate = beta_u * E6_child_p_y_rate + theta_u * (E6_child_p_y_rate
+        - theta_p_y_rate) - epsilon_u * E6_child_p_y_rate - omega_u * (omega_minus_p_y_rate
+        + E6_child_p_y_rate);
+    const real E6_base_twist_vy_rate = omega_u * (omega_minus_p_x_rate - E6_minus_child_p_x_rate)
+        - (theta_u * (theta_minus_p_x_rate - E6_minus_child_p_x_rate)
+        - beta_u * E6_minus_child_p_x_rate + epsilon_u * E6_minus_child_p_x_rate);
+    const real E6_twist_vx_rate = omega_turn_cos * E6_base_twist_vx_rate
+        - E6_base_twist_vx * omega_turn_sin_times_K6_omega_z
+        + (E6_base_twist_vy * omega_turn_cos_times_K6_omega_z
+        + omega_turn_sin * E6_base_twist_vy_rate);
+    const real E6_twist_vy_rate = omega_turn_cos * E6_base_twist_vy_rate
+        - E6_base_twist_vy * omega_turn_sin_times_K6_omega_z
+        - (E6_base_twist_vx * omega_turn_cos_times_K6_omega_z
+        + omega_turn_sin * E6_base_twist_vx_rate);
+
+    /* constraints: multipliers */
+    const wreal M_factor_D_inverse_omega = w[28];
+    const wreal M_factor_D_inverse_phi = w[29];
+    const wreal M_factor_D_inverse_gamma = w[30];
+    const wreal M_factor_D_inverse_theta = w[31];
+    const real M_factor_L_omega_epsilon = M_omega_epsilon * M_factor_D_inverse_omega;
+    const real M_factor_D_inverse_epsilon = 1.0 / (K7_composite_inertia_zz
+        - M_omega_epsilon * M_factor_L_omega_epsilon);
+    const real M_factor_L_phi_delta = M_phi_delta * M_factor_D_inverse_phi;
+    const real M_factor_D_inverse_delta = 1.0 / (K5_composite_inertia_zz
+        - M_phi_delta * M_factor_L_phi_delta);
+    const real M_factor_L_theta_beta = M_theta_beta * M_factor_D_inverse_theta;
+    const real M_factor_D_inverse_beta = 1.0 / (K1_composite_inertia_zz
+        - M_theta_beta * M_factor_L_theta_beta);
+    const real free_udot_beta = M_factor_D_inverse_beta * (beta_drive
+        - theta_drive * M_factor_L_theta_beta);
+    const real free_udot_gamma = gamma_drive * M_factor_D_inverse_gamma;
+    const real free_udot_delta = M_factor_D_inverse_delta * (delta_drive
+        - phi_drive * M_factor_L_phi_delta);
+    const real free_udot_epsilon = M_factor_D_inverse_epsilon * (epsilon_drive
+        - omega_drive * M_factor_L_omega_epsilon);
+    const real free_udot_theta = theta_drive * M_factor_D_inverse_theta
+        - M_factor_L_theta_beta * free_udot_beta;
+    const real free_udot_phi = phi_drive * M_factor_D_inverse_phi
+        - M_factor_L_phi_delta * free_udot_delta;
+    const real free_udot_omega = omega_drive * M_factor_D_inverse_omega
+        - M_factor_L_omega_epsilon * free_udot_epsilon;
+    const real E3_px_response_beta = M_factor_D_inverse_beta * (E3_G_px_beta
+        - E3_G_px_theta * M_factor_L_theta_beta);
+    const real E3_px_response_gamma = E3_G_px_gamma * M_factor_D_inverse_gamma;
+    const real E3_px_response_theta = E3_G_px_theta * M_factor_D_inverse_theta
+        - M_factor_L_theta_beta * E3_px_response_beta;
+    const real E3_py_response_beta = M_factor_D_inverse_beta * (E3_minus_G_py_theta *
+        M_factor_L_theta_beta - E3_minus_G_py_beta);
+    const real E3_py_response_gamma = E3_G_py_gamma * M_factor_D_inverse_gamma;
+    const real E3_py_minus_response_theta = E3_minus_G_py_theta * M_factor_D_inverse_theta
+        + M_factor_L_theta_beta * E3_py_response_beta;
+    const real E4_px_response_beta = M_factor_D_inverse_beta * (E4_G_px_beta
+        - E4_G_px_theta * M_factor_L_theta_beta);
+    const real E4_px_response_delta = M_factor_D_inverse_delta * (E4_G_px_delta
+        - E4_G_px_phi * M_factor_L_phi_delta);
+    const real E4_px_response_theta = E4_G_px_theta * M_factor_D_inverse_theta
+        - M_factor_L_theta_beta * E4_px_response_beta;
+    const real E4_px_response_phi = E4_G_px_phi * M_factor_D_inverse_phi
+        - M_factor_L_phi_delta * E4_px_response_delta;
+    const real E4_py_response_beta = M_factor_D_inverse_beta * (E4_minus_G_py_theta *
+        M_factor_L_theta_beta - E4_minus_G_py_beta);
+    const real E4_py_response_delta = M_factor_D_inverse_delta * (E4_G_py_delta
+        - E4_G_py_phi * M_factor_L_phi_delta);
+    const real E4_py_minus_response_theta = E4_minus_G_py_theta * M_factor_D_inverse_theta
+        + M_factor_L_theta_beta * E4_py_response_beta;
+    const real E4_py_response_phi = E4_G_py_phi * M_factor_D_inverse_phi
+        - M_factor_L_phi_delta * E4_py_response_delta;
+    const real E6_px_response_beta = M_factor_D_inverse_beta * (E6_G_px_beta
+        - E6_G_px_theta * M_factor_L_theta_beta);
+    const real E6_px_response_epsilon = M_factor_D_inverse_epsilon * (E6_G_px_epsilon
+        - E6_G_px_omega * M_factor_L_omega_epsilon);
+    const real E6_px_response_theta = E6_G_px_theta * M_factor_D_inverse_theta
+        - M_factor_L_theta_beta * E6_px_response_beta;
+    const real E6_px_response_omega = E6_G_px_omega * M_factor_D_inverse_omega
+        - M_factor_L_omega_epsilon * E6_px_response_epsilon;
+    const real E6_py_response_beta = M_factor_D_inverse_beta * (E6_minus_G_py_theta *
+        M_factor_L_theta_beta - E6_minus_G_py_beta);
+    const real E6_py_response_epsilon = M_factor_D_inverse_epsilon * (E6_G_py_epsilon
+        - E6_G_py_omega * M_factor_L_omega_epsilon);
+    const real E6_py_minus_response_theta = E6_minus_G_py_theta * M_factor_D_inverse_theta
+        + M_factor_L_theta_beta * E6_py_response_beta;
+    const real E6_py_response_omega = E6_G_py_omega * M_factor_D_inverse_omega
+        - M_factor_L_omega_epsilon * E6_py_response_epsilon;
+    const real circuit_E3_px_E3_px = E3_G_px_beta * E3_px_response_beta
+        + E3_G_px_theta * E3_px_response_theta + E3_G_px_gamma * E3_px_response_gamma;
+    work[0] = circuit_E3_px_E3_px;
+    const real circuit_E3_py_E3_px = E3_G_py_gamma * E3_px_response_gamma
+        - (E3_minus_G_py_beta * E3_px_response_beta + E3_minus_G_py_theta * E3_px_response_theta);
+    work[1] = circuit_E3_py_E3_px;
+    work[6] = circuit_E3_py_E3_px;
+    const real circuit_E3_py_E3_py = E3_G_py_gamma * E3_py_response_gamma
+        - (E3_minus_G_py_beta * E3_py_response_beta
+        - E3_minus_G_py_theta * E3_py_minus_response_theta);
+    work[7] = circuit_E3_py_E3_py;
+    const real circuit_E4_px_E3_px = E4_G_px_beta * E3_px_response_beta
+        + E4_G_px_theta * E3_px_response_theta;
+    work[2] = circuit_E4_px_E3_px;
+    work[12] = circuit_E4_px_E3_px;
+    const real circuit_E4_px_E3_py = E4_G_px_beta * E3_py_response_beta
+        - E4_G_px_theta * E3_py_minus_response_theta;
+    work[8] = circuit_E4_px_E3_py;
+    work[13] = circuit_E4_px_E3_py;
+    const real circuit_E4_px_E4_px = E4_G_px_beta * E4_px_response_beta
+        + E4_G_px_theta * E4_px_response_theta + E4_G_px_delta * E4_px_response_delta
+        + E4_G_px_phi * E4_px_response_phi;
+    work[14] = circuit_E4_px_E4_px;
+    const real circuit_E4_py_E3_px = -(E4_minus_G_py_beta * E3_px_response_beta
+        + E4_minus_G_py_theta * E3_px_response_theta);
+    work[3] = circuit_E4_py_E3_px;
+    work[18] = circuit_E4_py_E3_px;
+    const real circuit_E4_py_E3_py = -(E4_minus_G_py_beta * E3_py_response_beta
+        - E4_minus_G_py_theta * E3_py_minus_response_theta);
+    work[9] = circuit_E4_py_E3_py;
+    work[19] = circuit_E4_py_E3_py;
+    const real circuit_E4_py_E4_px = E4_G_py_delta * E4_px_response_delta
+        - (E4_minus_G_py_beta * E4_px_response_beta + E4_minus_G_py_theta * E4_px_response_theta)
+        + E4_G_py_phi * E4_px_response_phi;
+    work[15] = circuit_E4_py_E4_px;
+    work[20] = circuit_E4_py_E4_px;
+    const real circuit_E4_py_E4_py = E4_G_py_delta * E4_py_response_delta
+        - (E4_minus_G_py_beta * E4_py_response_beta
+        - E4_minus_G_py_theta * E4_py_minus_response_theta) + E4_G_py_phi * E4_py_response_phi;
+    work[21] = circuit_E4_py_E4_py;
+    const real circuit_E6_px_E3_px = E6_G_px_beta * E3_px_response_beta
+        + E6_G_px_theta * E3_px_response_theta;
+    work[4] = circuit_E6_px_E3_px;
+    work[24] = circuit_E6_px_E3_px;
+    const real circuit_E6_px_E3_py = E6_G_px_beta * E3_py_response_beta
+        - E6_G_px_theta * E3_py_minus_response_theta;
+    work[10] = circuit_E6_px_E3_py;
+    work[25] = circuit_E6_px_E3_py;
+    const real circuit_E6_px_E4_px = E6_G_px_beta * E4_px_response_beta
+        + E6_G_px_theta * E4_px_response_theta;
+    work[16] = circuit_E6_px_E4_px;
+    work[26] = circuit_E6_px_E4_px;
+    const real circuit_E6_px_E4_py = E6_G_px_beta * E4_py_response_beta
+        - E6_G_px_theta * E4_py_minus_response_theta;
+    work[22] = circuit_E6_px_E4_py;
+    work[27] = circuit_E6_px_E4_py;
+    const real circuit_E6_px_E6_px = E6_G_px_beta * E6_px_response_beta
+        + E6_G_px_theta * E6_px_response_theta + E6_G_px_epsilon * E6_px_response_epsilon
+        + E6_G_px_omega * E6_px_response_omega;
+    work[28] = circuit_E6_px_E6_px;
+    const real circuit_E6_py_E3_px = -(E6_minus_G_py_beta * E3_px_response_beta
+        + E6_minus_G_py_theta * E3_px_response_theta);
+    work[5] = circuit_E6_py_E3_px;
+    work[30] = circuit_E6_py_E3_px;
+    const real circuit_E6_py_E3_py = -(E6_minus_G_py_beta * E3_py_response_beta
+        - E6_minus_G_py_theta * E3_py_minus_response_theta);
+    work[11] = circuit_E6_py_E3_py;
+    work[31] = circuit_E6_py_E3_py;
+    const real circuit_E6_py_E4_px = -(E6_minus_G_py_beta * E4_px_response_beta
+        + E6_minus_G_py_theta * E4_px_response_theta);
+    work[17] = circuit_E6_py_E4_px;
+    work[32] = circuit_E6_py_E4_px;
+    const real circuit_E6_py_E4_py = -(E6_minus_G_py_beta * E4_py_response_beta
+        - E6_minus_G_py_theta * E4_py_minus_response_theta);
+    work[23] = circuit_E6_py_E4_py;
+    work[33] = circuit_E6_py_E4_py;
+    const real circuit_E6_py_E6_px = E6_G_py_epsilon * E6_px_response_epsilon
+        - (E6_minus_G_py_beta * E6_px_response_beta + E6_minus_G_py_theta * E6_px_response_theta)
+        + E6_G_py_omega * E6_px_response_omega;
+    work[29] = circuit_E6_py_E6_px;
+    work[34] = circuit_E6_py_E6_px;
+    const real circuit_E6_py_E6_py = E6_G_py_epsilon * E6_py_response_epsilon
+        - (E6_minus_G_py_beta * E6_py_response_beta
+        - E6_minus_G_py_theta * E6_py_minus_response_theta) + E6_G_py_omega * E6_py_response_omega;
+    work[35] = circuit_E6_py_E6_py;
+    const real free_gamma_minus_E4_py_part = E4_G_py_delta * free_udot_delta
+        - (E4_minus_G_py_beta * free_udot_beta + E4_minus_G_py_theta * free_udot_theta)
+        + E4_G_py_phi * free_udot_phi;
+    const real free_gamma_minus_E6_px_part = E6_G_px_beta * free_udot_beta
+        + E6_G_px_theta * free_udot_theta + E6_G_px_epsilon * free_udot_epsilon
+        + E6_G_px_omega * free_udot_omega;
+    const real free_gamma_minus_E6_py_part = E6_G_py_epsilon * free_udot_epsilon
+        - (E6_minus_G_py_beta * free_udot_beta + E6_minus_G_py_theta * free_udot_theta)
+        + E6_G_py_omega * free_udot_omega;
+    const real free_gamma_E3_px = -(E3_twist_vx * E3_R_xx_rate + E3_R_xx * E3_twist_vx_rate
+        + (E3_twist_vy * E3_R_xy_rate - E3_R_xy * E3_minus_twist_vy_rate)
+        + (E3_G_px_beta * free_udot_beta + E3_G_px_theta * free_udot_theta
+        + E3_G_px_gamma * free_udot_gamma));
+    work[36] = free_gamma_E3_px;
+    const real free_gamma_E3_py = -(E3_twist_vy * E3_R_xx_rate - E3_R_xx * E3_minus_twist_vy_rate
+        - (E3_twist_vx * E3_R_xy_rate + E3_R_xy * E3_twist_vx_rate)
+        + (E3_G_py_gamma * free_udot_gamma - (E3_minus_G_py_beta * free_udot_beta
+        + E3_minus_G_py_theta * free_udot_theta)));
+    work[37] = free_gamma_E3_py;
+    const real free_gamma_E4_px = -(E4_twist_vx * E4_R_xx_rate + E4_R_xx * E4_twist_vx_rate
+        + (E4_twist_vy * E4_R_xy_rate + E4_R_xy * E4_twist_vy_rate)
+        + (E4_G_px_beta * free_udot_beta + E4_G_px_theta * free_udot_theta
+        + E4_G_px_delta * free_udot_delta + E4_G_px_phi * free_udot_phi));
+    work[38] = free_gamma_E4_px;
+    const real free_gamma_E4_py = -(E4_twist_vy * E4_R_xx_rate + E4_R_xx * E4_twist_vy_rate
+        - (E4_twist_vx * E4_R_xy_rate + E4_R_xy * E4_twist_vx_rate) + free_gamma_minus_E4_py_part);
+    work[39] = free_gamma_E4_py;
+    const real free_gamma_E6_px = -(E6_twist_vx * E6_R_xx_rate + E6_R_xx * E6_twist_vx_rate
+        + (E6_twist_vy * E6_R_xy_rate + E6_R_xy * E6_twist_vy_rate) + free_gamma_minus_E6_px_part);
+    work[40] = free_gamma_E6_px;
+    const real free_gamma_E6_py = -(E6_twist_vy * E6_R_xx_rate + E6_R_xx * E6_twist_vy_rate
+        - (E6_twist_vx * E6_R_xy_rate + E6_R_xy * E6_twist_vx_rate) + free_gamma_minus_E6_py_part);
+    work[41] = free_gamma_E6_py;
     status |= CARDAN_SOLVE(semidefinite, 6, 1, work + 0, work + 36, work + 42);
 
     /* E3: multiplier px, multiplier py */
@@ -776,57 +763,45 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real E6_multiplier_py = work[41];
 
     /* constraints: multipliers */
-    const real constraints_multipliers_141 = constraints_multipliers_80 * E3_multiplier_px
-        + constraints_multipliers_83 * E3_multiplier_py;
-    const real constraints_multipliers_142 = constraints_multipliers_141
-        + constraints_multipliers_86 * E4_multiplier_px;
-    const real constraints_multipliers_143 = constraints_multipliers_142
-        + constraints_multipliers_90 * E4_multiplier_py;
-    const real constraints_multipliers_144 = constraints_multipliers_143
-        + constraints_multipliers_94 * E6_multiplier_px;
-    const real constraints_multipliers_145 = constraints_multipliers_82 * E3_multiplier_px
-        - constraints_multipliers_85 * E3_multiplier_py;
-    const real constraints_multipliers_146 = constraints_multipliers_145
-        + constraints_multipliers_88 * E4_multiplier_px;
-    const real constraints_multipliers_147 = constraints_multipliers_146
-        - constraints_multipliers_92 * E4_multiplier_py;
-    const real constraints_multipliers_148 = constraints_multipliers_147
-        + constraints_multipliers_96 * E6_multiplier_px;
+    const real theta_udot_part = E3_px_response_theta * E3_multiplier_px
+        - E3_py_minus_response_theta * E3_multiplier_py + E4_px_response_theta * E4_multiplier_px
+        - E4_py_minus_response_theta * E4_multiplier_py + E6_px_response_theta * E6_multiplier_px;
 
     /* beta: udot */
     /* udot: beta.udot [rad/s^2] */
-    out[0] = constraints_multipliers_144 + constraints_multipliers_98 * E6_multiplier_py
-        + constraints_multipliers_73;
+    out[0] = E3_px_response_beta * E3_multiplier_px + E3_py_response_beta * E3_multiplier_py
+        + E4_px_response_beta * E4_multiplier_px + E4_py_response_beta * E4_multiplier_py
+        + E6_px_response_beta * E6_multiplier_px + E6_py_response_beta * E6_multiplier_py
+        + free_udot_beta;
 
     /* theta: udot */
     /* udot: theta.udot [rad/s^2] */
-    out[1] = constraints_multipliers_148 - constraints_multipliers_100 * E6_multiplier_py
-        + constraints_multipliers_77;
+    out[1] = theta_udot_part - E6_py_minus_response_theta * E6_multiplier_py + free_udot_theta;
 
     /* gamma: udot */
     /* udot: gamma.udot [rad/s^2] */
-    out[2] = constraints_multipliers_81 * E3_multiplier_px
-        + constraints_multipliers_84 * E3_multiplier_py + constraints_multipliers_74;
+    out[2] = E3_px_response_gamma * E3_multiplier_px + E3_py_response_gamma * E3_multiplier_py
+        + free_udot_gamma;
 
     /* delta: udot */
     /* udot: delta.udot [rad/s^2] */
-    out[3] = constraints_multipliers_87 * E4_multiplier_px
-        + constraints_multipliers_91 * E4_multiplier_py + constraints_multipliers_75;
+    out[3] = E4_px_response_delta * E4_multiplier_px + E4_py_response_delta * E4_multiplier_py
+        + free_udot_delta;
 
     /* phi: udot */
     /* udot: phi.udot [rad/s^2] */
-    out[4] = constraints_multipliers_89 * E4_multiplier_px
-        + constraints_multipliers_93 * E4_multiplier_py + constraints_multipliers_78;
+    out[4] = E4_px_response_phi * E4_multiplier_px + E4_py_response_phi * E4_multiplier_py
+        + free_udot_phi;
 
     /* epsilon: udot */
     /* udot: epsilon.udot [rad/s^2] */
-    out[5] = constraints_multipliers_95 * E6_multiplier_px
-        + constraints_multipliers_99 * E6_multiplier_py + constraints_multipliers_76;
+    out[5] = E6_px_response_epsilon * E6_multiplier_px
+        + E6_py_response_epsilon * E6_multiplier_py + free_udot_epsilon;
 
     /* omega: udot */
     /* udot: omega.udot [rad/s^2] */
-    out[6] = constraints_multipliers_97 * E6_multiplier_px
-        + constraints_multipliers_101 * E6_multiplier_py + constraints_multipliers_79;
+    out[6] = E6_px_response_omega * E6_multiplier_px + E6_py_response_omega * E6_multiplier_py
+        + free_udot_omega;
     return status;
 }
 

@@ -51,30 +51,43 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* K1: first moment, mass, inertia */
+    /* K1: first moment, mass, origin inertia, base, base second moment */
     const wreal K1_mass = p[0]; /* kg */
     const wreal K1_com_x = p[1]; /* m */
+    const wreal K1_inertia_xx = p[2]; /* kg m^2 */
     const wreal K1_inertia_yy = p[3]; /* kg m^2 */
     const wreal K1_inertia_zz = p[4]; /* kg m^2 */
     const wreal K1_first_moment_x = K1_mass * K1_com_x;
-    const wreal K1_mass_2 = K1_com_x * K1_first_moment_x;
-    const wreal K1_inertia_yy_2 = K1_inertia_yy + K1_mass_2;
-    const wreal K1_inertia_zz_2 = K1_inertia_zz + K1_mass_2;
+    const wreal K1_com_x_times_first_moment_x = K1_com_x * K1_first_moment_x;
+    const wreal K1_origin_inertia_yy = K1_inertia_yy + K1_com_x_times_first_moment_x;
+    const wreal K1_origin_inertia_zz = K1_inertia_zz + K1_com_x_times_first_moment_x;
+    const wreal K1_base_half_trace = 0.5 * (K1_inertia_xx + K1_origin_inertia_zz
+        + K1_origin_inertia_yy);
+    const wreal K1_base_second_moment_yy = K1_base_half_trace - K1_origin_inertia_yy;
 
-    /* K2: first moment, mass, inertia, base */
+    /* K2: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal theta_position_x = p[5]; /* m */
     const wreal K2_mass = p[6]; /* kg */
     const wreal K2_com_x = p[7]; /* m */
+    const wreal K2_inertia_xx = p[8]; /* kg m^2 */
     const wreal K2_inertia_yy = p[9]; /* kg m^2 */
     const wreal K2_inertia_zz = p[10]; /* kg m^2 */
     const wreal K2_first_moment_x = K2_mass * K2_com_x;
-    const wreal K2_mass_2 = K2_com_x * K2_first_moment_x;
-    const wreal K2_inertia_yy_2 = K2_inertia_yy + K2_mass_2;
-    const wreal K2_inertia_zz_2 = K2_inertia_zz + K2_mass_2;
-    const wreal K2_base = 0.5 * K2_mass * theta_position_x * theta_position_x;
-    w[1] = K2_first_moment_x; /* K2_first_moment_x */
+    const wreal K2_com_x_times_first_moment_x = K2_com_x * K2_first_moment_x;
+    const wreal K2_origin_inertia_yy = K2_inertia_yy + K2_com_x_times_first_moment_x;
+    const wreal K2_origin_inertia_zz = K2_inertia_zz + K2_com_x_times_first_moment_x;
+    const wreal theta_position_x_times_K2_base_mean_moment_x = 0.5 * K2_mass * theta_position_x *
+        theta_position_x;
+    const wreal K2_base_half_trace = 0.5 * (K2_inertia_xx + K2_origin_inertia_zz
+        + K2_origin_inertia_yy);
+    const wreal K2_base_second_moment_xx = K2_base_half_trace - K2_inertia_xx;
+    const wreal K2_base_second_moment_yy = K2_base_half_trace - K2_origin_inertia_yy;
+    const wreal K2_base_second_moment_xx_plus_base_second_moment_yy = K2_base_second_moment_xx
+        + K2_base_second_moment_yy;
+    w[1] = K2_first_moment_x;
+    w[14] = K2_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K3: first moment, mass, inertia */
+    /* K3: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal K3_mass = p[13]; /* kg */
     const wreal K3_com_x = p[14]; /* m */
     const wreal K3_com_y = p[15]; /* m */
@@ -83,13 +96,21 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K3_inertia_zz = p[18]; /* kg m^2 */
     const wreal K3_first_moment_x = K3_mass * K3_com_x;
     const wreal K3_first_moment_y = K3_mass * K3_com_y;
-    const wreal K3_mass_2 = K3_com_x * K3_first_moment_x;
-    const wreal K3_mass_3 = K3_com_y * K3_first_moment_y;
-    const wreal K3_inertia_xx_2 = K3_inertia_xx + K3_mass_3;
-    const wreal K3_inertia_yy_2 = K3_inertia_yy + K3_mass_2;
-    const wreal K3_inertia_zz_2 = K3_inertia_zz + K3_mass_2 + K3_mass_3;
+    const wreal K3_com_x_times_first_moment_x = K3_com_x * K3_first_moment_x;
+    const wreal K3_com_y_times_first_moment_y = K3_com_y * K3_first_moment_y;
+    const wreal K3_origin_inertia_xx = K3_inertia_xx + K3_com_y_times_first_moment_y;
+    const wreal K3_origin_inertia_yy = K3_inertia_yy + K3_com_x_times_first_moment_x;
+    const wreal K3_origin_inertia_zz = K3_inertia_zz + K3_com_x_times_first_moment_x
+        + K3_com_y_times_first_moment_y;
+    const wreal K3_base_half_trace = 0.5 * (K3_origin_inertia_xx + K3_origin_inertia_zz
+        + K3_origin_inertia_yy);
+    const wreal K3_base_second_moment_xx = K3_base_half_trace - K3_origin_inertia_xx;
+    const wreal K3_base_second_moment_yy = K3_base_half_trace - K3_origin_inertia_yy;
+    const wreal K3_base_second_moment_xx_plus_base_second_moment_yy = K3_base_second_moment_xx
+        + K3_base_second_moment_yy;
+    w[15] = K3_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K5: first moment, mass, inertia */
+    /* K5: first moment, mass, origin inertia, base, base second moment */
     const wreal K5_mass = p[21]; /* kg */
     const wreal K5_com_x = p[22]; /* m */
     const wreal K5_com_y = p[23]; /* m */
@@ -98,26 +119,39 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K5_inertia_zz = p[26]; /* kg m^2 */
     const wreal K5_first_moment_x = K5_mass * K5_com_x;
     const wreal K5_first_moment_y = K5_mass * K5_com_y;
-    const wreal K5_mass_2 = K5_com_x * K5_first_moment_x;
-    const wreal K5_mass_3 = K5_com_y * K5_first_moment_y;
-    const wreal K5_inertia_xx_2 = K5_inertia_xx + K5_mass_3;
-    const wreal K5_inertia_yy_2 = K5_inertia_yy + K5_mass_2;
-    const wreal K5_inertia_zz_2 = K5_inertia_zz + K5_mass_2 + K5_mass_3;
+    const wreal K5_com_x_times_first_moment_x = K5_com_x * K5_first_moment_x;
+    const wreal K5_com_y_times_first_moment_y = K5_com_y * K5_first_moment_y;
+    const wreal K5_origin_inertia_xx = K5_inertia_xx + K5_com_y_times_first_moment_y;
+    const wreal K5_origin_inertia_yy = K5_inertia_yy + K5_com_x_times_first_moment_x;
+    const wreal K5_origin_inertia_zz = K5_inertia_zz + K5_com_x_times_first_moment_x
+        + K5_com_y_times_first_moment_y;
+    const wreal K5_base_half_trace = 0.5 * (K5_origin_inertia_xx + K5_origin_inertia_zz
+        + K5_origin_inertia_yy);
+    const wreal K5_base_second_moment_yy = K5_base_half_trace - K5_origin_inertia_yy;
 
-    /* K4: first moment, mass, inertia, base */
+    /* K4: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal phi_position_x = p[27]; /* m */
     const wreal K4_mass = p[28]; /* kg */
     const wreal K4_com_y = p[29]; /* m */
     const wreal K4_inertia_xx = p[30]; /* kg m^2 */
+    const wreal K4_inertia_yy = p[31]; /* kg m^2 */
     const wreal K4_inertia_zz = p[32]; /* kg m^2 */
     const wreal K4_first_moment_y = K4_mass * K4_com_y;
-    const wreal K4_mass_2 = K4_com_y * K4_first_moment_y;
-    const wreal K4_inertia_xx_2 = K4_inertia_xx + K4_mass_2;
-    const wreal K4_inertia_zz_2 = K4_inertia_zz + K4_mass_2;
-    const wreal K4_base = 0.5 * K4_mass * phi_position_x * phi_position_x;
-    w[3] = K4_first_moment_y; /* K4_first_moment_y */
+    const wreal K4_com_y_times_first_moment_y = K4_com_y * K4_first_moment_y;
+    const wreal K4_origin_inertia_xx = K4_inertia_xx + K4_com_y_times_first_moment_y;
+    const wreal K4_origin_inertia_zz = K4_inertia_zz + K4_com_y_times_first_moment_y;
+    const wreal phi_position_x_times_K4_base_mean_moment_x = 0.5 * K4_mass * phi_position_x *
+        phi_position_x;
+    const wreal K4_base_half_trace = 0.5 * (K4_inertia_yy + K4_origin_inertia_zz
+        + K4_origin_inertia_xx);
+    const wreal K4_base_second_moment_xx = K4_base_half_trace - K4_origin_inertia_xx;
+    const wreal K4_base_second_moment_yy = K4_base_half_trace - K4_inertia_yy;
+    const wreal K4_base_second_moment_xx_plus_base_second_moment_yy = K4_base_second_moment_xx
+        + K4_base_second_moment_yy;
+    w[3] = K4_first_moment_y;
+    w[17] = K4_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K7: first moment, mass, inertia */
+    /* K7: first moment, mass, origin inertia, base, base second moment */
     const wreal K7_mass = p[35]; /* kg */
     const wreal K7_com_x = p[36]; /* m */
     const wreal K7_com_y = p[37]; /* m */
@@ -126,80 +160,70 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K7_inertia_zz = p[40]; /* kg m^2 */
     const wreal K7_first_moment_x = K7_mass * K7_com_x;
     const wreal K7_first_moment_y = K7_mass * K7_com_y;
-    const wreal K7_mass_2 = K7_com_x * K7_first_moment_x;
-    const wreal K7_mass_3 = K7_com_y * K7_first_moment_y;
-    const wreal K7_inertia_xx_2 = K7_inertia_xx + K7_mass_3;
-    const wreal K7_inertia_yy_2 = K7_inertia_yy + K7_mass_2;
-    const wreal K7_inertia_zz_2 = K7_inertia_zz + K7_mass_2 + K7_mass_3;
+    const wreal K7_com_x_times_first_moment_x = K7_com_x * K7_first_moment_x;
+    const wreal K7_com_y_times_first_moment_y = K7_com_y * K7_first_moment_y;
+    const wreal K7_origin_inertia_xx = K7_inertia_xx + K7_com_y_times_first_moment_y;
+    const wreal K7_origin_inertia_yy = K7_inertia_yy + K7_com_x_times_first_moment_x;
+    const wreal K7_origin_inertia_zz = K7_inertia_zz + K7_com_x_times_first_moment_x
+        + K7_com_y_times_first_moment_y;
+    const wreal K7_base_half_trace = 0.5 * (K7_origin_inertia_xx + K7_origin_inertia_zz
+        + K7_origin_inertia_yy);
+    const wreal K7_base_second_moment_xx = K7_base_half_trace - K7_origin_inertia_xx;
 
-    /* K6: first moment, mass, inertia, base */
+    /* K6: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal omega_position_y = p[41]; /* m */
     const wreal K6_mass = p[42]; /* kg */
     const wreal K6_com_x = p[43]; /* m */
+    const wreal K6_inertia_xx = p[44]; /* kg m^2 */
     const wreal K6_inertia_yy = p[45]; /* kg m^2 */
     const wreal K6_inertia_zz = p[46]; /* kg m^2 */
     const wreal K6_first_moment_x = K6_mass * K6_com_x;
-    const wreal K6_mass_2 = K6_com_x * K6_first_moment_x;
-    const wreal K6_inertia_yy_2 = K6_inertia_yy + K6_mass_2;
-    const wreal K6_inertia_zz_2 = K6_inertia_zz + K6_mass_2;
-    const wreal K6_base = 0.5 * K6_mass * omega_position_y * omega_position_y;
-    w[5] = K6_first_moment_x; /* K6_first_moment_x */
-
-    /* common */
-    const wreal K1_inertia_xx = p[2]; /* kg m^2 */
-    const wreal K2_inertia_xx = p[8]; /* kg m^2 */
-    const wreal K4_inertia_yy = p[31]; /* kg m^2 */
-    const wreal K6_inertia_xx = p[44]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (K1_inertia_xx + K1_inertia_zz_2 + K1_inertia_yy_2);
-    const wreal mul_1_2 = 0.5 * (K2_inertia_xx + K2_inertia_zz_2 + K2_inertia_yy_2);
-    const wreal mul_1_3 = 0.5 * (K3_inertia_xx_2 + K3_inertia_zz_2 + K3_inertia_yy_2);
-    const wreal mul_1_4 = 0.5 * (K5_inertia_xx_2 + K5_inertia_zz_2 + K5_inertia_yy_2);
-    const wreal mul_1_5 = 0.5 * (K4_inertia_yy + K4_inertia_zz_2 + K4_inertia_xx_2);
-    const wreal mul_1_6 = 0.5 * (K7_inertia_xx_2 + K7_inertia_zz_2 + K7_inertia_yy_2);
-    const wreal mul_1_7 = 0.5 * (K6_inertia_xx + K6_inertia_zz_2 + K6_inertia_yy_2);
-
-    /* K1: base second moment, inertia force */
-    const wreal K1_base_second_moment_yy = mul_1 - K1_inertia_yy_2;
-    const wreal K1_base_second_moment_xx = mul_1 - K1_inertia_xx + (K2_base + K2_base);
-    w[13] = K1_base_second_moment_yy + K1_base_second_moment_xx; /* K1_inertia_force */
-
-    /* K2: base second moment, inertia force */
-    const wreal K2_base_second_moment_xx = mul_1_2 - K2_inertia_xx;
-    const wreal K2_base_second_moment_yy = mul_1_2 - K2_inertia_yy_2;
-    w[14] = K2_base_second_moment_xx + K2_base_second_moment_yy; /* K2_inertia_force */
-
-    /* K3: base second moment, inertia force */
-    const wreal K3_base_second_moment_xx = mul_1_3 - K3_inertia_xx_2;
-    const wreal K3_base_second_moment_yy = mul_1_3 - K3_inertia_yy_2;
-    w[15] = K3_base_second_moment_xx + K3_base_second_moment_yy; /* K3_inertia_force */
-
-    /* K5: base second moment, inertia force */
-    const wreal K5_base_second_moment_yy = mul_1_4 - K5_inertia_yy_2;
-    const wreal K5_base_second_moment_xx = mul_1_4 - K5_inertia_xx_2 + (K4_base + K4_base);
-    w[16] = K5_base_second_moment_yy + K5_base_second_moment_xx; /* K5_inertia_force */
-
-    /* K4: base second moment, inertia force */
-    const wreal K4_base_second_moment_xx = mul_1_5 - K4_inertia_xx_2;
-    const wreal K4_base_second_moment_yy = mul_1_5 - K4_inertia_yy;
-    w[17] = K4_base_second_moment_xx + K4_base_second_moment_yy; /* K4_inertia_force */
+    const wreal K6_com_x_times_first_moment_x = K6_com_x * K6_first_moment_x;
+    const wreal K6_origin_inertia_yy = K6_inertia_yy + K6_com_x_times_first_moment_x;
+    const wreal K6_origin_inertia_zz = K6_inertia_zz + K6_com_x_times_first_moment_x;
+    const wreal omega_position_y_times_K6_base_mean_moment_y = 0.5 * K6_mass * omega_position_y *
+        omega_position_y;
+    const wreal K6_base_half_trace = 0.5 * (K6_inertia_xx + K6_origin_inertia_zz
+        + K6_origin_inertia_yy);
+    const wreal K6_base_second_moment_xx = K6_base_half_trace - K6_inertia_xx;
+    const wreal K6_base_second_moment_yy = K6_base_half_trace - K6_origin_inertia_yy;
+    const wreal K6_base_second_moment_xx_plus_base_second_moment_yy = K6_base_second_moment_xx
+        + K6_base_second_moment_yy;
+    w[5] = K6_first_moment_x;
+    w[19] = K6_base_second_moment_xx_plus_base_second_moment_yy;
 
     /* K7: base second moment, inertia force */
-    const wreal K7_base_second_moment_xx = mul_1_6 - K7_inertia_xx_2;
-    const wreal K7_base_second_moment_yy = mul_1_6 - K7_inertia_yy_2 + (K6_base + K6_base);
-    w[18] = K7_base_second_moment_xx + K7_base_second_moment_yy; /* K7_inertia_force */
+    const wreal K7_base_second_moment_yy = K7_base_half_trace - K7_origin_inertia_yy
+        + (omega_position_y_times_K6_base_mean_moment_y
+        + omega_position_y_times_K6_base_mean_moment_y);
+    const wreal K7_base_second_moment_xx_plus_base_second_moment_yy = K7_base_second_moment_xx
+        + K7_base_second_moment_yy;
+    w[18] = K7_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K6: base second moment, inertia force */
-    const wreal K6_base_second_moment_xx = mul_1_7 - K6_inertia_xx;
-    const wreal K6_base_second_moment_yy = mul_1_7 - K6_inertia_yy_2;
-    w[19] = K6_base_second_moment_xx + K6_base_second_moment_yy; /* K6_inertia_force */
+    /* K5: base second moment, inertia force */
+    const wreal K5_base_second_moment_xx = K5_base_half_trace - K5_origin_inertia_xx
+        + (phi_position_x_times_K4_base_mean_moment_x + phi_position_x_times_K4_base_mean_moment_x);
+    const wreal K5_base_second_moment_yy_plus_base_second_moment_xx = K5_base_second_moment_yy
+        + K5_base_second_moment_xx;
+    w[16] = K5_base_second_moment_yy_plus_base_second_moment_xx;
+
+    /* K1: base second moment, inertia force */
+    const wreal K1_base_second_moment_xx = K1_base_half_trace - K1_inertia_xx
+        + (theta_position_x_times_K2_base_mean_moment_x
+        + theta_position_x_times_K2_base_mean_moment_x);
+    const wreal K1_base_second_moment_yy_plus_base_second_moment_xx = K1_base_second_moment_yy
+        + K1_base_second_moment_xx;
+    w[13] = K1_base_second_moment_yy_plus_base_second_moment_xx;
 
     /* spring: force */
     const wreal gamma_position_x = p[11]; /* m */
     const wreal gamma_position_y = p[12]; /* m */
     const wreal spring_a_position_x = p[53]; /* m */
     const wreal spring_a_position_y = p[54]; /* m */
-    w[11] = gamma_position_x - spring_a_position_x; /* spring_force */
-    w[12] = gamma_position_y - spring_a_position_y; /* spring_force_2 */
+    const wreal gamma_position_x_minus_spring_a_position_x = gamma_position_x - spring_a_position_x;
+    const wreal gamma_position_y_minus_spring_a_position_y = gamma_position_y - spring_a_position_y;
+    w[11] = gamma_position_x_minus_spring_a_position_x;
+    w[12] = gamma_position_y_minus_spring_a_position_y;
 
     /* parameters as they are */
     w[0] = p[5]; /* theta.position.x [m] */
@@ -224,7 +248,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real theta_q = q[1]; /* rad */
     const real gamma_q = q[2]; /* rad */
     const real phi_q = q[4]; /* rad */
@@ -246,20 +270,23 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal spring_length = w[7]; /* m */
     const wreal spring_b_position_x = w[8]; /* m */
     const wreal spring_b_position_y = w[9]; /* m */
-    const wreal spring_force = w[11];
-    const wreal spring_force_2 = w[12];
-    const real spring_force_3 = spring_b_position_x * gamma_cos + spring_force
-        - spring_b_position_y * gamma_sin;
-    const real spring_force_4 = spring_b_position_x * gamma_sin + spring_force_2
-        + spring_b_position_y * gamma_cos;
-    const real spring_force_5 = cardan_sqrt(spring_force_3 * spring_force_3
-        + spring_force_4 * spring_force_4);
-    const real spring_force_6 = cardan_lt(0.0, spring_force_5);
-    const real spring_force_7 = cardan_select(spring_force_6, 1.0,
-        0.0) / cardan_select(spring_force_6, spring_force_5, 1.0);
-    const real spring_force_8 = spring_stiffness * (spring_force_5 - spring_length);
-    const real spring_force_9 = spring_force_3 * spring_force_7 * spring_force_8;
-    const real spring_force_10 = spring_force_4 * spring_force_7 * spring_force_8;
+    const wreal gamma_position_x_minus_spring_a_position_x = w[11];
+    const wreal gamma_position_y_minus_spring_a_position_y = w[12];
+    const real spring_force_span_x = spring_b_position_x * gamma_cos
+        + gamma_position_x_minus_spring_a_position_x - spring_b_position_y * gamma_sin;
+    const real spring_force_span_y = spring_b_position_x * gamma_sin
+        + gamma_position_y_minus_spring_a_position_y + spring_b_position_y * gamma_cos;
+    const real spring_force_distance = cardan_sqrt(spring_force_span_x * spring_force_span_x
+        + spring_force_span_y * spring_force_span_y);
+    const real spring_force_apart = cardan_lt(0.0, spring_force_distance);
+    const real spring_force_inverse_distance = cardan_select(spring_force_apart, 1.0,
+        0.0) / cardan_select(spring_force_apart, spring_force_distance, 1.0);
+    const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_force_distance
+        - spring_length);
+    const real spring_force_on_spring_a_x = spring_force_span_x * spring_force_inverse_distance *
+        spring_force_on_spring_a_x_part;
+    const real spring_force_on_spring_a_y = spring_force_span_y * spring_force_inverse_distance *
+        spring_force_on_spring_a_x_part;
 
     /* K2: omega, alpha, a, n, f */
     const real beta_u = u[0]; /* rad/s */
@@ -268,30 +295,30 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real theta_udot = udot[1]; /* rad/s^2 */
     const wreal theta_position_x = w[0]; /* m */
     const wreal K2_first_moment_x = w[1];
-    const wreal K2_inertia_force = w[14];
+    const wreal K2_base_second_moment_xx_plus_base_second_moment_yy = w[14];
     const real K2_omega_z = beta_u + theta_u;
     const real K2_alpha_z = beta_udot + theta_udot;
     const real K2_a_y = beta_u * beta_u * theta_position_x * theta_sin
         + theta_position_x * beta_udot * theta_cos;
-    const real K2_n_z = K2_alpha_z * K2_inertia_force + K2_first_moment_x * K2_a_y;
+    const real K2_n_z = K2_alpha_z * K2_base_second_moment_xx_plus_base_second_moment_yy
+        + K2_first_moment_x * K2_a_y;
     const real K2_f_y = K2_first_moment_x * K2_alpha_z;
     out[1] = K2_n_z; /* tau: theta.u.tau [N*m] */
 
-    /* K4: omega, alpha, a, n, f */
+    /* K4: omega, alpha, a, n */
     const real delta_u = u[3]; /* rad/s */
     const real phi_u = u[4]; /* rad/s */
     const real delta_udot = udot[3]; /* rad/s^2 */
     const real phi_udot = udot[4]; /* rad/s^2 */
     const wreal phi_position_x = w[2]; /* m */
     const wreal K4_first_moment_y = w[3];
-    const wreal K4_inertia_force = w[17];
+    const wreal K4_base_second_moment_xx_plus_base_second_moment_yy = w[17];
     const real K4_omega_z = delta_u + phi_u;
     const real K4_alpha_z = delta_udot + phi_udot;
     const real K4_a_x = phi_position_x * delta_udot * phi_sin
         - delta_u * delta_u * phi_position_x * phi_cos;
-    const real K4_n_z = K4_alpha_z * K4_inertia_force - K4_first_moment_y * K4_a_x;
-    const real K4_f = phi_position_x * (K4_first_moment_y * K4_alpha_z * phi_sin
-        + K4_omega_z * K4_omega_z * K4_first_moment_y * phi_cos);
+    const real K4_n_z = K4_alpha_z * K4_base_second_moment_xx_plus_base_second_moment_yy
+        - K4_first_moment_y * K4_a_x;
     out[4] = K4_n_z; /* tau: phi.u.tau [N*m] */
 
     /* K6: omega, alpha, a, n, f */
@@ -301,39 +328,45 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real omega_udot = udot[6]; /* rad/s^2 */
     const wreal omega_position_y = w[4]; /* m */
     const wreal K6_first_moment_x = w[5];
-    const wreal K6_inertia_force = w[19];
+    const wreal K6_base_second_moment_xx_plus_base_second_moment_yy = w[19];
     const real K6_omega_z = epsilon_u + omega_u;
     const real K6_alpha_z = epsilon_udot + omega_udot;
     const real K6_a_y = omega_position_y * epsilon_udot * omega_sin
         - epsilon_u * epsilon_u * omega_position_y * omega_cos;
-    const real K6_n_z = K6_alpha_z * K6_inertia_force + K6_first_moment_x * K6_a_y;
+    const real K6_n_z = K6_alpha_z * K6_base_second_moment_xx_plus_base_second_moment_yy
+        + K6_first_moment_x * K6_a_y;
     const real K6_f_y = K6_first_moment_x * K6_alpha_z;
-    const real K6_f = omega_position_y * (K6_omega_z * K6_omega_z * K6_first_moment_x * omega_cos
-        + omega_sin * K6_f_y);
     out[6] = K6_n_z; /* tau: omega.u.tau [N*m] */
 
-    /* K3: f, n */
+    /* K3: n */
     const real gamma_udot = udot[2]; /* rad/s^2 */
-    const wreal K3_inertia_force = w[15];
-    const real K3_f = gamma_udot * K3_inertia_force
-        - spring_b_position_x * (gamma_sin * spring_force_9 - gamma_cos * spring_force_10);
+    const wreal K3_base_second_moment_xx_plus_base_second_moment_yy = w[15];
     /* tau: gamma.u.tau [N*m] */
-    out[2] = K3_f - spring_b_position_y * (gamma_cos * spring_force_9
-        + gamma_sin * spring_force_10);
+    out[2] = gamma_udot * K3_base_second_moment_xx_plus_base_second_moment_yy
+        - spring_b_position_x * (gamma_sin * spring_force_on_spring_a_x
+        - gamma_cos * spring_force_on_spring_a_y)
+        - spring_b_position_y * (gamma_cos * spring_force_on_spring_a_x
+        + gamma_sin * spring_force_on_spring_a_y);
 
     /* K7: n */
-    const wreal K7_inertia_force = w[18];
-    out[5] = epsilon_udot * K7_inertia_force + K6_f + K6_n_z; /* tau: epsilon.u.tau [N*m] */
+    const wreal K7_base_second_moment_xx_plus_base_second_moment_yy = w[18];
+    /* tau: epsilon.u.tau [N*m] */
+    out[5] = epsilon_udot * K7_base_second_moment_xx_plus_base_second_moment_yy
+        + omega_position_y * (K6_omega_z * K6_omega_z * K6_first_moment_x * omega_cos
+        + omega_sin * K6_f_y) + K6_n_z;
 
     /* K5: n */
-    const wreal K5_inertia_force = w[16];
-    out[3] = delta_udot * K5_inertia_force - K4_f + K4_n_z; /* tau: delta.u.tau [N*m] */
+    const wreal K5_base_second_moment_yy_plus_base_second_moment_xx = w[16];
+    /* tau: delta.u.tau [N*m] */
+    out[3] = delta_udot * K5_base_second_moment_yy_plus_base_second_moment_xx
+        - phi_position_x * (K4_first_moment_y * K4_alpha_z * phi_sin
+        + K4_omega_z * K4_omega_z * K4_first_moment_y * phi_cos) + K4_n_z;
 
     /* K1: n */
-    const wreal K1_inertia_force = w[13];
-    const real K1_n = beta_udot * K1_inertia_force + theta_position_x * (theta_cos * K2_f_y
-        - K2_omega_z * K2_omega_z * K2_first_moment_x * theta_sin);
-    const real K1_n_z = K2_n_z + K1_n;
+    const wreal K1_base_second_moment_yy_plus_base_second_moment_xx = w[13];
+    const real K1_n_z = beta_udot * K1_base_second_moment_yy_plus_base_second_moment_xx
+        + theta_position_x * (theta_cos * K2_f_y
+        - K2_omega_z * K2_omega_z * K2_first_moment_x * theta_sin) + K2_n_z;
 
     /* beta: tau */
     const wreal drive_force = w[10];

@@ -26,36 +26,37 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* K1: first moment, inertia, base inertia */
+    /* K1: first moment, origin inertia, base inertia */
     const wreal K1_mass = p[0]; /* kg */
     const wreal K1_com_x = p[1]; /* m */
     const wreal K1_inertia_zz = p[4]; /* kg m^2 */
     const wreal theta_position_x = p[5]; /* m */
     const wreal K2_mass = p[6]; /* kg */
     const wreal K1_first_moment_x = K1_mass * K1_com_x;
-    const wreal K1_inertia_zz_2 = K1_inertia_zz + K1_com_x * K1_first_moment_x;
-    const wreal K1_base_inertia_zz = K1_inertia_zz_2
+    const wreal K1_origin_inertia_zz = K1_inertia_zz + K1_com_x * K1_first_moment_x;
+    const wreal K1_base_inertia_zz = K1_origin_inertia_zz
         + 0.5 * K2_mass * theta_position_x * theta_position_x * 2.0;
 
-    /* K2: first moment, inertia */
+    /* K2: first moment, origin inertia */
     const wreal K2_com_x = p[7]; /* m */
     const wreal K2_inertia_zz = p[10]; /* kg m^2 */
     const wreal K2_first_moment_x = K2_mass * K2_com_x;
-    const wreal K2_inertia_zz_2 = K2_inertia_zz + K2_com_x * K2_first_moment_x;
-    w[1] = K2_first_moment_x; /* K2_first_moment_x */
-    w[2] = K2_inertia_zz_2; /* K2_inertia_zz_2 */
+    const wreal K2_origin_inertia_zz = K2_inertia_zz + K2_com_x * K2_first_moment_x;
+    w[1] = K2_first_moment_x;
+    w[2] = K2_origin_inertia_zz;
 
-    /* K3: first moment, inertia */
+    /* K3: first moment, origin inertia */
     const wreal K3_mass = p[13]; /* kg */
     const wreal K3_com_x = p[14]; /* m */
     const wreal K3_com_y = p[15]; /* m */
     const wreal K3_inertia_zz = p[18]; /* kg m^2 */
     const wreal K3_first_moment_x = K3_mass * K3_com_x;
     const wreal K3_first_moment_y = K3_mass * K3_com_y;
-    /* K3_inertia_zz_2 */
-    w[3] = K3_inertia_zz + K3_com_x * K3_first_moment_x + K3_com_y * K3_first_moment_y;
+    const wreal K3_origin_inertia_zz = K3_inertia_zz + K3_com_x * K3_first_moment_x
+        + K3_com_y * K3_first_moment_y;
+    w[3] = K3_origin_inertia_zz;
 
-    /* K5: first moment, inertia, base inertia */
+    /* K5: first moment, origin inertia, base inertia */
     const wreal K5_mass = p[21]; /* kg */
     const wreal K5_com_x = p[22]; /* m */
     const wreal K5_com_y = p[23]; /* m */
@@ -64,20 +65,20 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal K4_mass = p[28]; /* kg */
     const wreal K5_first_moment_x = K5_mass * K5_com_x;
     const wreal K5_first_moment_y = K5_mass * K5_com_y;
-    const wreal K5_inertia_zz_2 = K5_inertia_zz + K5_com_x * K5_first_moment_x
+    const wreal K5_origin_inertia_zz = K5_inertia_zz + K5_com_x * K5_first_moment_x
         + K5_com_y * K5_first_moment_y;
-    const wreal K5_base_inertia_zz = K5_inertia_zz_2
+    const wreal K5_base_inertia_zz = K5_origin_inertia_zz
         + 0.5 * K4_mass * phi_position_x * phi_position_x * 2.0;
 
-    /* K4: first moment, inertia */
+    /* K4: first moment, origin inertia */
     const wreal K4_com_y = p[29]; /* m */
     const wreal K4_inertia_zz = p[32]; /* kg m^2 */
     const wreal K4_first_moment_y = K4_mass * K4_com_y;
-    const wreal K4_inertia_zz_2 = K4_inertia_zz + K4_com_y * K4_first_moment_y;
-    w[5] = K4_first_moment_y; /* K4_first_moment_y */
-    w[6] = K4_inertia_zz_2; /* K4_inertia_zz_2 */
+    const wreal K4_origin_inertia_zz = K4_inertia_zz + K4_com_y * K4_first_moment_y;
+    w[5] = K4_first_moment_y;
+    w[6] = K4_origin_inertia_zz;
 
-    /* K7: first moment, inertia, base inertia */
+    /* K7: first moment, origin inertia, base inertia */
     const wreal K7_mass = p[35]; /* kg */
     const wreal K7_com_x = p[36]; /* m */
     const wreal K7_com_y = p[37]; /* m */
@@ -86,27 +87,33 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal K6_mass = p[42]; /* kg */
     const wreal K7_first_moment_x = K7_mass * K7_com_x;
     const wreal K7_first_moment_y = K7_mass * K7_com_y;
-    const wreal K7_inertia_zz_2 = K7_inertia_zz + K7_com_x * K7_first_moment_x
+    const wreal K7_origin_inertia_zz = K7_inertia_zz + K7_com_x * K7_first_moment_x
         + K7_com_y * K7_first_moment_y;
-    const wreal K7_base_inertia_zz = K7_inertia_zz_2
+    const wreal K7_base_inertia_zz = K7_origin_inertia_zz
         + 0.5 * K6_mass * omega_position_y * omega_position_y * 2.0;
 
-    /* K6: first moment, inertia */
+    /* K6: first moment, origin inertia */
     const wreal K6_com_x = p[43]; /* m */
     const wreal K6_inertia_zz = p[46]; /* kg m^2 */
     const wreal K6_first_moment_x = K6_mass * K6_com_x;
-    const wreal K6_inertia_zz_2 = K6_inertia_zz + K6_com_x * K6_first_moment_x;
-    w[8] = K6_first_moment_x; /* K6_first_moment_x */
-    w[9] = K6_inertia_zz_2; /* K6_inertia_zz_2 */
+    const wreal K6_origin_inertia_zz = K6_inertia_zz + K6_com_x * K6_first_moment_x;
+    w[8] = K6_first_moment_x;
+    w[9] = K6_origin_inertia_zz;
 
     /* K7: inertia */
-    w[10] = K6_inertia_zz_2 + K7_base_inertia_zz; /* K7_inertia */
+    const wreal K6_origin_inertia_zz_plus_K7_base_inertia_zz = K6_origin_inertia_zz
+        + K7_base_inertia_zz;
+    w[10] = K6_origin_inertia_zz_plus_K7_base_inertia_zz;
 
     /* K5: inertia */
-    w[11] = K4_inertia_zz_2 + K5_base_inertia_zz; /* K5_inertia */
+    const wreal K4_origin_inertia_zz_plus_K5_base_inertia_zz = K4_origin_inertia_zz
+        + K5_base_inertia_zz;
+    w[11] = K4_origin_inertia_zz_plus_K5_base_inertia_zz;
 
     /* K1: inertia */
-    w[12] = K2_inertia_zz_2 + K1_base_inertia_zz; /* K1_inertia */
+    const wreal K2_origin_inertia_zz_plus_K1_base_inertia_zz = K2_origin_inertia_zz
+        + K1_base_inertia_zz;
+    w[12] = K2_origin_inertia_zz_plus_K1_base_inertia_zz;
 
     /* parameters as they are */
     w[0] = p[5]; /* theta.position.x [m] */
@@ -124,7 +131,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shared by several: sin, cos */
+    /* shared by several: R */
     const real theta_q = q[1]; /* rad */
     const real phi_q = q[4]; /* rad */
     const real omega_q = q[6]; /* rad */
@@ -142,35 +149,47 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal K4_first_moment_y = w[5];
     const wreal omega_position_y = w[7]; /* m */
     const wreal K6_first_moment_x = w[8];
-    const real K7_inertia_2 = K6_first_moment_x * omega_sin * omega_position_y;
-    const real K5_inertia_2 = K4_first_moment_y * phi_sin * phi_position_x;
-    const real K1_inertia_2 = K2_first_moment_x * theta_cos * theta_position_x;
+    const real omega_position_y_times_K7_inertia_mean_moment_y = K6_first_moment_x * omega_sin *
+        omega_position_y;
+    const real phi_position_x_times_K5_minus_inertia_mean_moment_x = K4_first_moment_y * phi_sin *
+        phi_position_x;
+    const real theta_position_x_times_K1_inertia_mean_moment_x = K2_first_moment_x * theta_cos *
+        theta_position_x;
 
     /* K7: composite inertia */
-    const wreal K7_inertia = w[10];
-    out[40] = 2.0 * K7_inertia_2 + K7_inertia; /* M: epsilon.u,epsilon.u */
+    const wreal K6_origin_inertia_zz_plus_K7_base_inertia_zz = w[10];
+    /* M: epsilon.u,epsilon.u */
+    out[40] = 2.0 * omega_position_y_times_K7_inertia_mean_moment_y
+        + K6_origin_inertia_zz_plus_K7_base_inertia_zz;
 
-    /* M */
-    const wreal K2_inertia_zz_2 = w[2];
-    const wreal K4_inertia_zz_2 = w[6];
-    const wreal K6_inertia_zz_2 = w[9];
-    const real M_7_6 = K6_inertia_zz_2 + K7_inertia_2;
-    const real M_5_4 = K4_inertia_zz_2 - K5_inertia_2;
-    const real M_2_1 = K2_inertia_zz_2 + K1_inertia_2;
-    out[41] = M_7_6; /* M: epsilon.u,omega.u */
-    out[47] = M_7_6; /* M: omega.u,epsilon.u */
-    out[25] = M_5_4; /* M: delta.u,phi.u */
-    out[31] = M_5_4; /* M: phi.u,delta.u */
-    out[1] = M_2_1; /* M: beta.u,theta.u */
-    out[7] = M_2_1; /* M: theta.u,beta.u */
+    /* M: omega epsilon, phi delta, theta beta */
+    const wreal K2_origin_inertia_zz = w[2];
+    const wreal K4_origin_inertia_zz = w[6];
+    const wreal K6_origin_inertia_zz = w[9];
+    const real M_omega_epsilon = K6_origin_inertia_zz
+        + omega_position_y_times_K7_inertia_mean_moment_y;
+    const real M_phi_delta = K4_origin_inertia_zz
+        - phi_position_x_times_K5_minus_inertia_mean_moment_x;
+    const real M_theta_beta = K2_origin_inertia_zz
+        + theta_position_x_times_K1_inertia_mean_moment_x;
+    out[41] = M_omega_epsilon; /* M: epsilon.u,omega.u */
+    out[47] = M_omega_epsilon; /* M: omega.u,epsilon.u */
+    out[25] = M_phi_delta; /* M: delta.u,phi.u */
+    out[31] = M_phi_delta; /* M: phi.u,delta.u */
+    out[1] = M_theta_beta; /* M: beta.u,theta.u */
+    out[7] = M_theta_beta; /* M: theta.u,beta.u */
 
     /* K5: composite inertia */
-    const wreal K5_inertia = w[11];
-    out[24] = K5_inertia - 2.0 * K5_inertia_2; /* M: delta.u,delta.u */
+    const wreal K4_origin_inertia_zz_plus_K5_base_inertia_zz = w[11];
+    /* M: delta.u,delta.u */
+    out[24] = K4_origin_inertia_zz_plus_K5_base_inertia_zz
+        - 2.0 * phi_position_x_times_K5_minus_inertia_mean_moment_x;
 
     /* K1: composite inertia */
-    const wreal K1_inertia = w[12];
-    out[0] = 2.0 * K1_inertia_2 + K1_inertia; /* M: beta.u,beta.u */
+    const wreal K2_origin_inertia_zz_plus_K1_base_inertia_zz = w[12];
+    /* M: beta.u,beta.u */
+    out[0] = 2.0 * theta_position_x_times_K1_inertia_mean_moment_x
+        + K2_origin_inertia_zz_plus_K1_base_inertia_zz;
 
     /* results that are numbers or inputs */
     out[2] = CARDAN_REAL(0.0); /* M: beta.u,gamma.u */

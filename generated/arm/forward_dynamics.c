@@ -40,102 +40,120 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal angle[CARDAN_PADDED(1)] = {wrist_rotation_yaw};
     wreal sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
-    const wreal wrist_placement = cosine[0];
-    const wreal wrist_placement_2 = sine[0];
+    const wreal wrist_rotation_yaw_cos = cosine[0];
+    const wreal wrist_rotation_yaw_sin = sine[0];
 
-    /* upper_arm: first moment, mass, inertia */
+    /* upper_arm: first moment, mass, origin inertia, base, base second moment, inertia */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
+    const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
     const wreal upper_arm_inertia_yy = p[10]; /* kg m^2 */
     const wreal upper_arm_inertia_zz = p[11]; /* kg m^2 */
     const wreal forearm_inertia_xz = p[17]; /* kg m^2 */
     const wreal upper_arm_first_moment_x = upper_arm_mass * upper_arm_com_x;
-    const wreal upper_arm_mass_2 = upper_arm_com_x * upper_arm_first_moment_x;
-    const wreal upper_arm_inertia_yy_2 = upper_arm_inertia_yy + upper_arm_mass_2;
-    const wreal upper_arm_inertia_zz_2 = upper_arm_inertia_zz + upper_arm_mass_2;
-    w[16] = forearm_inertia_xz + forearm_inertia_xz; /* upper_arm_inertia */
+    const wreal upper_arm_com_x_times_first_moment_x = upper_arm_com_x * upper_arm_first_moment_x;
+    const wreal upper_arm_origin_inertia_yy = upper_arm_inertia_yy
+        + upper_arm_com_x_times_first_moment_x;
+    const wreal upper_arm_origin_inertia_zz = upper_arm_inertia_zz
+        + upper_arm_com_x_times_first_moment_x;
+    const wreal upper_arm_base_half_trace = 0.5 * (upper_arm_inertia_xx
+        + upper_arm_origin_inertia_zz + upper_arm_origin_inertia_yy);
+    const wreal upper_arm_base_second_moment_zz = upper_arm_base_half_trace
+        - upper_arm_origin_inertia_zz;
+    const wreal twice_forearm_inertia_xz = forearm_inertia_xz + forearm_inertia_xz;
+    w[16] = twice_forearm_inertia_xz;
 
-    /* forearm: mass, first moment, base */
+    /* forearm: mass, first moment, whole mass, base */
     const wreal elbow_position_x = p[12]; /* m */
     const wreal forearm_mass = p[13]; /* kg */
     const wreal forearm_com_x = p[14]; /* m */
     const wreal forearm_com_y = p[15]; /* m */
     const wreal hand_mass = p[22]; /* kg */
-    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
-    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
-    const wreal forearm_mass_2 = forearm_mass * forearm_com_x;
+    const wreal forearm_mass_times_com_x = forearm_mass * forearm_com_x;
     const wreal forearm_first_moment_y = forearm_mass * forearm_com_y;
-    const wreal forearm_mass_3 = forearm_com_x * forearm_mass_2;
-    const wreal forearm_mass_4 = forearm_com_y * forearm_first_moment_y;
-    const wreal forearm_mass_5 = forearm_mass + hand_mass;
-    const wreal forearm_mass_6 = wrist_placement_2 * hand_inertia_xx * wrist_placement_2
-        + wrist_placement * hand_inertia_yy * wrist_placement;
-    const wreal forearm_base = 0.5 * forearm_mass_5 * elbow_position_x * elbow_position_x;
-    const wreal forearm_base_2 = 2.0 * forearm_base;
+    const wreal forearm_com_x_times_mass_times_com_x = forearm_com_x * forearm_mass_times_com_x;
+    const wreal forearm_com_y_times_first_moment_y = forearm_com_y * forearm_first_moment_y;
+    const wreal forearm_whole_mass = forearm_mass + hand_mass;
+    const wreal elbow_position_x_times_forearm_base_mean_moment_x = 0.5 * forearm_whole_mass *
+        elbow_position_x * elbow_position_x;
+    const wreal forearm_base_shift = 2.0 * elbow_position_x_times_forearm_base_mean_moment_x;
 
     /* hand: mass */
     const wreal wrist_position_x = p[20]; /* m */
-    const wreal hand_mass_2 = wrist_position_x * hand_mass;
-    const wreal hand_mass_3 = wrist_placement * hand_inertia_xx;
-    const wreal hand_mass_4 = wrist_placement_2 * hand_inertia_yy;
-    const wreal hand_mass_5 = wrist_position_x * hand_mass_2;
+    const wreal hand_inertia_xx = p[23]; /* kg m^2 */
+    const wreal hand_inertia_yy = p[24]; /* kg m^2 */
+    const wreal wrist_position_x_times_hand_mass = wrist_position_x * hand_mass;
+    const wreal hand_mass_half_turned_xx = wrist_rotation_yaw_cos * hand_inertia_xx;
+    const wreal hand_minus_mass_half_turned_xy = wrist_rotation_yaw_sin * hand_inertia_yy;
+    const wreal wrist_position_x_times_position_x_times_hand_mass = wrist_position_x *
+        wrist_position_x_times_hand_mass;
 
-    /* forearm: first moment, inertia, base inertia, base */
-    const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
+    /* forearm: first moment, origin inertia, base inertia, base, base second moment */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
     const wreal forearm_inertia_zz = p[19]; /* kg m^2 */
     const wreal hand_inertia_zz = p[25]; /* kg m^2 */
-    const wreal forearm_inertia_xx_2 = forearm_inertia_xx + forearm_mass_4
-        + (wrist_placement * hand_mass_3 + wrist_placement_2 * hand_mass_4);
-    const wreal forearm_inertia_yy_2 = forearm_inertia_yy + forearm_mass_3 + hand_mass_5
-        + forearm_mass_6;
-    const wreal forearm_inertia_zz_2 = forearm_mass_4 + hand_inertia_zz + (forearm_inertia_zz
-        + forearm_mass_3 + hand_mass_5);
-    const wreal forearm_base_inertia_zz = forearm_inertia_zz_2 - forearm_inertia_xx_2;
-    const wreal forearm_base_3 = upper_arm_inertia_xx + forearm_inertia_xx_2;
-    w[6] = forearm_mass_2 + hand_mass_2; /* forearm_first_moment_x */
-    /* forearm_inertia_xy */
-    w[7] = wrist_placement_2 * hand_mass_3 - wrist_placement * hand_mass_4
-        - forearm_com_y * forearm_mass_2;
-    w[8] = forearm_inertia_yy_2; /* forearm_inertia_yy_2 */
-    w[9] = forearm_base_inertia_zz; /* forearm_base_inertia_zz */
+    const wreal forearm_first_moment_x = forearm_mass_times_com_x
+        + wrist_position_x_times_hand_mass;
+    const wreal forearm_origin_inertia_xx = forearm_inertia_xx
+        + forearm_com_y_times_first_moment_y + (wrist_rotation_yaw_cos * hand_mass_half_turned_xx
+        + wrist_rotation_yaw_sin * hand_minus_mass_half_turned_xy);
+    const wreal forearm_origin_inertia_xy = wrist_rotation_yaw_sin * hand_mass_half_turned_xx
+        - wrist_rotation_yaw_cos * hand_minus_mass_half_turned_xy
+        - forearm_com_y * forearm_mass_times_com_x;
+    const wreal forearm_origin_inertia_yy = wrist_rotation_yaw_sin * hand_inertia_xx *
+        wrist_rotation_yaw_sin
+        + wrist_rotation_yaw_cos * hand_inertia_yy * wrist_rotation_yaw_cos + (forearm_inertia_yy
+        + forearm_com_x_times_mass_times_com_x + wrist_position_x_times_position_x_times_hand_mass);
+    const wreal forearm_origin_inertia_zz = forearm_com_y_times_first_moment_y + hand_inertia_zz
+        + (forearm_inertia_zz + forearm_com_x_times_mass_times_com_x
+        + wrist_position_x_times_position_x_times_hand_mass);
+    const wreal forearm_base_inertia_zz = forearm_origin_inertia_zz - forearm_origin_inertia_xx;
+    const wreal upper_arm_base_inertia_zz_2 = upper_arm_inertia_xx + forearm_origin_inertia_xx;
+    const wreal forearm_base_half_trace = 0.5 * (forearm_origin_inertia_xx
+        + forearm_origin_inertia_zz + forearm_origin_inertia_yy);
+    const wreal forearm_base_second_moment_xx = forearm_base_half_trace - forearm_origin_inertia_xx;
+    const wreal forearm_base_second_moment_zz = forearm_base_half_trace - forearm_origin_inertia_zz;
+    w[6] = forearm_first_moment_x;
+    w[7] = forearm_origin_inertia_xy;
+    w[8] = forearm_origin_inertia_yy;
+    w[9] = forearm_base_inertia_zz;
+    w[14] = forearm_base_second_moment_xx;
+    w[15] = forearm_base_second_moment_zz;
 
     /* upper_arm: base second moment, base moment, base inertia, inertia */
-    const wreal upper_arm_base_inertia_yy = upper_arm_inertia_yy_2 + forearm_base_2;
-    const wreal upper_arm_base_inertia_zz = upper_arm_inertia_zz_2 + forearm_inertia_xx_2
-        + (forearm_base_2 - forearm_base_3);
-    w[10] = elbow_position_x * forearm_first_moment_y; /* upper_arm_base_second_moment_xy */
-    /* upper_arm_base_moment_x */
-    w[11] = upper_arm_first_moment_x + elbow_position_x * forearm_mass_5;
-    w[12] = upper_arm_base_inertia_zz; /* upper_arm_base_inertia_zz */
-    w[17] = forearm_inertia_yy_2 + upper_arm_base_inertia_yy; /* upper_arm_inertia_2 */
-    w[18] = forearm_base_inertia_zz + upper_arm_base_inertia_zz; /* upper_arm_inertia_3 */
+    const wreal upper_arm_base_second_moment_xy = elbow_position_x * forearm_first_moment_y;
+    const wreal upper_arm_base_moment_x = upper_arm_first_moment_x
+        + elbow_position_x * forearm_whole_mass;
+    const wreal upper_arm_base_inertia_yy = upper_arm_origin_inertia_yy + forearm_base_shift;
+    const wreal upper_arm_base_inertia_zz = upper_arm_origin_inertia_zz
+        + forearm_origin_inertia_xx + (forearm_base_shift - upper_arm_base_inertia_zz_2);
+    const wreal upper_arm_base_second_moment_xx = upper_arm_base_half_trace
+        - upper_arm_inertia_xx + (elbow_position_x_times_forearm_base_mean_moment_x
+        + elbow_position_x_times_forearm_base_mean_moment_x);
+    const wreal forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy = forearm_origin_inertia_yy
+        + upper_arm_base_inertia_yy;
+    const wreal forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz = forearm_base_inertia_zz
+        + upper_arm_base_inertia_zz;
+    w[10] = upper_arm_base_second_moment_xy;
+    w[11] = upper_arm_base_moment_x;
+    w[12] = upper_arm_base_inertia_zz;
+    w[17] = forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy;
+    w[18] = forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz;
 
     /* column: base inertia */
     const wreal column_inertia_zz = p[5]; /* kg m^2 */
-    w[13] = column_inertia_zz + forearm_base_3; /* column_base_inertia_zz */
+    const wreal column_base_inertia_zz = column_inertia_zz + upper_arm_base_inertia_zz_2;
+    w[13] = column_base_inertia_zz;
 
     /* common */
-    const wreal mul_1 = 0.5 * (upper_arm_inertia_xx + upper_arm_inertia_zz_2
-        + upper_arm_inertia_yy_2);
-    const wreal mul_1_2 = 0.5 * (forearm_inertia_xx_2 + forearm_inertia_zz_2
-        + forearm_inertia_yy_2);
+    const wreal upper_arm_base_second_moment_zz_minus_base_second_moment_xx =
+        upper_arm_base_second_moment_zz - upper_arm_base_second_moment_xx;
+    w[19] = upper_arm_base_second_moment_zz_minus_base_second_moment_xx;
 
-    /* upper_arm: base second moment */
-    const wreal upper_arm_base_second_moment_zz = mul_1 - upper_arm_inertia_zz_2;
-    const wreal upper_arm_base_second_moment_xx = mul_1 - upper_arm_inertia_xx + (forearm_base
-        + forearm_base);
-
-    /* forearm: base second moment */
-    w[14] = mul_1_2 - forearm_inertia_xx_2; /* forearm_base_second_moment_xx */
-    w[15] = mul_1_2 - forearm_inertia_zz_2; /* forearm_base_second_moment_zz */
-
-    /* common */
-    w[19] = upper_arm_base_second_moment_zz - upper_arm_base_second_moment_xx; /* sub_1 */
-
-    /* M: D inverse */
-    w[20] = 1.0 / forearm_inertia_yy_2; /* M_D_inverse_3 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_elbow = 1.0 / forearm_origin_inertia_yy;
+    w[20] = M_factor_D_inverse_elbow;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -158,130 +176,132 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: R, cos, sin */
+    /* shared by several: R */
     const real shoulder_q = q[1]; /* rad */
     const real elbow_q = q[2]; /* rad */
-    const real elbow_R = shoulder_q + elbow_q;
-    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_R};
+    const real elbow_turn = shoulder_q + elbow_q;
+    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
     real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
     cardan_sincos(2, angle_2, sine_2, cosine_2);
     const real shoulder_cos = cosine_2[0];
     const real shoulder_sin = sine_2[0];
-    const real elbow_cos = cosine_2[1];
-    const real elbow_sin = sine_2[1];
+    const real elbow_turn_cos = cosine_2[1];
+    const real elbow_turn_sin = sine_2[1];
 
     /* elbow: p */
     const wreal elbow_position_x = w[1]; /* m */
     const real elbow_p_x = elbow_position_x * shoulder_cos;
-    const real elbow_p = elbow_position_x * shoulder_sin;
-
-    /* upper_arm: inertia, U */
-    const real waist_u = u[0]; /* rad/s */
-    const real shoulder_u = u[1]; /* rad/s */
-    const wreal forearm_base_inertia_zz = w[9];
-    const wreal upper_arm_base_inertia_zz = w[12];
-    const wreal upper_arm_inertia = w[16];
-    const wreal upper_arm_inertia_3 = w[18];
-    const real upper_arm_inertia_4 = elbow_sin * (forearm_base_inertia_zz * elbow_sin
-        + elbow_cos * upper_arm_inertia);
-    const real upper_arm_inertia_5 = upper_arm_inertia_3
-        - upper_arm_base_inertia_zz * shoulder_sin * shoulder_sin - upper_arm_inertia_4;
-    const real upper_arm_U = waist_u * shoulder_u;
-    const real upper_arm_U_2 = shoulder_u * shoulder_u;
-    const real upper_arm_U_yz = upper_arm_U + upper_arm_U;
+    const real elbow_minus_p_z = elbow_position_x * shoulder_sin;
 
     /* shared by several: inertia, U */
+    const real waist_u = u[0]; /* rad/s */
     const wreal forearm_first_moment_x = w[6];
-    const wreal forearm_inertia_xy = w[7];
-    const real upper_arm_inertia_6 = forearm_inertia_xy * elbow_sin;
-    const real upper_arm_inertia_7 = forearm_first_moment_x * elbow_sin * elbow_p;
-    const real upper_arm_inertia_8 = forearm_first_moment_x * elbow_cos * elbow_p_x
-        + upper_arm_inertia_7;
-    const real column_U = waist_u * waist_u;
+    const wreal forearm_origin_inertia_xy = w[7];
+    const real momentum_minus_elbow_about_upper_arm_mz = forearm_origin_inertia_xy * elbow_turn_sin;
+    const real elbow_minus_p_z_times_upper_arm_minus_inertia_mean_moment_z = forearm_first_moment_x
+        * elbow_turn_sin * elbow_minus_p_z;
+    const real upper_arm_inertia_shift_part = forearm_first_moment_x * elbow_turn_cos * elbow_p_x
+        + elbow_minus_p_z_times_upper_arm_minus_inertia_mean_moment_z;
+    const real column_minus_U_xx = waist_u * waist_u;
 
     /* upper_arm: inertia, composite inertia, U */
+    const real shoulder_u = u[1]; /* rad/s */
+    const wreal forearm_base_inertia_zz = w[9];
     const wreal upper_arm_base_second_moment_xy = w[10];
-    const wreal upper_arm_inertia_2 = w[17];
-    const real upper_arm_inertia_9 = 2.0 * upper_arm_inertia_8;
-    const real upper_arm_composite_inertia_yy = upper_arm_inertia_9 + upper_arm_inertia_2;
+    const wreal upper_arm_base_inertia_zz = w[12];
+    const wreal twice_forearm_inertia_xz = w[16];
+    const wreal forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy = w[17];
+    const wreal forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz = w[18];
+    const real upper_arm_inertia_shift = 2.0 * upper_arm_inertia_shift_part;
+    const real upper_arm_composite_inertia_yy = upper_arm_inertia_shift
+        + forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy;
     const real upper_arm_composite_inertia_yz = upper_arm_base_second_moment_xy * shoulder_sin
-        - upper_arm_inertia_6;
-    const real upper_arm_composite_inertia_zz = upper_arm_inertia_9 - 2.0 * upper_arm_inertia_7
-        + upper_arm_inertia_5;
-    const real upper_arm_U_3 = column_U + upper_arm_U_2;
+        - momentum_minus_elbow_about_upper_arm_mz;
+    const real upper_arm_composite_inertia_zz_part =
+        forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz
+        - upper_arm_base_inertia_zz * shoulder_sin * shoulder_sin
+        - elbow_turn_sin * (forearm_base_inertia_zz * elbow_turn_sin
+        + elbow_turn_cos * twice_forearm_inertia_xz);
+    const real upper_arm_composite_inertia_zz = upper_arm_inertia_shift
+        - 2.0 * elbow_minus_p_z_times_upper_arm_minus_inertia_mean_moment_z
+        + upper_arm_composite_inertia_zz_part;
+    const real upper_arm_minus_alpha_x = waist_u * shoulder_u;
+    const real upper_arm_minus_U_zz = shoulder_u * shoulder_u;
+    const real upper_arm_minus_U_xx = column_minus_U_xx + upper_arm_minus_U_zz;
+    const real upper_arm_U_yz = upper_arm_minus_alpha_x + upper_arm_minus_alpha_x;
 
     /* column: composite inertia */
     const wreal column_base_inertia_zz = w[13];
     const real column_composite_inertia_zz = column_base_inertia_zz
         + upper_arm_composite_inertia_zz;
 
-    /* M: L, factor, D inverse */
-    const wreal forearm_inertia_yy_2 = w[8];
-    const wreal M_D_inverse_3 = w[20];
-    const real M_3_2 = forearm_inertia_yy_2 + upper_arm_inertia_8;
-    const real M_L_3_2 = M_3_2 * M_D_inverse_3;
-    const real M_factor = upper_arm_composite_inertia_yz + upper_arm_inertia_6 * M_L_3_2;
-    const real M_factor_2 = upper_arm_inertia_6 * M_D_inverse_3;
-    const real M_D_inverse_2 = 1.0 / (upper_arm_composite_inertia_yy - M_3_2 * M_L_3_2);
-    const real M_L_2_1 = M_factor * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (column_composite_inertia_zz
-        - upper_arm_inertia_6 * M_factor_2 - M_factor * M_L_2_1);
+    /* M: elbow shoulder, factor */
+    const wreal forearm_origin_inertia_yy = w[8];
+    const wreal M_factor_D_inverse_elbow = w[20];
+    const real M_elbow_shoulder = forearm_origin_inertia_yy + upper_arm_inertia_shift_part;
+    const real M_factor_L_elbow_shoulder = M_elbow_shoulder * M_factor_D_inverse_elbow;
+    const real M_factor_DL_shoulder_waist = upper_arm_composite_inertia_yz
+        + momentum_minus_elbow_about_upper_arm_mz * M_factor_L_elbow_shoulder;
+    const real M_minus_factor_L_elbow_waist = momentum_minus_elbow_about_upper_arm_mz *
+        M_factor_D_inverse_elbow;
+    const real M_factor_D_inverse_shoulder = 1.0 / (upper_arm_composite_inertia_yy
+        - M_elbow_shoulder * M_factor_L_elbow_shoulder);
+    const real M_factor_L_shoulder_waist = M_factor_DL_shoulder_waist * M_factor_D_inverse_shoulder;
 
-    /* forearm: alpha, omega, a, U, n, inertia force, f */
+    /* forearm: alpha, omega, a, U, n, inertia force */
     const real elbow_u = u[2]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal forearm_inertia_xz = w[2]; /* kg m^2 */
     const wreal forearm_base_second_moment_xx = w[14];
     const wreal forearm_base_second_moment_zz = w[15];
-    const real forearm_alpha = waist_u * elbow_sin;
-    const real forearm_omega_z = waist_u * elbow_cos;
+    const real forearm_minus_omega_x = waist_u * elbow_turn_sin;
+    const real forearm_omega_z = waist_u * elbow_turn_cos;
     const real forearm_omega_y = shoulder_u + elbow_u;
-    const real forearm_alpha_2 = elbow_u * forearm_omega_z + elbow_cos * upper_arm_U;
-    const real forearm_a_z = elbow_cos * (elbow_p * upper_arm_U_2 - gravity_z)
-        - elbow_p_x * upper_arm_U_3 * elbow_sin;
-    const real forearm_U = forearm_alpha * forearm_alpha;
-    const real forearm_U_2 = forearm_omega_y * forearm_omega_y;
-    const real forearm_U_3 = forearm_omega_z * forearm_omega_z;
-    const real forearm_U_4 = forearm_alpha * forearm_omega_z;
-    const real forearm_U_5 = forearm_omega_z * forearm_omega_y;
-    const real forearm_U_6 = forearm_U_2 + forearm_U_3;
-    const real forearm_U_7 = elbow_u * forearm_alpha + elbow_sin * upper_arm_U
-        + forearm_alpha * forearm_omega_y;
-    const real forearm_U_yz = forearm_alpha_2 + forearm_U_5;
-    const real forearm_U_zy = forearm_U_5 - forearm_alpha_2;
-    const real forearm_n_x = forearm_inertia_xy * forearm_U_4 - forearm_inertia_xz * forearm_U_7
-        - forearm_base_second_moment_zz * forearm_U_yz;
-    const real forearm_inertia_force = forearm_base_second_moment_xx * forearm_U_4
-        - forearm_base_second_moment_zz * forearm_U_4;
-    const real forearm_inertia_force_2 = forearm_inertia_xz * (forearm_U + forearm_U_2
-        - forearm_U_6) + forearm_first_moment_x * forearm_a_z;
-    const real forearm_n_y = forearm_inertia_xy * forearm_U_zy + forearm_inertia_force
-        - forearm_inertia_force_2;
-    const real forearm_inertia_force_3 = forearm_base_second_moment_xx * forearm_U_7
-        + elbow_p * upper_arm_U_yz * forearm_first_moment_x;
-    const real forearm_inertia_force_4 = forearm_inertia_xy * (forearm_U_6 - (forearm_U
-        + forearm_U_3)) + forearm_inertia_xz * forearm_U_yz;
-    const real forearm_inertia_force_5 = forearm_first_moment_x * forearm_U_6;
-    const real forearm_inertia_force_6 = forearm_first_moment_x * forearm_U_4;
-    const real forearm_f = elbow_p_x * (elbow_sin * forearm_inertia_force_5
-        - elbow_cos * forearm_inertia_force_6);
+    const real forearm_minus_alpha_x = elbow_u * forearm_omega_z
+        + elbow_turn_cos * upper_arm_minus_alpha_x;
+    const real forearm_a_z = elbow_turn_cos * (elbow_minus_p_z * upper_arm_minus_U_zz
+        - gravity_z) - elbow_p_x * upper_arm_minus_U_xx * elbow_turn_sin;
+    const real forearm_minus_omega_x_squared = forearm_minus_omega_x * forearm_minus_omega_x;
+    const real forearm_omega_y_squared = forearm_omega_y * forearm_omega_y;
+    const real forearm_omega_z_squared = forearm_omega_z * forearm_omega_z;
+    const real forearm_minus_U_xz = forearm_minus_omega_x * forearm_omega_z;
+    const real forearm_omega_z_times_omega_y = forearm_omega_z * forearm_omega_y;
+    const real forearm_minus_U_xx = forearm_omega_y_squared + forearm_omega_z_squared;
+    const real forearm_minus_U_yx = elbow_u * forearm_minus_omega_x
+        + elbow_turn_sin * upper_arm_minus_alpha_x + forearm_minus_omega_x * forearm_omega_y;
+    const real forearm_U_yz = forearm_minus_alpha_x + forearm_omega_z_times_omega_y;
+    const real forearm_U_zy = forearm_omega_z_times_omega_y - forearm_minus_alpha_x;
+    const real forearm_n_x = forearm_origin_inertia_xy * forearm_minus_U_xz
+        - forearm_inertia_xz * forearm_minus_U_yx - forearm_base_second_moment_zz * forearm_U_yz;
+    const real forearm_n_y = forearm_base_second_moment_xx * forearm_minus_U_xz
+        - forearm_base_second_moment_zz * forearm_minus_U_xz
+        + forearm_origin_inertia_xy * forearm_U_zy
+        - (forearm_inertia_xz * (forearm_minus_omega_x_squared + forearm_omega_y_squared
+        - forearm_minus_U_xx) + forearm_first_moment_x * forearm_a_z);
+    const real forearm_minus_n_z = forearm_base_second_moment_xx * forearm_minus_U_yx
+        + elbow_minus_p_z * upper_arm_U_yz * forearm_first_moment_x
+        + (forearm_origin_inertia_xy * (forearm_minus_U_xx - (forearm_minus_omega_x_squared
+        + forearm_omega_z_squared)) + forearm_inertia_xz * forearm_U_yz);
+    const real forearm_minus_f_x = forearm_first_moment_x * forearm_minus_U_xx;
+    const real forearm_minus_f_z = forearm_first_moment_x * forearm_minus_U_xz;
 
     /* common */
-    const wreal sub_1 = w[19];
-    const real mul_1_3 = shoulder_sin * sub_1 * shoulder_cos;
+    const wreal upper_arm_base_second_moment_zz_minus_base_second_moment_xx = w[19];
+    const real shoulder_cos_times_shear = shoulder_sin *
+        upper_arm_base_second_moment_zz_minus_base_second_moment_xx * shoulder_cos;
 
     /* upper_arm: n */
     const wreal upper_arm_base_moment_x = w[11];
-    const real upper_arm_n = mul_1_3 * (upper_arm_U_2 - upper_arm_U_3)
-        + upper_arm_base_moment_x * shoulder_cos * gravity_z + forearm_n_y;
-    const real upper_arm_n_y = elbow_p * (elbow_cos * forearm_inertia_force_5
-        + elbow_sin * forearm_inertia_force_6) - forearm_f + upper_arm_n;
-    const real upper_arm_n_2 = upper_arm_base_second_moment_xy * shoulder_cos * (upper_arm_U_3
-        - column_U) + upper_arm_U_yz * mul_1_3;
-    const real upper_arm_n_3 = upper_arm_n_2 - forearm_first_moment_x * forearm_U_7 * elbow_p_x
-        - elbow_sin * forearm_n_x;
-    const real upper_arm_n_z = upper_arm_n_3 - elbow_cos * (forearm_inertia_force_3
-        + forearm_inertia_force_4);
+    const real upper_arm_n_y_part = elbow_minus_p_z * (elbow_turn_cos * forearm_minus_f_x
+        + elbow_turn_sin * forearm_minus_f_z) - elbow_p_x * (elbow_turn_sin * forearm_minus_f_x
+        - elbow_turn_cos * forearm_minus_f_z);
+    const real upper_arm_n_y = shoulder_cos_times_shear * (upper_arm_minus_U_zz
+        - upper_arm_minus_U_xx) + upper_arm_base_moment_x * shoulder_cos * gravity_z
+        + forearm_n_y + upper_arm_n_y_part;
+    const real upper_arm_n_z = upper_arm_base_second_moment_xy * shoulder_cos *
+        (upper_arm_minus_U_xx - column_minus_U_xx) + upper_arm_U_yz * shoulder_cos_times_shear
+        - forearm_first_moment_x * forearm_minus_U_yx * elbow_p_x - elbow_turn_sin * forearm_n_x
+        - elbow_turn_cos * forearm_minus_n_z;
 
     /* elbow: tau, drive */
     const real elbow_u_tau = tau[2]; /* N*m */
@@ -302,20 +322,24 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real waist_drive = waist_u_tau - waist_tau;
 
     /* M: factor */
-    const real M_factor_3 = shoulder_drive - elbow_drive * M_L_3_2;
+    const real M_y_shoulder = shoulder_drive - elbow_drive * M_factor_L_elbow_shoulder;
 
     /* waist: udot */
-    const real waist_udot = M_D_inverse_1 * (waist_drive + elbow_drive * M_factor_2
-        - M_L_2_1 * M_factor_3);
+    const real waist_udot = 1.0 / (column_composite_inertia_zz
+        - momentum_minus_elbow_about_upper_arm_mz * M_minus_factor_L_elbow_waist
+        - M_factor_DL_shoulder_waist * M_factor_L_shoulder_waist) * (waist_drive
+        + elbow_drive * M_minus_factor_L_elbow_waist - M_factor_L_shoulder_waist * M_y_shoulder);
     out[0] = waist_udot; /* udot: waist.udot [rad/s^2] */
 
     /* shoulder: udot */
-    const real shoulder_udot = M_D_inverse_2 * M_factor_3 - M_L_2_1 * waist_udot;
+    const real shoulder_udot = M_factor_D_inverse_shoulder * M_y_shoulder
+        - M_factor_L_shoulder_waist * waist_udot;
     out[1] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
 
     /* elbow: udot */
     /* udot: elbow.udot [rad/s^2] */
-    out[2] = elbow_drive * M_D_inverse_3 + M_factor_2 * waist_udot - M_L_3_2 * shoulder_udot;
+    out[2] = elbow_drive * M_factor_D_inverse_elbow + M_minus_factor_L_elbow_waist * waist_udot
+        - M_factor_L_elbow_shoulder * shoulder_udot;
     return CARDAN_OK;
 }
 

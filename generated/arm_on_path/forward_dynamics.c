@@ -34,31 +34,35 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* upper: first moment, inertia, base moment, base inertia */
+    /* upper: first moment, origin inertia, base moment, base inertia */
     const wreal upper_mass = p[1]; /* kg */
     const wreal upper_com_x = p[2]; /* m */
     const wreal upper_inertia_yy = p[4]; /* kg m^2 */
     const wreal elbow_position_x = p[6]; /* m */
     const wreal lower_mass = p[7]; /* kg */
     const wreal upper_first_moment_x = upper_mass * upper_com_x;
-    const wreal upper_inertia_yy_2 = upper_inertia_yy + upper_com_x * upper_first_moment_x;
-    const wreal upper_base_inertia_yy = upper_inertia_yy_2
+    const wreal upper_origin_inertia_yy = upper_inertia_yy + upper_com_x * upper_first_moment_x;
+    const wreal upper_base_moment_x = upper_first_moment_x + elbow_position_x * lower_mass;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_yy
         + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
-    w[4] = upper_first_moment_x + elbow_position_x * lower_mass; /* upper_base_moment_x */
+    w[4] = upper_base_moment_x;
 
-    /* lower: first moment, inertia */
+    /* lower: first moment, origin inertia */
     const wreal lower_com_x = p[8]; /* m */
     const wreal lower_inertia_yy = p[10]; /* kg m^2 */
     const wreal lower_first_moment_x = lower_mass * lower_com_x;
-    const wreal lower_inertia_yy_2 = lower_inertia_yy + lower_com_x * lower_first_moment_x;
-    w[2] = lower_first_moment_x; /* lower_first_moment_x */
-    w[3] = lower_inertia_yy_2; /* lower_inertia_yy_2 */
+    const wreal lower_origin_inertia_yy = lower_inertia_yy + lower_com_x * lower_first_moment_x;
+    w[2] = lower_first_moment_x;
+    w[3] = lower_origin_inertia_yy;
 
     /* upper: inertia */
-    w[5] = lower_inertia_yy_2 + upper_base_inertia_yy; /* upper_inertia */
+    const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = lower_origin_inertia_yy
+        + upper_base_inertia_yy;
+    w[5] = lower_origin_inertia_yy_plus_upper_base_inertia_yy;
 
-    /* M: D inverse */
-    w[6] = 1.0 / lower_inertia_yy_2; /* M_D_inverse_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_elbow = 1.0 / lower_origin_inertia_yy;
+    w[6] = M_factor_D_inverse_elbow;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -78,23 +82,23 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: data, cos, sin */
+    /* shared by several: data, R */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
-    const real t_1 = t[0]; /* s */
-    const real shoulder_motor_data = 1.3 * t_1;
-    const real shoulder_motor_data_2 = 2.1 * t_1;
+    const real t_value = t[0]; /* s */
+    const real t_times_c1p3 = 1.3 * t_value;
+    const real t_times_c2p1 = 2.1 * t_value;
     const real angle[CARDAN_PADDED(5)] = {shoulder_q
-        + elbow_q, shoulder_q, elbow_q, shoulder_motor_data, shoulder_motor_data_2};
+        + elbow_q, shoulder_q, elbow_q, t_times_c1p3, t_times_c2p1};
     real sine[CARDAN_PADDED(5)], cosine[CARDAN_PADDED(5)];
     cardan_sincos(5, angle, sine, cosine);
-    const real shoulder_motor_data_3 = cosine[0];
+    const real cos_of_shoulder_plus_elbow = cosine[0];
     const real shoulder_cos = cosine[1];
     const real elbow_cos = cosine[2];
-    const real shoulder_motor_data_4 = cosine[3];
-    const real shoulder_motor_data_5 = sine[3];
-    const real shoulder_motor_data_6 = cosine[4];
-    const real shoulder_motor_data_7 = sine[4];
+    const real cos_of_t_times_c1p3 = cosine[3];
+    const real sin_of_t_times_c1p3 = sine[3];
+    const real cos_of_t_times_c2p1 = cosine[4];
+    const real sin_of_t_times_c2p1 = sine[4];
     const real elbow_sin = sine[2];
     const real shoulder_sin = sine[1];
 
@@ -102,71 +106,74 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shoulder_u = u[0]; /* rad/s */
     const wreal elbow_position_x = w[1]; /* m */
     const wreal lower_first_moment_x = w[2];
-    const real shoulder_motor_data_8 = 2.9430000000000005 * shoulder_motor_data_3;
-    const real shoulder_motor_data_9 = 12.48 * shoulder_motor_data_4 - (12.0 * shoulder_u
-        + 36.0 * shoulder_q) + 27.448 * shoulder_motor_data_5;
-    const real shoulder_motor_data_10 = 0.09000000000000001 + 0.15000000000000002 * elbow_cos;
-    const real upper_U = shoulder_u * shoulder_u;
-    const real upper_inertia_2 = lower_first_moment_x * elbow_cos * elbow_position_x;
-
-    /* shoulder_motor: data */
-    const real elbow_u = u[1]; /* rad/s */
-    const real shoulder_motor_data_11 = 12.0 * elbow_u + 36.0 * elbow_q
-        + 18.953999999999997 * shoulder_motor_data_7 + 15.120000000000001 * shoulder_motor_data_6;
+    const real cos_of_shoulder_plus_elbow_times_c2p9430000000000005 = 2.9430000000000005 *
+        cos_of_shoulder_plus_elbow;
+    const real shoulder_tau_part = 12.48 * cos_of_t_times_c1p3 - (12.0 * shoulder_u
+        + 36.0 * shoulder_q) + 27.448 * sin_of_t_times_c1p3;
+    const real shoulder_tau_part_2 = 0.09000000000000001 + 0.15000000000000002 * elbow_cos;
+    const real upper_minus_U_xx = shoulder_u * shoulder_u;
+    const real elbow_position_x_times_upper_inertia_mean_moment_x = lower_first_moment_x * elbow_cos
+        * elbow_position_x;
 
     /* upper: composite inertia, a */
     const wreal gravity_z = w[0]; /* m/s^2 */
-    const wreal upper_inertia = w[5];
-    const real upper_composite_inertia_yy = 2.0 * upper_inertia_2 + upper_inertia;
+    const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = w[5];
+    const real upper_composite_inertia_yy = 2.0 * elbow_position_x_times_upper_inertia_mean_moment_x
+        + lower_origin_inertia_yy_plus_upper_base_inertia_yy;
     const real upper_a_x = gravity_z * shoulder_sin;
-    const real upper_a = gravity_z * shoulder_cos;
+    const real upper_minus_a_z = gravity_z * shoulder_cos;
 
-    /* M: L, D inverse */
-    const wreal lower_inertia_yy_2 = w[3];
-    const wreal M_D_inverse_2 = w[6];
-    const real M_2_1 = lower_inertia_yy_2 + upper_inertia_2;
-    const real M_L_2_1 = M_2_1 * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (upper_composite_inertia_yy - M_2_1 * M_L_2_1);
+    /* M: elbow shoulder, factor */
+    const wreal lower_origin_inertia_yy = w[3];
+    const wreal M_factor_D_inverse_elbow = w[6];
+    const real M_elbow_shoulder = lower_origin_inertia_yy
+        + elbow_position_x_times_upper_inertia_mean_moment_x;
+    const real M_factor_L_elbow_shoulder = M_elbow_shoulder * M_factor_D_inverse_elbow;
 
     /* lower: omega, a, inertia force */
+    const real elbow_u = u[1]; /* rad/s */
     const real lower_omega_y = shoulder_u + elbow_u;
-    const real lower_a_z = elbow_sin * (upper_a_x - elbow_position_x * upper_U)
-        - elbow_cos * upper_a;
-    const real lower_inertia_force = lower_first_moment_x * lower_a_z;
+    const real lower_a_z = elbow_sin * (upper_a_x - elbow_position_x * upper_minus_U_xx)
+        - elbow_cos * upper_minus_a_z;
+    const real lower_minus_n_y = lower_first_moment_x * lower_a_z;
 
     /* upper: f, n */
     const wreal upper_base_moment_x = w[4];
     const real upper_f_z = lower_omega_y * lower_omega_y * lower_first_moment_x * elbow_sin;
-    const real upper_n_y = upper_base_moment_x * upper_a - elbow_position_x * upper_f_z
-        - lower_inertia_force;
+    const real upper_n_y = upper_base_moment_x * upper_minus_a_z - elbow_position_x * upper_f_z
+        - lower_minus_n_y;
 
     /* shoulder: tau, drive */
     const real shoulder_u_tau = tau[0]; /* N*m */
-    const real shoulder_tau = 14.715 * shoulder_cos + 0.15000000000000002 * elbow_u * (elbow_u
-        + 2.0 * shoulder_u) * elbow_sin + shoulder_motor_data_8;
-    const real shoulder_tau_2 = shoulder_tau - (0.7225000000000001
-        + 0.30000000000000004 * elbow_cos) * shoulder_motor_data_9;
-    const real shoulder_tau_3 = shoulder_motor_data_10 * shoulder_motor_data_11 + upper_n_y
-        + shoulder_tau_2;
-    const real shoulder_drive = shoulder_u_tau - shoulder_tau_3;
+    const real shoulder_tau_part_3 = 14.715 * shoulder_cos
+        + 0.15000000000000002 * elbow_u * (elbow_u + 2.0 * shoulder_u) * elbow_sin
+        + cos_of_shoulder_plus_elbow_times_c2p9430000000000005 - (0.7225000000000001
+        + 0.30000000000000004 * elbow_cos) * shoulder_tau_part;
+    const real shoulder_tau = shoulder_tau_part_2 * (12.0 * elbow_u + 36.0 * elbow_q
+        + 18.953999999999997 * sin_of_t_times_c2p1 + 15.120000000000001 * cos_of_t_times_c2p1)
+        + upper_n_y + shoulder_tau_part_3;
+    const real shoulder_drive = shoulder_u_tau - shoulder_tau;
 
     /* common */
     const real elbow_u_tau = tau[1]; /* N*m */
-    const real add_1 = elbow_u_tau - 3.24 * elbow_q - 1.08 * elbow_u
-        + 0.15000000000000002 * upper_U * elbow_sin;
-    const real sub_1 = add_1 - 1.3608000000000002 * shoulder_motor_data_6
-        - (shoulder_motor_data_8 + 1.70586 * shoulder_motor_data_7);
+    const real elbow_drive_part = elbow_u_tau - 3.24 * elbow_q - 1.08 * elbow_u
+        + 0.15000000000000002 * upper_minus_U_xx * elbow_sin
+        - 1.3608000000000002 * cos_of_t_times_c2p1
+        - (cos_of_shoulder_plus_elbow_times_c2p9430000000000005 + 1.70586 * sin_of_t_times_c2p1)
+        + shoulder_tau_part * shoulder_tau_part_2;
 
     /* elbow: drive */
-    const real elbow_drive = shoulder_motor_data_9 * shoulder_motor_data_10 + sub_1
-        + lower_inertia_force;
+    const real elbow_drive = lower_minus_n_y + elbow_drive_part;
 
     /* shoulder: udot */
-    const real shoulder_udot = M_D_inverse_1 * (shoulder_drive - elbow_drive * M_L_2_1);
+    const real shoulder_udot = 1.0 / (upper_composite_inertia_yy
+        - M_elbow_shoulder * M_factor_L_elbow_shoulder) * (shoulder_drive
+        - elbow_drive * M_factor_L_elbow_shoulder);
     out[0] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
 
     /* elbow: udot */
-    out[1] = elbow_drive * M_D_inverse_2 - M_L_2_1 * shoulder_udot; /* udot: elbow.udot [rad/s^2] */
+    /* udot: elbow.udot [rad/s^2] */
+    out[1] = elbow_drive * M_factor_D_inverse_elbow - M_factor_L_elbow_shoulder * shoulder_udot;
     return CARDAN_OK;
 }
 

@@ -21,27 +21,29 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* upper: first moment, inertia, base inertia */
+    /* upper: first moment, origin inertia, base inertia */
     const wreal upper_mass = p[1]; /* kg */
     const wreal upper_com_x = p[2]; /* m */
     const wreal upper_inertia_yy = p[4]; /* kg m^2 */
     const wreal elbow_position_x = p[6]; /* m */
     const wreal lower_mass = p[7]; /* kg */
     const wreal upper_first_moment_x = upper_mass * upper_com_x;
-    const wreal upper_inertia_yy_2 = upper_inertia_yy + upper_com_x * upper_first_moment_x;
-    const wreal upper_base_inertia_yy = upper_inertia_yy_2
+    const wreal upper_origin_inertia_yy = upper_inertia_yy + upper_com_x * upper_first_moment_x;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_yy
         + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
 
-    /* lower: first moment, inertia */
+    /* lower: first moment, origin inertia */
     const wreal lower_com_x = p[8]; /* m */
     const wreal lower_inertia_yy = p[10]; /* kg m^2 */
     const wreal lower_first_moment_x = lower_mass * lower_com_x;
-    const wreal lower_inertia_yy_2 = lower_inertia_yy + lower_com_x * lower_first_moment_x;
-    w[1] = lower_first_moment_x; /* lower_first_moment_x */
-    w[2] = lower_inertia_yy_2; /* lower_inertia_yy_2 */
+    const wreal lower_origin_inertia_yy = lower_inertia_yy + lower_com_x * lower_first_moment_x;
+    w[1] = lower_first_moment_x;
+    w[2] = lower_origin_inertia_yy;
 
     /* upper: inertia */
-    w[3] = lower_inertia_yy_2 + upper_base_inertia_yy; /* upper_inertia */
+    const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = lower_origin_inertia_yy
+        + upper_base_inertia_yy;
+    w[3] = lower_origin_inertia_yy_plus_upper_base_inertia_yy;
 
     /* parameters as they are */
     w[0] = p[6]; /* elbow.position.x [m] */
@@ -57,7 +59,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* elbow: cos */
+    /* shared by several: R */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {elbow_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -67,17 +69,21 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* shared by several: inertia */
     const wreal elbow_position_x = w[0]; /* m */
     const wreal lower_first_moment_x = w[1];
-    const real upper_inertia_2 = lower_first_moment_x * elbow_cos * elbow_position_x;
+    const real elbow_position_x_times_upper_inertia_mean_moment_x = lower_first_moment_x * elbow_cos
+        * elbow_position_x;
 
     /* upper: composite inertia */
-    const wreal upper_inertia = w[3];
-    out[0] = 2.0 * upper_inertia_2 + upper_inertia; /* M: shoulder.u,shoulder.u */
+    const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = w[3];
+    /* M: shoulder.u,shoulder.u */
+    out[0] = 2.0 * elbow_position_x_times_upper_inertia_mean_moment_x
+        + lower_origin_inertia_yy_plus_upper_base_inertia_yy;
 
-    /* M */
-    const wreal lower_inertia_yy_2 = w[2];
-    const real M_2_1 = lower_inertia_yy_2 + upper_inertia_2;
-    out[1] = M_2_1; /* M: shoulder.u,elbow.u */
-    out[2] = M_2_1; /* M: elbow.u,shoulder.u */
+    /* M: elbow shoulder */
+    const wreal lower_origin_inertia_yy = w[2];
+    const real M_elbow_shoulder = lower_origin_inertia_yy
+        + elbow_position_x_times_upper_inertia_mean_moment_x;
+    out[1] = M_elbow_shoulder; /* M: shoulder.u,elbow.u */
+    out[2] = M_elbow_shoulder; /* M: elbow.u,shoulder.u */
 
     /* results that are numbers or inputs */
     out[3] = CARDAN_REAL(w[2]); /* M: elbow.u,elbow.u */

@@ -173,7 +173,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     """
     return _call(
         c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        8, 282, 38, (8,),
+        8, 55, 38, (8,),
     )
 
 

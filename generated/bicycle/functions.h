@@ -16,7 +16,7 @@ extern const double cardan_default_p[cardan_np + (cardan_np == 0)];
 /* udot with M udot + h = f + tau; reads q, u, p, tau */
 enum {
     forward_dynamics_out_size = 8,
-    forward_dynamics_work_size = 282,
+    forward_dynamics_work_size = 55,
     forward_dynamics_w_size = 38
 };
 CARDAN_API int forward_dynamics(const cardan_in *in, real *out, real *work);

@@ -31,27 +31,28 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, inertia */
+    /* bucket: mass, origin inertia, base, base second moment */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
-    const wreal bucket_mass_2 = size * size;
-    const wreal bucket_inertia_zz = 0.5 * load * bucket_mass_2;
-    const wreal bucket_mass = load * rope;
-    const wreal bucket_inertia_xx = 0.3333333333333333 * load * bucket_mass_2 + rope * bucket_mass;
-    w[2] = bucket_inertia_zz; /* bucket_inertia_zz */
-    w[3] = bucket_mass; /* bucket_mass */
-    w[4] = bucket_inertia_xx; /* bucket_inertia_xx */
+    const wreal size_squared = size * size;
+    const wreal bucket_origin_inertia_zz = 0.5 * load * size_squared;
+    const wreal bucket_minus_first_moment_z = load * rope;
+    const wreal bucket_origin_inertia_xx = 0.3333333333333333 * load * size_squared
+        + rope * bucket_minus_first_moment_z;
+    const wreal bucket_base_half_trace = 0.5 * (bucket_origin_inertia_zz
+        + bucket_origin_inertia_xx + bucket_origin_inertia_xx);
+    const wreal bucket_base_second_moment_xx = bucket_base_half_trace - bucket_origin_inertia_xx;
+    const wreal bucket_base_second_moment_zz = bucket_base_half_trace - bucket_origin_inertia_zz;
+    w[2] = bucket_origin_inertia_zz;
+    w[3] = bucket_minus_first_moment_z;
+    w[4] = bucket_origin_inertia_xx;
+    w[5] = bucket_base_second_moment_xx;
+    w[6] = bucket_base_second_moment_zz;
 
-    /* common */
-    const wreal mul_1 = 0.5 * (bucket_inertia_zz + bucket_inertia_xx + bucket_inertia_xx);
-
-    /* bucket: base second moment */
-    w[5] = mul_1 - bucket_inertia_xx; /* bucket_base_second_moment_xx */
-    w[6] = mul_1 - bucket_inertia_zz; /* bucket_base_second_moment_zz */
-
-    /* M: D inverse */
-    w[7] = 1.0 / bucket_inertia_xx; /* M_D_inverse_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_hang_angle2 = 1.0 / bucket_origin_inertia_xx;
+    w[7] = M_factor_D_inverse_hang_angle2;
 
     /* parameters as they are */
     w[0] = p[1]; /* rope [m] */
@@ -70,74 +71,80 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* hang: cos, sin */
+    /* hang: R */
     const real hang_angle1 = q[0]; /* rad */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {hang_angle1, hang_angle2};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real hang_cos = cosine[0];
-    const real hang_sin = sine[0];
-    const real hang_cos_2 = cosine[1];
-    const real hang_sin_2 = sine[1];
+    const real hang_angle1_cos = cosine[0];
+    const real hang_angle1_sin = sine[0];
+    const real hang_angle2_cos = cosine[1];
+    const real hang_angle2_sin = sine[1];
 
-    /* hang: R, drift, momentum mx, momentum mz */
+    /* hang: R, drift */
     const real hang_u_angle1 = u[0]; /* rad/s */
     const real hang_u_angle2 = u[1]; /* rad/s */
-    const wreal bucket_inertia_zz = w[2];
-    const wreal bucket_inertia_xx = w[4];
-    const real hang_R_yx = hang_sin * hang_sin_2;
-    const real hang_drift = hang_u_angle1 * hang_u_angle2;
-    const real hang_drift_2 = hang_sin_2 * hang_drift;
-    const real hang_momentum_mx = bucket_inertia_xx * hang_cos_2;
-    const real hang_momentum_mz = bucket_inertia_zz * hang_sin_2;
+    const real hang_R_yx = hang_angle1_sin * hang_angle2_sin;
+    const real hang_u_angle1_times_u_angle2 = hang_u_angle1 * hang_u_angle2;
+    const real hang_minus_drift_relative_wx = hang_angle2_sin * hang_u_angle1_times_u_angle2;
 
-    /* bucket: omega, alpha, a, U, n, f */
+    /* bucket: omega, alpha, a, U, n */
     const wreal gravity_z = w[1]; /* m/s^2 */
-    const wreal bucket_mass = w[3];
     const wreal bucket_base_second_moment_xx = w[5];
-    const wreal bucket_base_second_moment_zz = w[6];
-    const real bucket_omega_x = hang_u_angle1 * hang_cos_2;
-    const real bucket_omega_z = hang_u_angle1 * hang_sin_2;
-    const real bucket_alpha_z = hang_cos_2 * hang_drift;
-    const real bucket_a_x = hang_cos * hang_sin_2 * gravity_z;
-    const real bucket_U = hang_u_angle2 * bucket_omega_x;
+    const real bucket_omega_x = hang_u_angle1 * hang_angle2_cos;
+    const real bucket_omega_z = hang_u_angle1 * hang_angle2_sin;
+    const real bucket_alpha_z = hang_angle2_cos * hang_u_angle1_times_u_angle2;
+    const real bucket_a_x = hang_angle1_cos * hang_angle2_sin * gravity_z;
+    const real hang_u_angle2_times_bucket_omega_x = hang_u_angle2 * bucket_omega_x;
     const real bucket_U_xz = bucket_omega_x * bucket_omega_z;
-    const real bucket_U_2 = hang_u_angle2 * bucket_omega_z;
-    const real bucket_U_xy = bucket_U - bucket_alpha_z;
-    const real bucket_U_yx = bucket_alpha_z + bucket_U;
-    const real bucket_U_yz = hang_drift_2 + bucket_U_2;
-    const real bucket_U_zy = bucket_U_2 - hang_drift_2;
+    const real hang_u_angle2_times_bucket_omega_z = hang_u_angle2 * bucket_omega_z;
+    const real bucket_U_xy = hang_u_angle2_times_bucket_omega_x - bucket_alpha_z;
+    const real bucket_U_yx = bucket_alpha_z + hang_u_angle2_times_bucket_omega_x;
+    const real bucket_U_yz = hang_minus_drift_relative_wx + hang_u_angle2_times_bucket_omega_z;
+    const real bucket_U_zy = hang_u_angle2_times_bucket_omega_z - hang_minus_drift_relative_wx;
     const real bucket_n_z = bucket_base_second_moment_xx * bucket_U_yx
         - bucket_base_second_moment_xx * bucket_U_xy;
-    const real bucket_f = bucket_base_second_moment_xx * bucket_U_zy
-        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
-    const real bucket_f_2 = bucket_base_second_moment_zz * bucket_U_xz
-        - bucket_base_second_moment_xx * bucket_U_xz - bucket_mass * bucket_a_x;
 
     /* air: force, data */
     const wreal rope = w[0]; /* m */
-    const real air_force = rope * hang_u_angle2;
-    const real air_data = 2.0 * (rope * bucket_omega_x * hang_cos - hang_R_yx * air_force);
+    const real rope_times_hang_u_angle2 = rope * hang_u_angle2;
+    const real air_minus_force_on_middle_y = 2.0 * (rope * bucket_omega_x * hang_angle1_cos
+        - hang_R_yx * rope_times_hang_u_angle2);
 
-    /* M: D inverse */
-    const real M_1_1 = hang_cos_2 * hang_momentum_mx + hang_sin_2 * hang_momentum_mz;
-    const real M_D_inverse_1 = 1.0 / M_1_1;
+    /* momentum: hang angle1 mx, hang angle1 mz */
+    const wreal bucket_origin_inertia_zz = w[2];
+    const wreal bucket_origin_inertia_xx = w[4];
+    const real momentum_hang_angle1_mx = bucket_origin_inertia_xx * hang_angle2_cos;
+    const real momentum_hang_angle1_mz = bucket_origin_inertia_zz * hang_angle2_sin;
+
+    /* M: hang angle1 hang angle */
+    const real M_hang_angle1_hang_angle1 = hang_angle2_cos * momentum_hang_angle1_mx
+        + hang_angle2_sin * momentum_hang_angle1_mz;
 
     /* bucket: n */
-    const real bucket_n_x = hang_cos * air_data * rope + bucket_f;
-    const real bucket_n_y = rope * (hang_cos_2 * air_force * 2.0 * hang_cos_2
-        - hang_R_yx * air_data) + bucket_f_2;
+    const wreal bucket_minus_first_moment_z = w[3];
+    const wreal bucket_base_second_moment_zz = w[6];
+    const real bucket_n_x = bucket_base_second_moment_xx * bucket_U_zy
+        - gravity_z * hang_angle1_sin * bucket_minus_first_moment_z
+        - bucket_base_second_moment_zz * bucket_U_yz
+        + hang_angle1_cos * air_minus_force_on_middle_y * rope;
+    const real bucket_n_y = bucket_base_second_moment_zz * bucket_U_xz
+        - bucket_base_second_moment_xx * bucket_U_xz - bucket_minus_first_moment_z * bucket_a_x
+        + rope * (hang_angle2_cos * rope_times_hang_u_angle2 * 2.0 * hang_angle2_cos
+        - hang_R_yx * air_minus_force_on_middle_y);
 
     /* hang: tau angle, drive angle, udot angle */
     const real hang_u_angle1_tau = tau[0]; /* N*m */
     const real hang_u_angle2_tau = tau[1]; /* N*m */
-    const wreal M_D_inverse_2 = w[7];
-    const real hang_tau_angle1 = hang_cos_2 * bucket_n_x + hang_sin_2 * bucket_n_z;
+    const wreal M_factor_D_inverse_hang_angle2 = w[7];
+    const real hang_tau_angle1 = hang_angle2_cos * bucket_n_x + hang_angle2_sin * bucket_n_z;
     const real hang_drive_angle1 = hang_u_angle1_tau - hang_tau_angle1;
     const real hang_drive_angle2 = hang_u_angle2_tau - bucket_n_y;
-    out[0] = hang_drive_angle1 * M_D_inverse_1; /* udot: hang.u.angle1dot [rad/s^2] */
-    out[1] = hang_drive_angle2 * M_D_inverse_2; /* udot: hang.u.angle2dot [rad/s^2] */
+    /* udot: hang.u.angle1dot [rad/s^2] */
+    out[0] = 1.0 / M_hang_angle1_hang_angle1 * hang_drive_angle1;
+    /* udot: hang.u.angle2dot [rad/s^2] */
+    out[1] = hang_drive_angle2 * M_factor_D_inverse_hang_angle2;
     return CARDAN_OK;
 }
 

@@ -31,22 +31,22 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, inertia */
+    /* bucket: mass, origin inertia, base, base second moment */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
-    const wreal bucket_mass_2 = size * size;
-    const wreal bucket_inertia_zz = 0.5 * load * bucket_mass_2;
-    const wreal bucket_mass = load * rope;
-    const wreal bucket_inertia_xx = 0.3333333333333333 * load * bucket_mass_2 + rope * bucket_mass;
-    w[2] = bucket_mass; /* bucket_mass */
-
-    /* common */
-    const wreal mul_1 = 0.5 * (bucket_inertia_zz + bucket_inertia_xx + bucket_inertia_xx);
-
-    /* bucket: base second moment */
-    w[3] = mul_1 - bucket_inertia_xx; /* bucket_base_second_moment_xx */
-    w[4] = mul_1 - bucket_inertia_zz; /* bucket_base_second_moment_zz */
+    const wreal size_squared = size * size;
+    const wreal bucket_origin_inertia_zz = 0.5 * load * size_squared;
+    const wreal bucket_minus_first_moment_z = load * rope;
+    const wreal bucket_origin_inertia_xx = 0.3333333333333333 * load * size_squared
+        + rope * bucket_minus_first_moment_z;
+    const wreal bucket_base_half_trace = 0.5 * (bucket_origin_inertia_zz
+        + bucket_origin_inertia_xx + bucket_origin_inertia_xx);
+    const wreal bucket_base_second_moment_xx = bucket_base_half_trace - bucket_origin_inertia_xx;
+    const wreal bucket_base_second_moment_zz = bucket_base_half_trace - bucket_origin_inertia_zz;
+    w[2] = bucket_minus_first_moment_z;
+    w[3] = bucket_base_second_moment_xx;
+    w[4] = bucket_base_second_moment_zz;
 
     /* parameters as they are */
     w[0] = p[1]; /* rope [m] */
@@ -65,63 +65,69 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* hang: cos, sin */
+    /* hang: R */
     const real hang_angle1 = q[0]; /* rad */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {hang_angle1, hang_angle2};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real hang_cos = cosine[0];
-    const real hang_sin = sine[0];
-    const real hang_cos_2 = cosine[1];
-    const real hang_sin_2 = sine[1];
+    const real hang_angle1_cos = cosine[0];
+    const real hang_angle1_sin = sine[0];
+    const real hang_angle2_cos = cosine[1];
+    const real hang_angle2_sin = sine[1];
 
     /* hang: R, drift */
     const real hang_u_angle1 = u[0]; /* rad/s */
     const real hang_u_angle2 = u[1]; /* rad/s */
-    const real hang_R_yx = hang_sin * hang_sin_2;
-    const real hang_drift = hang_u_angle1 * hang_u_angle2;
+    const real hang_R_yx = hang_angle1_sin * hang_angle2_sin;
+    const real hang_u_angle1_times_u_angle2 = hang_u_angle1 * hang_u_angle2;
 
-    /* bucket: a, omega, alpha, U, n, f */
+    /* bucket: a, omega, alpha, U, n */
     const real hang_u_angle1dot = udot[0]; /* rad/s^2 */
     const real hang_u_angle2dot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[1]; /* m/s^2 */
-    const wreal bucket_mass = w[2];
     const wreal bucket_base_second_moment_xx = w[3];
-    const wreal bucket_base_second_moment_zz = w[4];
-    const real bucket_a_x = hang_cos * hang_sin_2 * gravity_z;
-    const real bucket_omega_x = hang_u_angle1 * hang_cos_2;
-    const real bucket_omega_z = hang_u_angle1 * hang_sin_2;
-    const real bucket_alpha_x = hang_u_angle1dot * hang_cos_2 - hang_sin_2 * hang_drift;
-    const real bucket_alpha_z = hang_cos_2 * hang_drift + hang_u_angle1dot * hang_sin_2;
-    const real bucket_U = hang_u_angle2 * bucket_omega_x;
-    const real bucket_U_2 = bucket_omega_x * bucket_omega_z;
-    const real bucket_U_3 = hang_u_angle2 * bucket_omega_z;
-    const real bucket_U_xy = bucket_U - bucket_alpha_z;
-    const real bucket_U_yx = bucket_alpha_z + bucket_U;
+    const real bucket_a_x = hang_angle1_cos * hang_angle2_sin * gravity_z;
+    const real bucket_omega_x = hang_u_angle1 * hang_angle2_cos;
+    const real bucket_omega_z = hang_u_angle1 * hang_angle2_sin;
+    const real bucket_alpha_x = hang_u_angle1dot * hang_angle2_cos
+        - hang_angle2_sin * hang_u_angle1_times_u_angle2;
+    const real bucket_alpha_z = hang_angle2_cos * hang_u_angle1_times_u_angle2
+        + hang_u_angle1dot * hang_angle2_sin;
+    const real hang_u_angle2_times_bucket_omega_x = hang_u_angle2 * bucket_omega_x;
+    const real bucket_omega_x_times_omega_z = bucket_omega_x * bucket_omega_z;
+    const real hang_u_angle2_times_bucket_omega_z = hang_u_angle2 * bucket_omega_z;
+    const real bucket_U_xy = hang_u_angle2_times_bucket_omega_x - bucket_alpha_z;
+    const real bucket_U_yx = bucket_alpha_z + hang_u_angle2_times_bucket_omega_x;
     const real bucket_n_z = bucket_base_second_moment_xx * bucket_U_yx
         - bucket_base_second_moment_xx * bucket_U_xy;
-    const real bucket_U_xz = hang_u_angle2dot + bucket_U_2;
-    const real bucket_U_zx = bucket_U_2 - hang_u_angle2dot;
-    const real bucket_f = bucket_base_second_moment_zz * bucket_U_xz - bucket_mass * bucket_a_x
-        - bucket_base_second_moment_xx * bucket_U_zx;
-    const real bucket_U_yz = bucket_U_3 - bucket_alpha_x;
-    const real bucket_U_zy = bucket_alpha_x + bucket_U_3;
-    const real bucket_f_2 = bucket_base_second_moment_xx * bucket_U_zy
-        - gravity_z * hang_sin * bucket_mass - bucket_base_second_moment_zz * bucket_U_yz;
+    const real bucket_U_xz = hang_u_angle2dot + bucket_omega_x_times_omega_z;
+    const real bucket_U_zx = bucket_omega_x_times_omega_z - hang_u_angle2dot;
+    const real bucket_U_yz = hang_u_angle2_times_bucket_omega_z - bucket_alpha_x;
+    const real bucket_U_zy = bucket_alpha_x + hang_u_angle2_times_bucket_omega_z;
 
     /* air: force, data */
     const wreal rope = w[0]; /* m */
-    const real air_force = rope * hang_u_angle2;
-    const real air_data = 2.0 * (rope * bucket_omega_x * hang_cos - hang_R_yx * air_force);
+    const real rope_times_hang_u_angle2 = rope * hang_u_angle2;
+    const real air_minus_force_on_middle_y = 2.0 * (rope * bucket_omega_x * hang_angle1_cos
+        - hang_R_yx * rope_times_hang_u_angle2);
 
     /* bucket: n */
-    const real bucket_n_x = hang_cos * air_data * rope + bucket_f_2;
+    const wreal bucket_minus_first_moment_z = w[2];
+    const wreal bucket_base_second_moment_zz = w[4];
+    const real bucket_n_x = bucket_base_second_moment_xx * bucket_U_zy
+        - gravity_z * hang_angle1_sin * bucket_minus_first_moment_z
+        - bucket_base_second_moment_zz * bucket_U_yz
+        + hang_angle1_cos * air_minus_force_on_middle_y * rope;
     /* tau: hang.u.angle2.tau [N*m] */
-    out[1] = rope * (hang_cos_2 * air_force * 2.0 * hang_cos_2 - hang_R_yx * air_data) + bucket_f;
+    out[1] = bucket_base_second_moment_zz * bucket_U_xz
+        - bucket_minus_first_moment_z * bucket_a_x - bucket_base_second_moment_xx * bucket_U_zx
+        + rope * (hang_angle2_cos * rope_times_hang_u_angle2 * 2.0 * hang_angle2_cos
+        - hang_R_yx * air_minus_force_on_middle_y);
 
     /* hang: tau angle */
-    out[0] = hang_cos_2 * bucket_n_x + hang_sin_2 * bucket_n_z; /* tau: hang.u.angle1.tau [N*m] */
+    /* tau: hang.u.angle1.tau [N*m] */
+    out[0] = hang_angle2_cos * bucket_n_x + hang_angle2_sin * bucket_n_z;
     return CARDAN_OK;
 }
 

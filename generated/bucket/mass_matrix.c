@@ -21,13 +21,16 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, inertia */
+    /* bucket: mass, origin inertia */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
-    const wreal bucket_mass = size * size;
-    w[0] = 0.5 * load * bucket_mass; /* bucket_inertia_zz */
-    w[1] = 0.3333333333333333 * load * bucket_mass + load * rope * rope; /* bucket_inertia_xx */
+    const wreal size_squared = size * size;
+    const wreal bucket_origin_inertia_zz = 0.5 * load * size_squared;
+    const wreal bucket_origin_inertia_xx = 0.3333333333333333 * load * size_squared
+        + load * rope * rope;
+    w[0] = bucket_origin_inertia_zz;
+    w[1] = bucket_origin_inertia_xx;
 }
 
 #include "lanes.h"
@@ -40,23 +43,23 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* hang: cos, sin */
+    /* hang: R */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hang_angle2};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
-    const real hang_cos = cosine[0];
-    const real hang_sin = sine[0];
+    const real hang_angle2_cos = cosine[0];
+    const real hang_angle2_sin = sine[0];
 
-    /* hang: momentum mx, momentum mz */
-    const wreal bucket_inertia_zz = w[0];
-    const wreal bucket_inertia_xx = w[1];
-    const real hang_momentum_mx = bucket_inertia_xx * hang_cos;
-    const real hang_momentum_mz = bucket_inertia_zz * hang_sin;
+    /* momentum: hang angle1 mx, hang angle1 mz */
+    const wreal bucket_origin_inertia_zz = w[0];
+    const wreal bucket_origin_inertia_xx = w[1];
+    const real momentum_hang_angle1_mx = bucket_origin_inertia_xx * hang_angle2_cos;
+    const real momentum_hang_angle1_mz = bucket_origin_inertia_zz * hang_angle2_sin;
 
-    /* M */
+    /* M: hang angle1 hang angle */
     /* M: hang.u.angle1,hang.u.angle1 */
-    out[0] = hang_cos * hang_momentum_mx + hang_sin * hang_momentum_mz;
+    out[0] = hang_angle2_cos * momentum_hang_angle1_mx + hang_angle2_sin * momentum_hang_angle1_mz;
 
     /* results that are numbers or inputs */
     out[1] = CARDAN_REAL(0.0); /* M: hang.u.angle1,hang.u.angle2 */

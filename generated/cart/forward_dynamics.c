@@ -34,19 +34,21 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bob: mass, inertia */
+    /* bob: mass, origin inertia */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal bob_mass = m * l;
-    const wreal bob_inertia_xx = l * bob_mass;
-    w[1] = bob_mass; /* bob_mass */
+    const wreal bob_minus_first_moment_z = m * l;
+    const wreal bob_origin_inertia_xx = l * bob_minus_first_moment_z;
+    w[1] = bob_minus_first_moment_z;
 
     /* cart: base mass */
     const wreal cart_mass = p[3]; /* kg */
-    w[2] = m + cart_mass; /* cart_base_mass */
+    const wreal cart_base_mass = m + cart_mass;
+    w[2] = cart_base_mass;
 
-    /* M: D inverse */
-    w[3] = 1.0 / bob_inertia_xx; /* M_D_inverse_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_swing = 1.0 / bob_origin_inertia_xx;
+    w[3] = M_factor_D_inverse_swing;
 
     /* parameters as they are */
     w[0] = p[2]; /* gravity.z [m/s^2] */
@@ -65,7 +67,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* swing: cos, sin */
+    /* swing: R */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -74,14 +76,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real swing_sin = sine[0];
 
     /* shared by several: inertia */
-    const wreal bob_mass = w[1];
-    const real cart_inertia = bob_mass * swing_cos;
+    const wreal bob_minus_first_moment_z = w[1];
+    const real cart_minus_inertia_mean_moment_z = bob_minus_first_moment_z * swing_cos;
 
     /* bob: a, f */
     const real swing_u = u[1]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real bob_a_x = gravity_z * swing_sin;
-    const real bob_f_z = swing_u * swing_u * bob_mass;
+    const real bob_f_z = swing_u * swing_u * bob_minus_first_moment_z;
 
     /* cart: f */
     const real cart_f_x = swing_sin * bob_f_z;
@@ -94,20 +96,23 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* swing: drive */
     const real swing_u_tau = tau[1]; /* N*m */
-    const real swing_drive = swing_u_tau + bob_mass * bob_a_x;
+    const real swing_drive = swing_u_tau + bob_minus_first_moment_z * bob_a_x;
 
-    /* M: factor, D inverse */
-    const wreal cart_base_mass = w[2];
-    const wreal M_D_inverse_2 = w[3];
-    const real M_factor = cart_inertia * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (cart_base_mass - cart_inertia * M_factor);
+    /* M: factor */
+    const wreal M_factor_D_inverse_swing = w[3];
+    const real M_minus_factor_L_swing_slide = cart_minus_inertia_mean_moment_z *
+        M_factor_D_inverse_swing;
 
     /* slide: udot */
-    const real slide_udot = M_D_inverse_1 * (slide_drive + swing_drive * M_factor);
+    const wreal cart_base_mass = w[2];
+    const real slide_udot = 1.0 / (cart_base_mass
+        - cart_minus_inertia_mean_moment_z * M_minus_factor_L_swing_slide) * (slide_drive
+        + swing_drive * M_minus_factor_L_swing_slide);
     out[0] = slide_udot; /* udot: slide.udot [m/s^2] */
 
     /* swing: udot */
-    out[1] = swing_drive * M_D_inverse_2 + M_factor * slide_udot; /* udot: swing.udot [rad/s^2] */
+    /* udot: swing.udot [rad/s^2] */
+    out[1] = swing_drive * M_factor_D_inverse_swing + M_minus_factor_L_swing_slide * slide_udot;
     return CARDAN_OK;
 }
 

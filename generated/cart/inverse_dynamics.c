@@ -34,19 +34,22 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bob: mass, inertia, base second moment, inertia force */
+    /* bob: mass, origin inertia, base second moment, inertia force */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal bob_mass = m * l;
-    const wreal bob_inertia_xx = l * bob_mass;
-    const wreal bob_base_second_moment_zz = 0.5 * (bob_inertia_xx + bob_inertia_xx);
-    const wreal bob_base_second_moment_xx = bob_base_second_moment_zz - bob_inertia_xx;
-    w[1] = bob_mass; /* bob_mass */
-    w[3] = bob_base_second_moment_zz + bob_base_second_moment_xx; /* bob_inertia_force */
+    const wreal bob_minus_first_moment_z = m * l;
+    const wreal bob_origin_inertia_xx = l * bob_minus_first_moment_z;
+    const wreal bob_base_second_moment_zz = 0.5 * (bob_origin_inertia_xx + bob_origin_inertia_xx);
+    const wreal bob_base_second_moment_xx = bob_base_second_moment_zz - bob_origin_inertia_xx;
+    const wreal bob_base_second_moment_zz_plus_base_second_moment_xx = bob_base_second_moment_zz
+        + bob_base_second_moment_xx;
+    w[1] = bob_minus_first_moment_z;
+    w[3] = bob_base_second_moment_zz_plus_base_second_moment_xx;
 
     /* cart: base mass */
     const wreal cart_mass = p[3]; /* kg */
-    w[2] = m + cart_mass; /* cart_base_mass */
+    const wreal cart_base_mass = m + cart_mass;
+    w[2] = cart_base_mass;
 
     /* parameters as they are */
     w[0] = p[2]; /* gravity.z [m/s^2] */
@@ -65,7 +68,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* swing: cos, sin */
+    /* swing: R */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -78,16 +81,18 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real slide_udot = udot[0]; /* m/s^2 */
     const real swing_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
-    const wreal bob_mass = w[1];
-    const wreal bob_inertia_force = w[3];
+    const wreal bob_minus_first_moment_z = w[1];
+    const wreal bob_base_second_moment_zz_plus_base_second_moment_xx = w[3];
     const real bob_a_x = slide_udot * swing_cos + gravity_z * swing_sin;
-    const real bob_f_z = swing_u * swing_u * bob_mass;
-    out[1] = swing_udot * bob_inertia_force - bob_mass * bob_a_x; /* tau: swing.u.tau [N*m] */
+    const real bob_f_z = swing_u * swing_u * bob_minus_first_moment_z;
+    /* tau: swing.u.tau [N*m] */
+    out[1] = swing_udot * bob_base_second_moment_zz_plus_base_second_moment_xx
+        - bob_minus_first_moment_z * bob_a_x;
 
     /* cart: f */
     const wreal cart_base_mass = w[2];
     const real cart_f_x = cart_base_mass * slide_udot + swing_sin * bob_f_z
-        - bob_mass * swing_udot * swing_cos;
+        - bob_minus_first_moment_z * swing_udot * swing_cos;
 
     /* slide: tau */
     const real push = r[0];

@@ -21,16 +21,18 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bob: mass, inertia */
+    /* bob: mass, origin inertia */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal bob_mass = m * l;
-    w[0] = bob_mass; /* bob_mass */
-    w[1] = l * bob_mass; /* bob_inertia_xx */
+    const wreal bob_minus_first_moment_z = m * l;
+    const wreal bob_origin_inertia_xx = l * bob_minus_first_moment_z;
+    w[0] = bob_minus_first_moment_z;
+    w[1] = bob_origin_inertia_xx;
 
     /* cart: base mass */
     const wreal cart_mass = p[3]; /* kg */
-    w[2] = m + cart_mass; /* cart_base_mass */
+    const wreal cart_base_mass = m + cart_mass;
+    w[2] = cart_base_mass;
 }
 
 #include "lanes.h"
@@ -43,18 +45,18 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* swing: cos */
+    /* swing: R */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
     const real swing_cos = cosine[0];
 
-    /* cart: composite moment */
-    const wreal bob_mass = w[0];
-    const real cart_composite_moment_z = -bob_mass * swing_cos;
-    out[1] = cart_composite_moment_z; /* M: slide.u,swing.u */
-    out[2] = cart_composite_moment_z; /* M: swing.u,slide.u */
+    /* shared by several: inertia */
+    const wreal bob_minus_first_moment_z = w[0];
+    const real cart_inertia_mean_moment_z = -bob_minus_first_moment_z * swing_cos;
+    out[1] = cart_inertia_mean_moment_z; /* M: slide.u,swing.u */
+    out[2] = cart_inertia_mean_moment_z; /* M: swing.u,slide.u */
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[2]); /* M: slide.u,slide.u */

@@ -34,20 +34,22 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, inertia */
+    /* pole: first moment, origin inertia */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
     const wreal pole_first_moment_z = pole_mass * pole_com_z;
-    const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_com_z * pole_first_moment_z;
-    w[1] = pole_first_moment_z; /* pole_first_moment_z */
+    const wreal pole_origin_inertia_yy = pole_inertia_yy + pole_com_z * pole_first_moment_z;
+    w[1] = pole_first_moment_z;
 
     /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
-    w[2] = cart_mass + pole_mass; /* cart_base_mass */
+    const wreal cart_base_mass = cart_mass + pole_mass;
+    w[2] = cart_base_mass;
 
-    /* M: D inverse */
-    w[3] = 1.0 / pole_inertia_yy_2; /* M_D_inverse_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_hinge = 1.0 / pole_origin_inertia_yy;
+    w[3] = M_factor_D_inverse_hinge;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -66,7 +68,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* hinge: cos, sin */
+    /* hinge: R */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -95,18 +97,20 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_u_tau = tau[1]; /* N*m */
     const real hinge_drive = hinge_u_tau - pole_n_y;
 
-    /* M: L, D inverse */
-    const wreal cart_base_mass = w[2];
-    const wreal M_D_inverse_2 = w[3];
-    const real M_L_2_1 = cart_composite_moment_z * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (cart_base_mass - cart_composite_moment_z * M_L_2_1);
+    /* M: factor */
+    const wreal M_factor_D_inverse_hinge = w[3];
+    const real M_factor_L_hinge_track = cart_composite_moment_z * M_factor_D_inverse_hinge;
 
     /* track: udot */
-    const real track_udot = M_D_inverse_1 * (track_drive - hinge_drive * M_L_2_1);
+    const wreal cart_base_mass = w[2];
+    const real track_udot = 1.0 / (cart_base_mass
+        - cart_composite_moment_z * M_factor_L_hinge_track) * (track_drive
+        - hinge_drive * M_factor_L_hinge_track);
     out[0] = track_udot; /* udot: track.udot [m/s^2] */
 
     /* hinge: udot */
-    out[1] = hinge_drive * M_D_inverse_2 - M_L_2_1 * track_udot; /* udot: hinge.udot [rad/s^2] */
+    /* udot: hinge.udot [rad/s^2] */
+    out[1] = hinge_drive * M_factor_D_inverse_hinge - M_factor_L_hinge_track * track_udot;
     return CARDAN_OK;
 }
 

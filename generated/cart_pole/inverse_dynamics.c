@@ -34,23 +34,27 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, mass, inertia, base second moment, inertia force */
+    /* pole: first moment, mass, origin inertia, base second moment, inertia force */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_xx = p[4]; /* kg m^2 */
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
     const wreal pole_first_moment_z = pole_mass * pole_com_z;
-    const wreal pole_mass_2 = pole_com_z * pole_first_moment_z;
-    const wreal pole_inertia_xx_2 = pole_inertia_xx + pole_mass_2;
-    const wreal pole_inertia_yy_2 = pole_inertia_yy + pole_mass_2;
-    const wreal pole_base_second_moment_zz = 0.5 * (pole_inertia_xx_2 + pole_inertia_yy_2);
-    const wreal pole_base_second_moment_xx = pole_base_second_moment_zz - pole_inertia_xx_2;
-    w[1] = pole_first_moment_z; /* pole_first_moment_z */
-    w[3] = pole_base_second_moment_zz + pole_base_second_moment_xx; /* pole_inertia_force */
+    const wreal pole_com_z_times_first_moment_z = pole_com_z * pole_first_moment_z;
+    const wreal pole_origin_inertia_xx = pole_inertia_xx + pole_com_z_times_first_moment_z;
+    const wreal pole_origin_inertia_yy = pole_inertia_yy + pole_com_z_times_first_moment_z;
+    const wreal pole_base_second_moment_zz = 0.5 * (pole_origin_inertia_xx
+        + pole_origin_inertia_yy);
+    const wreal pole_base_second_moment_xx = pole_base_second_moment_zz - pole_origin_inertia_xx;
+    const wreal pole_base_second_moment_zz_plus_base_second_moment_xx = pole_base_second_moment_zz +
+        pole_base_second_moment_xx;
+    w[1] = pole_first_moment_z;
+    w[3] = pole_base_second_moment_zz_plus_base_second_moment_xx;
 
     /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
-    w[2] = cart_mass + pole_mass; /* cart_base_mass */
+    const wreal cart_base_mass = cart_mass + pole_mass;
+    w[2] = cart_base_mass;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -69,7 +73,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* hinge: cos, sin */
+    /* hinge: R */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -82,11 +86,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal pole_first_moment_z = w[1];
-    const wreal pole_inertia_force = w[3];
+    const wreal pole_base_second_moment_zz_plus_base_second_moment_xx = w[3];
     const real pole_a_x = track_udot * hinge_cos + gravity_z * hinge_sin;
     const real pole_f_x = pole_first_moment_z * hinge_udot;
     /* tau: hinge.u.tau [N*m] */
-    out[1] = hinge_udot * pole_inertia_force + pole_first_moment_z * pole_a_x;
+    out[1] = hinge_udot * pole_base_second_moment_zz_plus_base_second_moment_xx
+        + pole_first_moment_z * pole_a_x;
 
     /* cart: f */
     const real hinge_u = u[1]; /* rad/s */

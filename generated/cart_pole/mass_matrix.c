@@ -21,17 +21,19 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, inertia */
+    /* pole: first moment, origin inertia */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
     const wreal pole_first_moment_z = pole_mass * pole_com_z;
-    w[0] = pole_first_moment_z; /* pole_first_moment_z */
-    w[1] = pole_inertia_yy + pole_com_z * pole_first_moment_z; /* pole_inertia_yy_2 */
+    const wreal pole_origin_inertia_yy = pole_inertia_yy + pole_com_z * pole_first_moment_z;
+    w[0] = pole_first_moment_z;
+    w[1] = pole_origin_inertia_yy;
 
     /* cart: base mass */
     const wreal cart_mass = p[1]; /* kg */
-    w[2] = cart_mass + pole_mass; /* cart_base_mass */
+    const wreal cart_base_mass = cart_mass + pole_mass;
+    w[2] = cart_base_mass;
 }
 
 #include "lanes.h"
@@ -44,7 +46,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* hinge: cos */
+    /* hinge: R */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];

@@ -34,21 +34,26 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* shared by several: mass */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal upper_mass_2 = 0.5 * l;
-    const wreal upper_mass = m * upper_mass_2;
-    w[2] = upper_mass; /* upper_mass */
+    const wreal half_l = 0.5 * l;
+    const wreal upper_minus_first_moment_z = m * half_l;
+    w[2] = upper_minus_first_moment_z;
 
-    /* upper: inertia, base inertia */
-    const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
-    const wreal upper_base_inertia_yy = upper_inertia_xx + 0.5 * m * l * l * 2.0;
-    w[3] = upper_inertia_xx; /* upper_inertia_xx */
-    w[5] = upper_inertia_xx + upper_base_inertia_yy; /* upper_inertia */
+    /* upper: origin inertia, base inertia, inertia */
+    const wreal upper_origin_inertia_xx = l * l * (0.08333333333333333 * m)
+        + half_l * upper_minus_first_moment_z;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_xx + 0.5 * m * l * l * 2.0;
+    const wreal upper_origin_inertia_xx_plus_base_inertia_yy = upper_origin_inertia_xx
+        + upper_base_inertia_yy;
+    w[3] = upper_origin_inertia_xx;
+    w[5] = upper_origin_inertia_xx_plus_base_inertia_yy;
 
     /* lower: base */
-    w[4] = upper_mass + m * l; /* lower_base */
+    const wreal upper_minus_base_moment_z = upper_minus_first_moment_z + m * l;
+    w[4] = upper_minus_base_moment_z;
 
-    /* M: D inverse */
-    w[6] = 1.0 / upper_inertia_xx; /* M_D_inverse_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_elbow = 1.0 / upper_origin_inertia_xx;
+    w[6] = M_factor_D_inverse_elbow;
 
     /* parameters as they are */
     w[0] = p[1]; /* l [m] */
@@ -67,7 +72,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {elbow_q, shoulder_q};
@@ -80,21 +85,23 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* shared by several: inertia */
     const wreal l = w[0]; /* m */
-    const wreal upper_mass = w[2];
-    const real upper_inertia_2 = upper_mass * elbow_cos * l;
+    const wreal upper_minus_first_moment_z = w[2];
+    const real l_times_upper_minus_inertia_mean_moment_z = upper_minus_first_moment_z * elbow_cos *
+        l;
 
     /* upper: composite inertia, a */
     const wreal gravity_z = w[1]; /* m/s^2 */
-    const wreal upper_inertia = w[5];
-    const real upper_composite_inertia_yy = 2.0 * upper_inertia_2 + upper_inertia;
+    const wreal upper_origin_inertia_xx_plus_base_inertia_yy = w[5];
+    const real upper_composite_inertia_yy = 2.0 * l_times_upper_minus_inertia_mean_moment_z
+        + upper_origin_inertia_xx_plus_base_inertia_yy;
     const real upper_a_x = gravity_z * shoulder_sin;
 
-    /* M: L, D inverse */
-    const wreal upper_inertia_xx = w[3];
-    const wreal M_D_inverse_2 = w[6];
-    const real M_2_1 = upper_inertia_xx + upper_inertia_2;
-    const real M_L_2_1 = M_2_1 * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (upper_composite_inertia_yy - M_2_1 * M_L_2_1);
+    /* M: elbow shoulder, factor */
+    const wreal upper_origin_inertia_xx = w[3];
+    const wreal M_factor_D_inverse_elbow = w[6];
+    const real M_elbow_shoulder = upper_origin_inertia_xx
+        + l_times_upper_minus_inertia_mean_moment_z;
+    const real M_factor_L_elbow_shoulder = M_elbow_shoulder * M_factor_D_inverse_elbow;
 
     /* lower: omega, a, inertia force, f */
     const real shoulder_u = u[0]; /* rad/s */
@@ -102,28 +109,31 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real lower_omega_y = shoulder_u + elbow_u;
     const real lower_a_x = elbow_cos * upper_a_x - elbow_sin * (shoulder_u * shoulder_u * l
         - gravity_z * shoulder_cos);
-    const real lower_inertia_force = upper_mass * lower_a_x;
-    const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
+    const real lower_minus_n_y = upper_minus_first_moment_z * lower_a_x;
+    const real lower_f_z = lower_omega_y * lower_omega_y * upper_minus_first_moment_z;
 
     /* upper: f */
     const real upper_f_x = elbow_sin * lower_f_z;
 
     /* shoulder: drive */
     const real shoulder_u_tau = tau[0]; /* N*m */
-    const wreal lower_base = w[4];
-    const real shoulder_drive = shoulder_u_tau + lower_base * upper_a_x + l * upper_f_x
-        + lower_inertia_force;
+    const wreal upper_minus_base_moment_z = w[4];
+    const real shoulder_drive = shoulder_u_tau + upper_minus_base_moment_z * upper_a_x
+        + l * upper_f_x + lower_minus_n_y;
 
     /* elbow: drive */
     const real elbow_u_tau = tau[1]; /* N*m */
-    const real elbow_drive = elbow_u_tau + lower_inertia_force;
+    const real elbow_drive = elbow_u_tau + lower_minus_n_y;
 
     /* shoulder: udot */
-    const real shoulder_udot = M_D_inverse_1 * (shoulder_drive - elbow_drive * M_L_2_1);
+    const real shoulder_udot = 1.0 / (upper_composite_inertia_yy
+        - M_elbow_shoulder * M_factor_L_elbow_shoulder) * (shoulder_drive
+        - elbow_drive * M_factor_L_elbow_shoulder);
     out[0] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
 
     /* elbow: udot */
-    out[1] = elbow_drive * M_D_inverse_2 - M_L_2_1 * shoulder_udot; /* udot: elbow.udot [rad/s^2] */
+    /* udot: elbow.udot [rad/s^2] */
+    out[1] = elbow_drive * M_factor_D_inverse_elbow - M_factor_L_elbow_shoulder * shoulder_udot;
     return CARDAN_OK;
 }
 

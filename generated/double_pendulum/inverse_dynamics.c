@@ -34,26 +34,33 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* shared by several: mass */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal upper_mass_2 = 0.5 * l;
-    const wreal upper_mass = m * upper_mass_2;
-    w[2] = upper_mass; /* upper_mass */
+    const wreal half_l = 0.5 * l;
+    const wreal upper_minus_first_moment_z = m * half_l;
+    w[2] = upper_minus_first_moment_z;
 
-    /* upper: inertia */
-    const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
+    /* upper: origin inertia */
+    const wreal upper_origin_inertia_xx = l * l * (0.08333333333333333 * m)
+        + half_l * upper_minus_first_moment_z;
 
     /* lower: base, base second moment */
-    const wreal lower_base_2 = 0.5 * m * l * l;
-    const wreal lower_base_second_moment_zz = 0.5 * (upper_inertia_xx + upper_inertia_xx);
-    w[3] = upper_mass + m * l; /* lower_base */
+    const wreal l_times_lower_minus_base_mean_moment_z = 0.5 * m * l * l;
+    const wreal upper_minus_base_moment_z = upper_minus_first_moment_z + m * l;
+    const wreal lower_base_second_moment_zz = 0.5 * (upper_origin_inertia_xx
+        + upper_origin_inertia_xx);
+    w[3] = upper_minus_base_moment_z;
 
     /* upper: base second moment, inertia force */
-    const wreal upper_base_second_moment_xx = lower_base_second_moment_zz - upper_inertia_xx;
-    const wreal upper_base_second_moment_zz = lower_base_2 + lower_base_second_moment_zz
-        + lower_base_2;
-    w[4] = upper_base_second_moment_xx + upper_base_second_moment_zz; /* upper_inertia_force */
+    const wreal upper_base_second_moment_xx = lower_base_second_moment_zz - upper_origin_inertia_xx;
+    const wreal upper_base_second_moment_zz = l_times_lower_minus_base_mean_moment_z
+        + lower_base_second_moment_zz + l_times_lower_minus_base_mean_moment_z;
+    const wreal upper_base_second_moment_xx_plus_base_second_moment_zz = upper_base_second_moment_xx
+        + upper_base_second_moment_zz;
+    w[4] = upper_base_second_moment_xx_plus_base_second_moment_zz;
 
     /* lower: inertia force */
-    w[5] = lower_base_second_moment_zz + upper_base_second_moment_xx; /* lower_inertia_force */
+    const wreal lower_base_second_moment_zz_plus_upper_base_second_moment_xx =
+        lower_base_second_moment_zz + upper_base_second_moment_xx;
+    w[5] = lower_base_second_moment_zz_plus_upper_base_second_moment_xx;
 
     /* parameters as they are */
     w[0] = p[1]; /* l [m] */
@@ -72,7 +79,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
@@ -93,22 +100,25 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shoulder_udot = udot[0]; /* rad/s^2 */
     const real elbow_udot = udot[1]; /* rad/s^2 */
     const wreal l = w[0]; /* m */
-    const wreal upper_mass = w[2];
-    const wreal lower_inertia_force = w[5];
+    const wreal upper_minus_first_moment_z = w[2];
+    const wreal lower_base_second_moment_zz_plus_upper_base_second_moment_xx = w[5];
     const real lower_omega_y = shoulder_u + elbow_u;
-    const real lower_f_z = lower_omega_y * lower_omega_y * upper_mass;
+    const real lower_f_z = lower_omega_y * lower_omega_y * upper_minus_first_moment_z;
     const real lower_alpha_y = shoulder_udot + elbow_udot;
     const real lower_a_x = elbow_cos * (upper_a_x - l * shoulder_udot)
         - elbow_sin * (shoulder_u * shoulder_u * l - gravity_z * shoulder_cos);
-    const real lower_n_y = lower_alpha_y * lower_inertia_force - upper_mass * lower_a_x;
-    const real lower_f = l * (elbow_sin * lower_f_z - upper_mass * lower_alpha_y * elbow_cos);
+    const real lower_n_y = lower_alpha_y *
+        lower_base_second_moment_zz_plus_upper_base_second_moment_xx
+        - upper_minus_first_moment_z * lower_a_x;
     out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
 
     /* upper: n */
-    const wreal lower_base = w[3];
-    const wreal upper_inertia_force = w[4];
+    const wreal upper_minus_base_moment_z = w[3];
+    const wreal upper_base_second_moment_xx_plus_base_second_moment_zz = w[4];
     /* tau: shoulder.u.tau [N*m] */
-    out[0] = shoulder_udot * upper_inertia_force - lower_base * upper_a_x - lower_f + lower_n_y;
+    out[0] = shoulder_udot * upper_base_second_moment_xx_plus_base_second_moment_zz
+        - upper_minus_base_moment_z * upper_a_x - l * (elbow_sin * lower_f_z
+        - upper_minus_first_moment_z * lower_alpha_y * elbow_cos) + lower_n_y;
     return CARDAN_OK;
 }
 

@@ -24,15 +24,18 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     /* shared by several: mass */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
-    const wreal upper_mass_2 = 0.5 * l;
-    const wreal upper_mass = m * upper_mass_2;
-    w[1] = upper_mass; /* upper_mass */
+    const wreal half_l = 0.5 * l;
+    const wreal upper_minus_first_moment_z = m * half_l;
+    w[1] = upper_minus_first_moment_z;
 
-    /* upper: inertia, base inertia */
-    const wreal upper_inertia_xx = l * l * (0.08333333333333333 * m) + upper_mass_2 * upper_mass;
-    const wreal upper_base_inertia_yy = upper_inertia_xx + 0.5 * m * l * l * 2.0;
-    w[2] = upper_inertia_xx; /* upper_inertia_xx */
-    w[3] = upper_inertia_xx + upper_base_inertia_yy; /* upper_inertia */
+    /* upper: origin inertia, base inertia, inertia */
+    const wreal upper_origin_inertia_xx = l * l * (0.08333333333333333 * m)
+        + half_l * upper_minus_first_moment_z;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_xx + 0.5 * m * l * l * 2.0;
+    const wreal upper_origin_inertia_xx_plus_base_inertia_yy = upper_origin_inertia_xx
+        + upper_base_inertia_yy;
+    w[2] = upper_origin_inertia_xx;
+    w[3] = upper_origin_inertia_xx_plus_base_inertia_yy;
 
     /* parameters as they are */
     w[0] = p[1]; /* l [m] */
@@ -48,7 +51,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* elbow: cos */
+    /* elbow: R */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {elbow_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -57,18 +60,22 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* shared by several: inertia */
     const wreal l = w[0]; /* m */
-    const wreal upper_mass = w[1];
-    const real upper_inertia_2 = upper_mass * elbow_cos * l;
+    const wreal upper_minus_first_moment_z = w[1];
+    const real l_times_upper_minus_inertia_mean_moment_z = upper_minus_first_moment_z * elbow_cos *
+        l;
 
     /* upper: composite inertia */
-    const wreal upper_inertia = w[3];
-    out[0] = 2.0 * upper_inertia_2 + upper_inertia; /* M: shoulder.u,shoulder.u */
+    const wreal upper_origin_inertia_xx_plus_base_inertia_yy = w[3];
+    /* M: shoulder.u,shoulder.u */
+    out[0] = 2.0 * l_times_upper_minus_inertia_mean_moment_z
+        + upper_origin_inertia_xx_plus_base_inertia_yy;
 
-    /* M */
-    const wreal upper_inertia_xx = w[2];
-    const real M_2_1 = upper_inertia_xx + upper_inertia_2;
-    out[1] = M_2_1; /* M: shoulder.u,elbow.u */
-    out[2] = M_2_1; /* M: elbow.u,shoulder.u */
+    /* M: elbow shoulder */
+    const wreal upper_origin_inertia_xx = w[2];
+    const real M_elbow_shoulder = upper_origin_inertia_xx
+        + l_times_upper_minus_inertia_mean_moment_z;
+    out[1] = M_elbow_shoulder; /* M: shoulder.u,elbow.u */
+    out[2] = M_elbow_shoulder; /* M: elbow.u,shoulder.u */
 
     /* results that are numbers or inputs */
     out[3] = CARDAN_REAL(w[2]); /* M: elbow.u,elbow.u */

@@ -34,9 +34,10 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* M: D inverse */
+    /* M: factor */
     const wreal drone_inertia_yy = p[3]; /* kg m^2 */
-    w[4] = 1.0 / drone_inertia_yy; /* M_D_inverse_3 */
+    const wreal M_factor_D_inverse_fly_angle = 1.0 / drone_inertia_yy;
+    w[4] = M_factor_D_inverse_fly_angle;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -57,68 +58,79 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* fly: cos, sin */
+    /* fly: R */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
-    const real fly_cos = cosine[0];
-    const real fly_sin = sine[0];
+    const real fly_angle_cos = cosine[0];
+    const real fly_angle_sin = sine[0];
 
-    /* fly: momentum fz */
+    /* momentum: fly y fz, fly x fz */
     const wreal drone_mass = w[1]; /* kg */
-    const real fly_momentum_fz = drone_mass * fly_sin;
-    const real fly_momentum_fz_2 = drone_mass * fly_cos;
+    const real momentum_fly_y_fz = drone_mass * fly_angle_sin;
+    const real momentum_fly_x_fz = drone_mass * fly_angle_cos;
 
-    /* M: D inverse */
-    const real M_1_1 = fly_sin * fly_momentum_fz + fly_cos * fly_momentum_fz_2;
-    const real M_D_inverse_2 = 1.0 / M_1_1;
+    /* M: fly x fly, factor */
+    const real M_fly_x_fly_x = fly_angle_sin * momentum_fly_y_fz
+        + fly_angle_cos * momentum_fly_x_fz;
+    const real M_factor_D_inverse_fly_y = 1.0 / M_fly_x_fly_x;
 
     /* shared by several: M */
-    const real fly_M = fly_sin * fly_momentum_fz_2 - fly_cos * fly_momentum_fz;
+    const real momentum_fly_x_about_ground_fx = fly_angle_sin * momentum_fly_x_fz
+        - fly_angle_cos * momentum_fly_y_fz;
 
     /* left: force */
     const real left = r[0];
-    const real left_force = left * fly_sin;
-    const real left_force_2 = left * fly_cos;
-    const real left_force_3 = fly_sin * left_force + fly_cos * left_force_2;
+    const real left_force_on_left_frame_x = left * fly_angle_sin;
+    const real left_force_on_left_frame_z = left * fly_angle_cos;
+    const real drone_n_y_part = fly_angle_sin * left_force_on_left_frame_x
+        + fly_angle_cos * left_force_on_left_frame_z;
 
     /* right: force */
     const real right = r[1];
-    const real right_force = right * fly_sin;
-    const real right_force_2 = right * fly_cos;
-    const real right_force_3 = fly_sin * right_force + fly_cos * right_force_2;
+    const real right_force_on_right_frame_x = right * fly_angle_sin;
+    const real right_force_on_right_frame_z = right * fly_angle_cos;
+    const real drone_n_y_part_2 = fly_angle_sin * right_force_on_right_frame_x
+        + fly_angle_cos * right_force_on_right_frame_z;
 
     /* drone: n, a, f */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal left_frame_position_x = w[2]; /* m */
     const wreal right_frame_position_x = w[3]; /* m */
-    const real drone_n_y = left_frame_position_x * left_force_3
-        + right_frame_position_x * right_force_3;
-    const real drone_a_x = gravity_z * fly_sin;
-    const real drone_f = drone_mass * drone_a_x - fly_cos * left_force + fly_sin * right_force_2;
-    const real drone_f_x = fly_sin * left_force_2 - fly_cos * right_force + drone_f;
-    const real drone_f_2 = left_force_3 + gravity_z * fly_cos * drone_mass + right_force_3;
+    const real drone_n_y = left_frame_position_x * drone_n_y_part
+        + right_frame_position_x * drone_n_y_part_2;
+    const real drone_a_x = gravity_z * fly_angle_sin;
+    const real drone_f_x = fly_angle_sin * left_force_on_left_frame_z
+        - fly_angle_cos * right_force_on_right_frame_x + (drone_mass * drone_a_x
+        - fly_angle_cos * left_force_on_left_frame_x
+        + fly_angle_sin * right_force_on_right_frame_z);
+    const real drone_minus_f_z = drone_n_y_part + gravity_z * fly_angle_cos * drone_mass
+        + drone_n_y_part_2;
 
     /* fly: tau, drive, drive angle, udot angle */
     const real fly_u_x_tau = tau[0]; /* N */
     const real fly_u_y_tau = tau[1]; /* N */
     const real fly_u_angle_tau = tau[2]; /* N*m */
-    const wreal M_D_inverse_3 = w[4];
-    const real fly_tau_y = fly_cos * drone_f_x - fly_sin * drone_f_2;
-    const real fly_drive_x = fly_u_x_tau + fly_sin * drone_f_x + fly_cos * drone_f_2;
+    const wreal M_factor_D_inverse_fly_angle = w[4];
+    const real fly_tau_y = fly_angle_cos * drone_f_x - fly_angle_sin * drone_minus_f_z;
+    const real fly_drive_x = fly_u_x_tau + fly_angle_sin * drone_f_x
+        + fly_angle_cos * drone_minus_f_z;
     const real fly_drive_y = fly_u_y_tau - fly_tau_y;
     const real fly_drive_angle = fly_u_angle_tau - drone_n_y;
-    out[2] = fly_drive_angle * M_D_inverse_3; /* udot: fly.u.angledot [rad/s^2] */
+    out[2] = fly_drive_angle * M_factor_D_inverse_fly_angle; /* udot: fly.u.angledot [rad/s^2] */
 
-    /* M: factor, D inverse */
-    const real M_factor = fly_M * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - fly_M * M_factor);
+    /* M: factor */
+    const real M_minus_factor_L_fly_y_fly_x = momentum_fly_x_about_ground_fx *
+        M_factor_D_inverse_fly_y;
 
     /* fly: udot */
-    const real fly_udot_x = M_D_inverse_1 * (fly_drive_x + fly_drive_y * M_factor);
+    const real fly_udot_x = 1.0 / (M_fly_x_fly_x
+        - momentum_fly_x_about_ground_fx * M_minus_factor_L_fly_y_fly_x) * (fly_drive_x
+        + fly_drive_y * M_minus_factor_L_fly_y_fly_x);
     out[0] = fly_udot_x; /* udot: fly.u.xdot [m/s^2] */
-    out[1] = fly_drive_y * M_D_inverse_2 + M_factor * fly_udot_x; /* udot: fly.u.ydot [m/s^2] */
+    /* udot: fly.u.ydot [m/s^2] */
+    out[1] = fly_drive_y * M_factor_D_inverse_fly_y + M_minus_factor_L_fly_y_fly_x * fly_udot_x;
     return CARDAN_OK;
 }
 

@@ -34,16 +34,17 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* common */
+    /* drone: base, base second moment, inertia force */
     const wreal drone_inertia_xx = p[2]; /* kg m^2 */
     const wreal drone_inertia_yy = p[3]; /* kg m^2 */
     const wreal drone_inertia_zz = p[4]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (drone_inertia_xx + drone_inertia_zz + drone_inertia_yy);
-
-    /* drone: base second moment, inertia force */
-    const wreal drone_base_second_moment_xx = mul_1 - drone_inertia_xx;
-    const wreal drone_base_second_moment_zz = mul_1 - drone_inertia_zz;
-    w[4] = drone_base_second_moment_xx + drone_base_second_moment_zz; /* drone_inertia_force */
+    const wreal drone_base_half_trace = 0.5 * (drone_inertia_xx + drone_inertia_zz
+        + drone_inertia_yy);
+    const wreal drone_base_second_moment_xx = drone_base_half_trace - drone_inertia_xx;
+    const wreal drone_base_second_moment_zz = drone_base_half_trace - drone_inertia_zz;
+    const wreal drone_base_second_moment_xx_plus_base_second_moment_zz = drone_base_second_moment_xx
+        + drone_base_second_moment_zz;
+    w[4] = drone_base_second_moment_xx_plus_base_second_moment_zz;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -64,27 +65,29 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* fly: cos, sin */
+    /* fly: R */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
-    const real fly_cos = cosine[0];
-    const real fly_sin = sine[0];
+    const real fly_angle_cos = cosine[0];
+    const real fly_angle_sin = sine[0];
 
     /* left: force */
     const real left = r[0];
-    const real left_force = left * fly_sin;
-    const real left_force_2 = left * fly_cos;
-    const real left_force_3 = fly_sin * left_force + fly_cos * left_force_2;
+    const real left_force_on_left_frame_x = left * fly_angle_sin;
+    const real left_force_on_left_frame_z = left * fly_angle_cos;
+    const real drone_n_y_part = fly_angle_sin * left_force_on_left_frame_x
+        + fly_angle_cos * left_force_on_left_frame_z;
 
     /* right: force */
     const real right = r[1];
-    const real right_force = right * fly_sin;
-    const real right_force_2 = right * fly_cos;
-    const real right_force_3 = fly_sin * right_force + fly_cos * right_force_2;
+    const real right_force_on_right_frame_x = right * fly_angle_sin;
+    const real right_force_on_right_frame_z = right * fly_angle_cos;
+    const real drone_f_z_part = fly_angle_sin * right_force_on_right_frame_x
+        + fly_angle_cos * right_force_on_right_frame_z;
 
-    /* drone: f, a, n */
+    /* drone: a, f, n */
     const real fly_u_xdot = udot[0]; /* m/s^2 */
     const real fly_u_ydot = udot[1]; /* m/s^2 */
     const real fly_u_angledot = udot[2]; /* rad/s^2 */
@@ -92,20 +95,24 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal drone_mass = w[1]; /* kg */
     const wreal left_frame_position_x = w[2]; /* m */
     const wreal right_frame_position_x = w[3]; /* m */
-    const wreal drone_inertia_force = w[4];
-    const real drone_f = fly_sin * left_force_2 - fly_cos * left_force + (fly_sin * right_force_2
-        - fly_cos * right_force);
-    const real drone_a_x = fly_u_ydot * fly_cos - fly_u_xdot * fly_sin + gravity_z * fly_sin;
-    const real drone_f_x = drone_mass * drone_a_x + drone_f;
-    const real drone_a_z = fly_u_xdot * fly_cos + fly_u_ydot * fly_sin - gravity_z * fly_cos;
-    const real drone_f_z = drone_mass * drone_a_z - (left_force_3 + right_force_3);
+    const wreal drone_base_second_moment_xx_plus_base_second_moment_zz = w[4];
+    const real drone_a_x = fly_u_ydot * fly_angle_cos - fly_u_xdot * fly_angle_sin
+        + gravity_z * fly_angle_sin;
+    const real drone_f_x = fly_angle_sin * left_force_on_left_frame_z
+        - fly_angle_cos * left_force_on_left_frame_x
+        + (fly_angle_sin * right_force_on_right_frame_z
+        - fly_angle_cos * right_force_on_right_frame_x) + drone_mass * drone_a_x;
+    const real drone_a_z = fly_u_xdot * fly_angle_cos + fly_u_ydot * fly_angle_sin
+        - gravity_z * fly_angle_cos;
+    const real drone_f_z = drone_mass * drone_a_z - (drone_n_y_part + drone_f_z_part);
     /* tau: fly.u.angle.tau [N*m] */
-    out[2] = left_frame_position_x * left_force_3 + fly_u_angledot * drone_inertia_force
-        + right_frame_position_x * right_force_3;
+    out[2] = left_frame_position_x * drone_n_y_part
+        + fly_u_angledot * drone_base_second_moment_xx_plus_base_second_moment_zz
+        + right_frame_position_x * drone_f_z_part;
 
     /* fly: tau */
-    out[0] = fly_cos * drone_f_z - fly_sin * drone_f_x; /* tau: fly.u.x.tau [N] */
-    out[1] = fly_cos * drone_f_x + fly_sin * drone_f_z; /* tau: fly.u.y.tau [N] */
+    out[0] = fly_angle_cos * drone_f_z - fly_angle_sin * drone_f_x; /* tau: fly.u.x.tau [N] */
+    out[1] = fly_angle_cos * drone_f_x + fly_angle_sin * drone_f_z; /* tau: fly.u.y.tau [N] */
     return CARDAN_OK;
 }
 

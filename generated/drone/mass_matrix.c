@@ -37,26 +37,30 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* fly: cos, sin */
+    /* fly: R */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
-    const real fly_cos = cosine[0];
-    const real fly_sin = sine[0];
+    const real fly_angle_cos = cosine[0];
+    const real fly_angle_sin = sine[0];
 
-    /* fly: momentum fz */
+    /* momentum: fly y fz, fly x fz */
     const wreal drone_mass = w[0]; /* kg */
-    const real fly_momentum_fz = drone_mass * fly_sin;
-    const real fly_momentum_fz_2 = drone_mass * fly_cos;
+    const real momentum_fly_y_fz = drone_mass * fly_angle_sin;
+    const real momentum_fly_x_fz = drone_mass * fly_angle_cos;
 
-    /* M */
-    const real M_1_1 = fly_sin * fly_momentum_fz + fly_cos * fly_momentum_fz_2;
-    const real M_2_1 = fly_cos * fly_momentum_fz - fly_sin * fly_momentum_fz_2;
-    out[0] = M_1_1; /* M: fly.u.x,fly.u.x */
-    out[4] = M_1_1; /* M: fly.u.y,fly.u.y */
-    out[1] = M_2_1; /* M: fly.u.x,fly.u.y */
-    out[3] = M_2_1; /* M: fly.u.y,fly.u.x */
+    /* M: fly x fly */
+    const real M_fly_x_fly_x = fly_angle_sin * momentum_fly_y_fz
+        + fly_angle_cos * momentum_fly_x_fz;
+    out[0] = M_fly_x_fly_x; /* M: fly.u.x,fly.u.x */
+    out[4] = M_fly_x_fly_x; /* M: fly.u.y,fly.u.y */
+
+    /* shared by several: M */
+    const real momentum_fly_y_about_ground_fz = fly_angle_cos * momentum_fly_y_fz
+        - fly_angle_sin * momentum_fly_x_fz;
+    out[1] = momentum_fly_y_about_ground_fz; /* M: fly.u.x,fly.u.y */
+    out[3] = momentum_fly_y_about_ground_fz; /* M: fly.u.y,fly.u.x */
 
     /* results that are numbers or inputs */
     out[2] = CARDAN_REAL(0.0); /* M: fly.u.x,fly.u.angle */

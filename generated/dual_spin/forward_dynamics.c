@@ -40,33 +40,39 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* common */
+    /* bus: base, base second moment, inertia, composite moment */
     const wreal bus_inertia_xx = p[2]; /* kg m^2 */
     const wreal bus_inertia_yy = p[3]; /* kg m^2 */
     const wreal bus_inertia_zz = p[4]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (bus_inertia_xx + bus_inertia_zz + bus_inertia_yy);
-
-    /* bus: base second moment, inertia, composite moment */
     const wreal tube_position_x = p[5]; /* m */
     const wreal ball_mass = p[6]; /* kg */
-    const wreal bus_inertia = 0.5 * ball_mass;
-    const wreal bus_inertia_2 = tube_position_x * bus_inertia;
-    const wreal bus_inertia_3 = tube_position_x * bus_inertia_2;
+    const wreal bus_base_half_trace = 0.5 * (bus_inertia_xx + bus_inertia_zz + bus_inertia_yy);
+    const wreal bus_base_second_moment_xx = bus_base_half_trace - bus_inertia_xx;
+    const wreal bus_base_second_moment_yy = bus_base_half_trace - bus_inertia_yy;
+    const wreal bus_base_second_moment_zz = bus_base_half_trace - bus_inertia_zz;
+    const wreal half_ball_mass = 0.5 * ball_mass;
+    const wreal bus_inertia_mean_moment_x = tube_position_x * half_ball_mass;
+    const wreal tube_position_x_times_bus_inertia_mean_moment_x = tube_position_x *
+        bus_inertia_mean_moment_x;
     const wreal bus_composite_moment_x = tube_position_x * ball_mass;
-    w[7] = mul_1 - bus_inertia_xx; /* bus_base_second_moment_xx */
-    w[8] = mul_1 - bus_inertia_yy; /* bus_base_second_moment_yy */
-    w[9] = mul_1 - bus_inertia_zz; /* bus_base_second_moment_zz */
-    w[10] = bus_inertia; /* bus_inertia */
-    w[11] = bus_inertia_2; /* bus_inertia_2 */
-    w[12] = bus_inertia_3; /* bus_inertia_3 */
-    w[13] = bus_inertia_xx - 2.0 * bus_inertia_3; /* bus_inertia_4 */
+    const wreal bus_composite_inertia_xx_part = bus_inertia_xx
+        - 2.0 * tube_position_x_times_bus_inertia_mean_moment_x;
+    w[7] = bus_base_second_moment_xx;
+    w[8] = bus_base_second_moment_yy;
+    w[9] = bus_base_second_moment_zz;
+    w[10] = half_ball_mass;
+    w[11] = bus_inertia_mean_moment_x;
+    w[12] = tube_position_x_times_bus_inertia_mean_moment_x;
+    w[13] = bus_composite_inertia_xx_part;
 
-    /* M: D inverse, factor */
-    const wreal M_D_inverse_4 = 1.0 / ball_mass;
-    const wreal M_factor = bus_composite_moment_x * M_D_inverse_4;
-    w[14] = M_D_inverse_4; /* M_D_inverse_4 */
-    w[15] = M_factor; /* M_factor */
-    w[16] = bus_composite_moment_x * M_factor; /* M_factor_2 */
+    /* M: factor */
+    const wreal M_factor_D_inverse_tube = 1.0 / ball_mass;
+    const wreal M_minus_factor_L_tube_attitude_y = bus_composite_moment_x * M_factor_D_inverse_tube;
+    const wreal M_factor_D_attitude_y_part = bus_composite_moment_x *
+        M_minus_factor_L_tube_attitude_y;
+    w[14] = M_factor_D_inverse_tube;
+    w[15] = M_minus_factor_L_tube_attitude_y;
+    w[16] = M_factor_D_attitude_y_part;
 
     /* parameters as they are */
     w[0] = p[0]; /* hs [N m s] */
@@ -98,31 +104,34 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal bus_inertia_yy = w[1]; /* kg m^2 */
     const wreal bus_inertia_zz = w[2]; /* kg m^2 */
     const wreal tube_position_x = w[3]; /* m */
-    const wreal bus_inertia = w[10];
-    const wreal bus_inertia_2 = w[11];
-    const wreal bus_inertia_3 = w[12];
-    const wreal bus_inertia_4 = w[13];
-    const real bus_inertia_5 = tube_q * bus_inertia;
-    const real bus_inertia_6 = tube_q * bus_inertia_5;
-    const real bus_inertia_7 = 2.0 * (bus_inertia_3 + bus_inertia_6);
-    const real bus_inertia_8 = tube_q * bus_inertia_2 + tube_position_x * bus_inertia_5;
-    const real bus_composite_inertia_xx = bus_inertia_7 + bus_inertia_4;
-    const real bus_composite_inertia_yy = bus_inertia_yy + bus_inertia_7;
-    const real bus_composite_inertia_zz = bus_inertia_zz - 2.0 * bus_inertia_6 + bus_inertia_7;
+    const wreal half_ball_mass = w[10];
+    const wreal bus_inertia_mean_moment_x = w[11];
+    const wreal tube_position_x_times_bus_inertia_mean_moment_x = w[12];
+    const wreal bus_composite_inertia_xx_part = w[13];
+    const real bus_inertia_mean_moment_z = tube_q * half_ball_mass;
+    const real tube_times_bus_inertia_mean_moment_z = tube_q * bus_inertia_mean_moment_z;
+    const real bus_inertia_shift = 2.0 * (tube_position_x_times_bus_inertia_mean_moment_x
+        + tube_times_bus_inertia_mean_moment_z);
+    const real bus_minus_composite_inertia_xz = tube_q * bus_inertia_mean_moment_x
+        + tube_position_x * bus_inertia_mean_moment_z;
+    const real bus_composite_inertia_xx = bus_inertia_shift + bus_composite_inertia_xx_part;
+    const real bus_composite_inertia_yy = bus_inertia_yy + bus_inertia_shift;
+    const real bus_composite_inertia_zz = bus_inertia_zz
+        - 2.0 * tube_times_bus_inertia_mean_moment_z + bus_inertia_shift;
     const real bus_U_xy = attitude_u_x * attitude_u_y;
     const real bus_U_xz = attitude_u_x * attitude_u_z;
     const real bus_U_yz = attitude_u_y * attitude_u_z;
 
     /* shared by several: U */
-    const real bus_U = attitude_u_y * attitude_u_y;
+    const real attitude_u_y_squared = attitude_u_y * attitude_u_y;
 
     /* ball: a, f */
     const real tube_u = u[3]; /* m/s */
     const wreal ball_mass = w[4]; /* kg */
     const real ball_a_z = tube_position_x * bus_U_xz - tube_q * (attitude_u_x * attitude_u_x
-        + bus_U);
+        + attitude_u_y_squared);
     const real ball_a_x = attitude_u_y * tube_u * 2.0 + tube_q * bus_U_xz
-        - tube_position_x * (bus_U + attitude_u_z * attitude_u_z);
+        - tube_position_x * (attitude_u_y_squared + attitude_u_z * attitude_u_z);
     const real ball_a_y = tube_position_x * bus_U_xy + tube_q * bus_U_yz
         - attitude_u_x * tube_u * 2.0;
     const real ball_f_x = ball_mass * ball_a_x;
@@ -136,9 +145,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal bus_base_second_moment_zz = w[9];
     const real bus_n_x = hs * attitude_u_y + bus_base_second_moment_yy * bus_U_yz
         - bus_base_second_moment_zz * bus_U_yz - tube_q * ball_f_y;
-    const real bus_n = bus_base_second_moment_zz * bus_U_xz - hs * attitude_u_x
-        - bus_base_second_moment_xx * bus_U_xz + tube_q * ball_f_x;
-    const real bus_n_y = bus_n - tube_position_x * ball_f_z;
+    const real bus_n_y = bus_base_second_moment_zz * bus_U_xz - hs * attitude_u_x
+        - bus_base_second_moment_xx * bus_U_xz + tube_q * ball_f_x - tube_position_x * ball_f_z;
     const real bus_n_z = bus_base_second_moment_xx * bus_U_xy
         - bus_base_second_moment_yy * bus_U_xy + tube_position_x * ball_f_y;
 
@@ -149,33 +157,39 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube_tau = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z;
     const real tube_drive = tube_u_tau - tube_tau;
 
-    /* attitude: drive */
+    /* attitude: drive, udot */
     const real attitude_u_x_tau = tau[0]; /* N*m */
     const real attitude_u_y_tau = tau[1]; /* N*m */
     const real attitude_u_z_tau = tau[2]; /* N*m */
+    const wreal M_minus_factor_L_tube_attitude_y = w[15];
+    const wreal M_factor_D_attitude_y_part = w[16];
     const real attitude_drive_x = attitude_u_x_tau - bus_n_x;
     const real attitude_drive_y = attitude_u_y_tau - bus_n_y;
     const real attitude_drive_z = attitude_u_z_tau - bus_n_z;
+    const real attitude_udot_y = 1.0 / (bus_composite_inertia_yy
+        - M_factor_D_attitude_y_part) * (attitude_drive_y
+        + tube_drive * M_minus_factor_L_tube_attitude_y);
+    out[1] = attitude_udot_y; /* udot: attitude.u.ydot [rad/s^2] */
 
-    /* M: D inverse, factor */
-    const wreal M_factor_2 = w[16];
-    const real M_D_inverse_3 = 1.0 / bus_composite_inertia_zz;
-    const real M_factor_3 = bus_inertia_8 * M_D_inverse_3;
-    const real M_D_inverse_2 = 1.0 / (bus_composite_inertia_yy - M_factor_2);
-    const real M_D_inverse_1 = 1.0 / (bus_composite_inertia_xx - bus_inertia_8 * M_factor_3);
+    /* M: factor */
+    const real M_factor_D_inverse_attitude_z = 1.0 / bus_composite_inertia_zz;
+    const real M_minus_factor_L_attitude_z_attitude_x = bus_minus_composite_inertia_xz *
+        M_factor_D_inverse_attitude_z;
 
     /* attitude: udot */
-    const wreal M_factor = w[15];
-    const real attitude_udot_x = M_D_inverse_1 * (attitude_drive_x + attitude_drive_z * M_factor_3);
-    const real attitude_udot_y = M_D_inverse_2 * (attitude_drive_y + tube_drive * M_factor);
+    const real attitude_udot_x = 1.0 / (bus_composite_inertia_xx
+        - bus_minus_composite_inertia_xz * M_minus_factor_L_attitude_z_attitude_x) *
+        (attitude_drive_x + attitude_drive_z * M_minus_factor_L_attitude_z_attitude_x);
     out[0] = attitude_udot_x; /* udot: attitude.u.xdot [rad/s^2] */
-    out[1] = attitude_udot_y; /* udot: attitude.u.ydot [rad/s^2] */
     /* udot: attitude.u.zdot [rad/s^2] */
-    out[2] = attitude_drive_z * M_D_inverse_3 + M_factor_3 * attitude_udot_x;
+    out[2] = attitude_drive_z * M_factor_D_inverse_attitude_z
+        + M_minus_factor_L_attitude_z_attitude_x * attitude_udot_x;
 
     /* tube: udot */
-    const wreal M_D_inverse_4 = w[14];
-    out[3] = tube_drive * M_D_inverse_4 + M_factor * attitude_udot_y; /* udot: tube.udot [m/s^2] */
+    const wreal M_factor_D_inverse_tube = w[14];
+    /* udot: tube.udot [m/s^2] */
+    out[3] = tube_drive * M_factor_D_inverse_tube
+        + M_minus_factor_L_tube_attitude_y * attitude_udot_y;
     return CARDAN_OK;
 }
 

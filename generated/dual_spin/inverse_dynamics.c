@@ -40,16 +40,17 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* common */
+    /* bus: base, base second moment */
     const wreal bus_inertia_xx = p[2]; /* kg m^2 */
     const wreal bus_inertia_yy = p[3]; /* kg m^2 */
     const wreal bus_inertia_zz = p[4]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (bus_inertia_xx + bus_inertia_zz + bus_inertia_yy);
-
-    /* bus: base second moment */
-    w[5] = mul_1 - bus_inertia_xx; /* bus_base_second_moment_xx */
-    w[6] = mul_1 - bus_inertia_yy; /* bus_base_second_moment_yy */
-    w[7] = mul_1 - bus_inertia_zz; /* bus_base_second_moment_zz */
+    const wreal bus_base_half_trace = 0.5 * (bus_inertia_xx + bus_inertia_zz + bus_inertia_yy);
+    const wreal bus_base_second_moment_xx = bus_base_half_trace - bus_inertia_xx;
+    const wreal bus_base_second_moment_yy = bus_base_half_trace - bus_inertia_yy;
+    const wreal bus_base_second_moment_zz = bus_base_half_trace - bus_inertia_zz;
+    w[5] = bus_base_second_moment_xx;
+    w[6] = bus_base_second_moment_yy;
+    w[7] = bus_base_second_moment_zz;
 
     /* parameters as they are */
     w[0] = p[0]; /* hs [N m s] */
@@ -75,21 +76,21 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real attitude_u_x = u[0]; /* rad/s */
     const real attitude_u_y = u[1]; /* rad/s */
     const real attitude_u_z = u[2]; /* rad/s */
-    const real bus_U = attitude_u_y * attitude_u_y;
-    const real bus_U_2 = attitude_u_x * attitude_u_y;
-    const real bus_U_3 = attitude_u_x * attitude_u_z;
-    const real bus_U_4 = attitude_u_y * attitude_u_z;
+    const real attitude_u_y_squared = attitude_u_y * attitude_u_y;
+    const real attitude_u_x_times_u_y = attitude_u_x * attitude_u_y;
+    const real attitude_u_x_times_u_z = attitude_u_x * attitude_u_z;
+    const real attitude_u_y_times_u_z = attitude_u_y * attitude_u_z;
 
     /* bus: U */
     const real attitude_u_xdot = udot[0]; /* rad/s^2 */
     const real attitude_u_ydot = udot[1]; /* rad/s^2 */
     const real attitude_u_zdot = udot[2]; /* rad/s^2 */
-    const real bus_U_xy = bus_U_2 - attitude_u_zdot;
-    const real bus_U_yx = attitude_u_zdot + bus_U_2;
-    const real bus_U_xz = attitude_u_ydot + bus_U_3;
-    const real bus_U_zx = bus_U_3 - attitude_u_ydot;
-    const real bus_U_yz = bus_U_4 - attitude_u_xdot;
-    const real bus_U_zy = attitude_u_xdot + bus_U_4;
+    const real bus_U_xy = attitude_u_x_times_u_y - attitude_u_zdot;
+    const real bus_U_yx = attitude_u_zdot + attitude_u_x_times_u_y;
+    const real bus_U_xz = attitude_u_ydot + attitude_u_x_times_u_z;
+    const real bus_U_zx = attitude_u_x_times_u_z - attitude_u_ydot;
+    const real bus_U_yz = attitude_u_y_times_u_z - attitude_u_xdot;
+    const real bus_U_zy = attitude_u_xdot + attitude_u_y_times_u_z;
 
     /* ball: a, f */
     const real tube_q = q[4]; /* m */
@@ -98,34 +99,34 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal tube_position_x = w[1]; /* m */
     const wreal ball_mass = w[2]; /* kg */
     const real ball_a_x = attitude_u_y * tube_u * 2.0 + tube_q * bus_U_xz
-        - tube_position_x * (bus_U + attitude_u_z * attitude_u_z);
+        - tube_position_x * (attitude_u_y_squared + attitude_u_z * attitude_u_z);
     const real ball_f_x = ball_mass * ball_a_x;
     const real ball_a_y = tube_position_x * bus_U_yx - attitude_u_x * tube_u * 2.0
         + tube_q * bus_U_yz;
     const real ball_f_y = ball_mass * ball_a_y;
     const real ball_a_z = tube_udot + tube_position_x * bus_U_zx
-        - tube_q * (attitude_u_x * attitude_u_x + bus_U);
+        - tube_q * (attitude_u_x * attitude_u_x + attitude_u_y_squared);
     const real ball_f_z = ball_mass * ball_a_z;
+
+    /* tube: tau */
+    const wreal oil_stiffness = w[3]; /* N/m */
+    const wreal oil_damping = w[4]; /* N*s/m */
+    out[3] = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z; /* tau: tube.u.tau [N] */
 
     /* bus: n */
     const wreal hs = w[0]; /* N m s */
     const wreal bus_base_second_moment_xx = w[5];
     const wreal bus_base_second_moment_yy = w[6];
     const wreal bus_base_second_moment_zz = w[7];
-    const real bus_n = bus_base_second_moment_zz * bus_U_xz - hs * attitude_u_x
-        - bus_base_second_moment_xx * bus_U_zx + tube_q * ball_f_x;
-    out[1] = bus_n - tube_position_x * ball_f_z; /* tau: attitude.u.y.tau [N*m] */
+    /* tau: attitude.u.y.tau [N*m] */
+    out[1] = bus_base_second_moment_zz * bus_U_xz - hs * attitude_u_x
+        - bus_base_second_moment_xx * bus_U_zx + tube_q * ball_f_x - tube_position_x * ball_f_z;
     /* tau: attitude.u.x.tau [N*m] */
     out[0] = hs * attitude_u_y + bus_base_second_moment_yy * bus_U_zy
         - bus_base_second_moment_zz * bus_U_yz - tube_q * ball_f_y;
     /* tau: attitude.u.z.tau [N*m] */
     out[2] = bus_base_second_moment_xx * bus_U_yx - bus_base_second_moment_yy * bus_U_xy
         + tube_position_x * ball_f_y;
-
-    /* tube: tau */
-    const wreal oil_stiffness = w[3]; /* N/m */
-    const wreal oil_damping = w[4]; /* N*s/m */
-    out[3] = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z; /* tau: tube.u.tau [N] */
     return CARDAN_OK;
 }
 

@@ -28,17 +28,21 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal bus_inertia_xx = p[2]; /* kg m^2 */
     const wreal tube_position_x = p[5]; /* m */
     const wreal ball_mass = p[6]; /* kg */
-    const wreal bus_inertia = 0.5 * ball_mass;
-    const wreal bus_inertia_2 = tube_position_x * bus_inertia;
-    const wreal bus_inertia_3 = tube_position_x * bus_inertia_2;
+    const wreal half_ball_mass = 0.5 * ball_mass;
+    const wreal bus_inertia_mean_moment_x = tube_position_x * half_ball_mass;
+    const wreal tube_position_x_times_bus_inertia_mean_moment_x = tube_position_x *
+        bus_inertia_mean_moment_x;
     const wreal bus_composite_moment_x = tube_position_x * ball_mass;
-    w[4] = bus_inertia; /* bus_inertia */
-    w[5] = bus_inertia_2; /* bus_inertia_2 */
-    w[6] = bus_inertia_3; /* bus_inertia_3 */
-    w[7] = bus_inertia_xx - 2.0 * bus_inertia_3; /* bus_inertia_4 */
+    const wreal bus_composite_inertia_xx_part = bus_inertia_xx
+        - 2.0 * tube_position_x_times_bus_inertia_mean_moment_x;
+    w[4] = half_ball_mass;
+    w[5] = bus_inertia_mean_moment_x;
+    w[6] = tube_position_x_times_bus_inertia_mean_moment_x;
+    w[7] = bus_composite_inertia_xx_part;
 
-    /* attitude: momentum fz */
-    w[8] = -bus_composite_moment_x; /* attitude_momentum_fz */
+    /* shared by several: M */
+    const wreal momentum_tube_about_bus_my = -bus_composite_moment_x;
+    w[8] = momentum_tube_about_bus_my;
 
     /* parameters as they are */
     w[0] = p[3]; /* bus.inertia.yy [kg m^2] */
@@ -62,21 +66,22 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal bus_inertia_yy = w[0]; /* kg m^2 */
     const wreal bus_inertia_zz = w[1]; /* kg m^2 */
     const wreal tube_position_x = w[2]; /* m */
-    const wreal bus_inertia = w[4];
-    const wreal bus_inertia_2 = w[5];
-    const wreal bus_inertia_3 = w[6];
-    const wreal bus_inertia_4 = w[7];
-    const real bus_inertia_5 = tube_q * bus_inertia;
-    const real bus_inertia_6 = tube_q * bus_inertia_5;
-    const real bus_inertia_7 = 2.0 * (bus_inertia_3 + bus_inertia_6);
-    const real bus_composite_inertia_xz = -(tube_q * bus_inertia_2
-        + tube_position_x * bus_inertia_5);
+    const wreal half_ball_mass = w[4];
+    const wreal bus_inertia_mean_moment_x = w[5];
+    const wreal tube_position_x_times_bus_inertia_mean_moment_x = w[6];
+    const wreal bus_composite_inertia_xx_part = w[7];
+    const real bus_inertia_mean_moment_z = tube_q * half_ball_mass;
+    const real tube_times_bus_inertia_mean_moment_z = tube_q * bus_inertia_mean_moment_z;
+    const real bus_inertia_shift = 2.0 * (tube_position_x_times_bus_inertia_mean_moment_x
+        + tube_times_bus_inertia_mean_moment_z);
+    const real bus_composite_inertia_xz = -(tube_q * bus_inertia_mean_moment_x
+        + tube_position_x * bus_inertia_mean_moment_z);
     /* M: attitude.u.z,attitude.u.z */
-    out[10] = bus_inertia_zz - 2.0 * bus_inertia_6 + bus_inertia_7;
+    out[10] = bus_inertia_zz - 2.0 * tube_times_bus_inertia_mean_moment_z + bus_inertia_shift;
     out[2] = bus_composite_inertia_xz; /* M: attitude.u.x,attitude.u.z */
     out[8] = bus_composite_inertia_xz; /* M: attitude.u.z,attitude.u.x */
-    out[0] = bus_inertia_7 + bus_inertia_4; /* M: attitude.u.x,attitude.u.x */
-    out[5] = bus_inertia_yy + bus_inertia_7; /* M: attitude.u.y,attitude.u.y */
+    out[0] = bus_inertia_shift + bus_composite_inertia_xx_part; /* M: attitude.u.x,attitude.u.x */
+    out[5] = bus_inertia_yy + bus_inertia_shift; /* M: attitude.u.y,attitude.u.y */
 
     /* results that are numbers or inputs */
     out[1] = CARDAN_REAL(0.0); /* M: attitude.u.x,attitude.u.y */

@@ -35,65 +35,70 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* crank: first moment, mass, inertia, base moment */
+    /* crank: first moment, mass, origin inertia, base moment, base, base second moment */
     const wreal crank_mass = p[1]; /* kg */
     const wreal crank_com_x = p[2]; /* m */
+    const wreal crank_inertia_xx = p[3]; /* kg m^2 */
     const wreal crank_inertia_yy = p[4]; /* kg m^2 */
     const wreal crank_inertia_zz = p[5]; /* kg m^2 */
     const wreal B_position_x = p[6]; /* m */
     const wreal coupler_mass = p[7]; /* kg */
     const wreal crank_first_moment_x = crank_mass * crank_com_x;
-    const wreal crank_mass_2 = crank_com_x * crank_first_moment_x;
-    const wreal crank_inertia_yy_2 = crank_inertia_yy + crank_mass_2;
-    const wreal crank_inertia_zz_2 = crank_inertia_zz + crank_mass_2;
-    w[4] = crank_first_moment_x + B_position_x * coupler_mass; /* crank_base_moment_x */
+    const wreal crank_com_x_times_first_moment_x = crank_com_x * crank_first_moment_x;
+    const wreal crank_origin_inertia_yy = crank_inertia_yy + crank_com_x_times_first_moment_x;
+    const wreal crank_origin_inertia_zz = crank_inertia_zz + crank_com_x_times_first_moment_x;
+    const wreal crank_base_moment_x = crank_first_moment_x + B_position_x * coupler_mass;
+    const wreal crank_base_half_trace = 0.5 * (crank_inertia_xx + crank_origin_inertia_zz
+        + crank_origin_inertia_yy);
+    const wreal crank_base_second_moment_yy = crank_base_half_trace - crank_origin_inertia_yy;
+    w[4] = crank_base_moment_x;
 
-    /* coupler: first moment, mass, inertia, base */
+    /* coupler: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal coupler_com_x = p[8]; /* m */
+    const wreal coupler_inertia_xx = p[9]; /* kg m^2 */
     const wreal coupler_inertia_yy = p[10]; /* kg m^2 */
     const wreal coupler_inertia_zz = p[11]; /* kg m^2 */
     const wreal coupler_first_moment_x = coupler_mass * coupler_com_x;
-    const wreal coupler_mass_2 = coupler_com_x * coupler_first_moment_x;
-    const wreal coupler_inertia_yy_2 = coupler_inertia_yy + coupler_mass_2;
-    const wreal coupler_inertia_zz_2 = coupler_inertia_zz + coupler_mass_2;
-    const wreal coupler_base = 0.5 * coupler_mass * B_position_x * B_position_x;
-    w[2] = coupler_first_moment_x; /* coupler_first_moment_x */
+    const wreal coupler_com_x_times_first_moment_x = coupler_com_x * coupler_first_moment_x;
+    const wreal coupler_origin_inertia_yy = coupler_inertia_yy + coupler_com_x_times_first_moment_x;
+    const wreal coupler_origin_inertia_zz = coupler_inertia_zz + coupler_com_x_times_first_moment_x;
+    const wreal B_position_x_times_coupler_base_mean_moment_x = 0.5 * coupler_mass * B_position_x *
+        B_position_x;
+    const wreal coupler_base_half_trace = 0.5 * (coupler_inertia_xx + coupler_origin_inertia_zz
+        + coupler_origin_inertia_yy);
+    const wreal coupler_base_second_moment_xx = coupler_base_half_trace - coupler_inertia_xx;
+    const wreal coupler_base_second_moment_yy = coupler_base_half_trace - coupler_origin_inertia_yy;
+    const wreal coupler_base_second_moment_xx_plus_base_second_moment_yy =
+        coupler_base_second_moment_xx + coupler_base_second_moment_yy;
+    w[2] = coupler_first_moment_x;
+    w[6] = coupler_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* rocker: first moment, mass, inertia */
+    /* rocker: first moment, mass, origin inertia, base, base second moment, inertia force */
     const wreal rocker_mass = p[13]; /* kg */
     const wreal rocker_com_x = p[14]; /* m */
+    const wreal rocker_inertia_xx = p[15]; /* kg m^2 */
     const wreal rocker_inertia_yy = p[16]; /* kg m^2 */
     const wreal rocker_inertia_zz = p[17]; /* kg m^2 */
     const wreal rocker_first_moment_x = rocker_mass * rocker_com_x;
-    const wreal rocker_mass_2 = rocker_com_x * rocker_first_moment_x;
-    const wreal rocker_inertia_yy_2 = rocker_inertia_yy + rocker_mass_2;
-    const wreal rocker_inertia_zz_2 = rocker_inertia_zz + rocker_mass_2;
-    w[3] = rocker_first_moment_x; /* rocker_first_moment_x */
-
-    /* common */
-    const wreal crank_inertia_xx = p[3]; /* kg m^2 */
-    const wreal coupler_inertia_xx = p[9]; /* kg m^2 */
-    const wreal rocker_inertia_xx = p[15]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (crank_inertia_xx + crank_inertia_zz_2 + crank_inertia_yy_2);
-    const wreal mul_1_2 = 0.5 * (coupler_inertia_xx + coupler_inertia_zz_2 + coupler_inertia_yy_2);
-    const wreal mul_1_3 = 0.5 * (rocker_inertia_xx + rocker_inertia_zz_2 + rocker_inertia_yy_2);
+    const wreal rocker_com_x_times_first_moment_x = rocker_com_x * rocker_first_moment_x;
+    const wreal rocker_origin_inertia_yy = rocker_inertia_yy + rocker_com_x_times_first_moment_x;
+    const wreal rocker_origin_inertia_zz = rocker_inertia_zz + rocker_com_x_times_first_moment_x;
+    const wreal rocker_base_half_trace = 0.5 * (rocker_inertia_xx + rocker_origin_inertia_zz
+        + rocker_origin_inertia_yy);
+    const wreal rocker_base_second_moment_xx = rocker_base_half_trace - rocker_inertia_xx;
+    const wreal rocker_base_second_moment_yy = rocker_base_half_trace - rocker_origin_inertia_yy;
+    const wreal rocker_base_second_moment_xx_plus_base_second_moment_yy =
+        rocker_base_second_moment_xx + rocker_base_second_moment_yy;
+    w[3] = rocker_first_moment_x;
+    w[7] = rocker_base_second_moment_xx_plus_base_second_moment_yy;
 
     /* crank: base second moment, inertia force */
-    const wreal crank_base_second_moment_yy = mul_1 - crank_inertia_yy_2;
-    const wreal crank_base_second_moment_xx = mul_1 - crank_inertia_xx + (coupler_base
-        + coupler_base);
-    w[5] = crank_base_second_moment_yy + crank_base_second_moment_xx; /* crank_inertia_force */
-
-    /* coupler: base second moment, inertia force */
-    const wreal coupler_base_second_moment_xx = mul_1_2 - coupler_inertia_xx;
-    const wreal coupler_base_second_moment_yy = mul_1_2 - coupler_inertia_yy_2;
-    /* coupler_inertia_force */
-    w[6] = coupler_base_second_moment_xx + coupler_base_second_moment_yy;
-
-    /* rocker: base second moment, inertia force */
-    const wreal rocker_base_second_moment_xx = mul_1_3 - rocker_inertia_xx;
-    const wreal rocker_base_second_moment_yy = mul_1_3 - rocker_inertia_yy_2;
-    w[7] = rocker_base_second_moment_xx + rocker_base_second_moment_yy; /* rocker_inertia_force */
+    const wreal crank_base_second_moment_xx = crank_base_half_trace - crank_inertia_xx
+        + (B_position_x_times_coupler_base_mean_moment_x
+        + B_position_x_times_coupler_base_mean_moment_x);
+    const wreal crank_base_second_moment_yy_plus_base_second_moment_xx = crank_base_second_moment_yy
+        + crank_base_second_moment_xx;
+    w[5] = crank_base_second_moment_yy_plus_base_second_moment_xx;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.y [m/s^2] */
@@ -112,7 +117,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real A_q = q[0]; /* rad */
     const real B_q = q[1]; /* rad */
     const real D_q = q[2]; /* rad */
@@ -127,7 +132,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* crank: a */
     const wreal gravity_y = w[0]; /* m/s^2 */
-    const real crank_a = gravity_y * A_cos;
+    const real crank_minus_a_y = gravity_y * A_cos;
 
     /* coupler: omega, alpha, a, n, f */
     const real A_u = u[0]; /* rad/s */
@@ -136,30 +141,32 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real B_udot = udot[1]; /* rad/s^2 */
     const wreal B_position_x = w[1]; /* m */
     const wreal coupler_first_moment_x = w[2];
-    const wreal coupler_inertia_force = w[6];
+    const wreal coupler_base_second_moment_xx_plus_base_second_moment_yy = w[6];
     const real coupler_omega_z = A_u + B_u;
     const real coupler_alpha_z = A_udot + B_udot;
     const real coupler_a_y = B_sin * (gravity_y * A_sin + A_u * A_u * B_position_x)
-        + B_cos * (B_position_x * A_udot - crank_a);
-    const real coupler_n_z = coupler_alpha_z * coupler_inertia_force
+        + B_cos * (B_position_x * A_udot - crank_minus_a_y);
+    const real coupler_n_z = coupler_alpha_z *
+        coupler_base_second_moment_xx_plus_base_second_moment_yy
         + coupler_first_moment_x * coupler_a_y;
     const real coupler_f_y = coupler_first_moment_x * coupler_alpha_z;
-    const real coupler_f = B_position_x * (B_cos * coupler_f_y
-        - coupler_omega_z * coupler_omega_z * coupler_first_moment_x * B_sin);
     out[1] = coupler_n_z; /* tau: B.u.tau [N*m] */
 
     /* crank: n */
     const wreal crank_base_moment_x = w[4];
-    const wreal crank_inertia_force = w[5];
+    const wreal crank_base_second_moment_yy_plus_base_second_moment_xx = w[5];
     /* tau: A.u.tau [N*m] */
-    out[0] = A_udot * crank_inertia_force - crank_base_moment_x * crank_a + coupler_f + coupler_n_z;
+    out[0] = A_udot * crank_base_second_moment_yy_plus_base_second_moment_xx
+        - crank_base_moment_x * crank_minus_a_y + B_position_x * (B_cos * coupler_f_y
+        - coupler_omega_z * coupler_omega_z * coupler_first_moment_x * B_sin) + coupler_n_z;
 
     /* rocker: n */
     const real D_udot = udot[2]; /* rad/s^2 */
     const wreal rocker_first_moment_x = w[3];
-    const wreal rocker_inertia_force = w[7];
+    const wreal rocker_base_second_moment_xx_plus_base_second_moment_yy = w[7];
     /* tau: D.u.tau [N*m] */
-    out[2] = D_udot * rocker_inertia_force - gravity_y * D_cos * rocker_first_moment_x;
+    out[2] = D_udot * rocker_base_second_moment_xx_plus_base_second_moment_yy
+        - gravity_y * D_cos * rocker_first_moment_x;
     return CARDAN_OK;
 }
 

@@ -22,34 +22,38 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* crank: first moment, inertia, base inertia */
+    /* crank: first moment, origin inertia, base inertia */
     const wreal crank_mass = p[1]; /* kg */
     const wreal crank_com_x = p[2]; /* m */
     const wreal crank_inertia_zz = p[5]; /* kg m^2 */
     const wreal B_position_x = p[6]; /* m */
     const wreal coupler_mass = p[7]; /* kg */
     const wreal crank_first_moment_x = crank_mass * crank_com_x;
-    const wreal crank_inertia_zz_2 = crank_inertia_zz + crank_com_x * crank_first_moment_x;
-    const wreal crank_base_inertia_zz = crank_inertia_zz_2
+    const wreal crank_origin_inertia_zz = crank_inertia_zz + crank_com_x * crank_first_moment_x;
+    const wreal crank_base_inertia_zz = crank_origin_inertia_zz
         + 0.5 * coupler_mass * B_position_x * B_position_x * 2.0;
 
-    /* coupler: first moment, inertia */
+    /* coupler: first moment, origin inertia */
     const wreal coupler_com_x = p[8]; /* m */
     const wreal coupler_inertia_zz = p[11]; /* kg m^2 */
     const wreal coupler_first_moment_x = coupler_mass * coupler_com_x;
-    const wreal coupler_inertia_zz_2 = coupler_inertia_zz + coupler_com_x * coupler_first_moment_x;
-    w[1] = coupler_first_moment_x; /* coupler_first_moment_x */
-    w[2] = coupler_inertia_zz_2; /* coupler_inertia_zz_2 */
+    const wreal coupler_origin_inertia_zz = coupler_inertia_zz
+        + coupler_com_x * coupler_first_moment_x;
+    w[1] = coupler_first_moment_x;
+    w[2] = coupler_origin_inertia_zz;
 
-    /* rocker: first moment, inertia */
+    /* rocker: first moment, origin inertia */
     const wreal rocker_mass = p[13]; /* kg */
     const wreal rocker_com_x = p[14]; /* m */
     const wreal rocker_inertia_zz = p[17]; /* kg m^2 */
     const wreal rocker_first_moment_x = rocker_mass * rocker_com_x;
-    w[3] = rocker_inertia_zz + rocker_com_x * rocker_first_moment_x; /* rocker_inertia_zz_2 */
+    const wreal rocker_origin_inertia_zz = rocker_inertia_zz + rocker_com_x * rocker_first_moment_x;
+    w[3] = rocker_origin_inertia_zz;
 
     /* crank: inertia */
-    w[4] = coupler_inertia_zz_2 + crank_base_inertia_zz; /* crank_inertia */
+    const wreal coupler_origin_inertia_zz_plus_crank_base_inertia_zz = coupler_origin_inertia_zz
+        + crank_base_inertia_zz;
+    w[4] = coupler_origin_inertia_zz_plus_crank_base_inertia_zz;
 
     /* parameters as they are */
     w[0] = p[6]; /* B.position.x [m] */
@@ -65,7 +69,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* B: cos */
+    /* B: R */
     const real B_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {B_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -75,17 +79,20 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* shared by several: inertia */
     const wreal B_position_x = w[0]; /* m */
     const wreal coupler_first_moment_x = w[1];
-    const real crank_inertia_2 = coupler_first_moment_x * B_cos * B_position_x;
+    const real B_position_x_times_crank_inertia_mean_moment_x = coupler_first_moment_x * B_cos *
+        B_position_x;
 
     /* crank: composite inertia */
-    const wreal crank_inertia = w[4];
-    out[0] = 2.0 * crank_inertia_2 + crank_inertia; /* M: A.u,A.u */
+    const wreal coupler_origin_inertia_zz_plus_crank_base_inertia_zz = w[4];
+    /* M: A.u,A.u */
+    out[0] = 2.0 * B_position_x_times_crank_inertia_mean_moment_x
+        + coupler_origin_inertia_zz_plus_crank_base_inertia_zz;
 
-    /* M */
-    const wreal coupler_inertia_zz_2 = w[2];
-    const real M_2_1 = coupler_inertia_zz_2 + crank_inertia_2;
-    out[1] = M_2_1; /* M: A.u,B.u */
-    out[3] = M_2_1; /* M: B.u,A.u */
+    /* M: B A */
+    const wreal coupler_origin_inertia_zz = w[2];
+    const real M_B_A = coupler_origin_inertia_zz + B_position_x_times_crank_inertia_mean_moment_x;
+    out[1] = M_B_A; /* M: A.u,B.u */
+    out[3] = M_B_A; /* M: B.u,A.u */
 
     /* results that are numbers or inputs */
     out[2] = CARDAN_REAL(0.0); /* M: A.u,D.u */

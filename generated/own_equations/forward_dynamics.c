@@ -37,26 +37,35 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* M */
+    /* M: equations v equations v */
     const wreal m = p[2];
     const wreal m_cart = p[3];
-    w[0] = m_cart + 2.0 * m; /* M_1_1 */
+    const wreal M_equations_v_equations_v = m_cart + 2.0 * m;
+    w[0] = M_equations_v_equations_v;
 
     /* common */
     const wreal g = p[0];
     const wreal l = p[1];
-    const wreal mul_1_7 = l * l;
-    w[1] = 1.5 * l * m; /* mul_1 */
-    w[2] = 0.5 * l * m; /* mul_1_2 */
-    w[4] = 0.5 * m * mul_1_7; /* mul_1_3 */
-    w[5] = 1.5 * g * l * m; /* mul_1_4 */
-    w[6] = 0.5 * g * l * m; /* mul_1_5 */
-    w[7] = g * l * m; /* mul_1_6 */
+    const wreal m_times_l_times_c1p5 = 1.5 * l * m;
+    const wreal m_times_half_l = 0.5 * l * m;
+    const wreal l_squared = l * l;
+    const wreal l_squared_times_half_m = 0.5 * m * l_squared;
+    const wreal m_times_l_times_g_times_c1p5 = 1.5 * g * l * m;
+    const wreal m_times_l_times_half_g = 0.5 * g * l * m;
+    const wreal m_times_g_times_l = g * l * m;
+    w[1] = m_times_l_times_c1p5;
+    w[2] = m_times_half_l;
+    w[4] = l_squared_times_half_m;
+    w[5] = m_times_l_times_g_times_c1p5;
+    w[6] = m_times_l_times_half_g;
+    w[7] = m_times_g_times_l;
 
-    /* M: D inverse */
-    const wreal M_3_3 = 0.3333333333333333 * m * mul_1_7;
-    w[3] = 1.3333333333333333 * m * mul_1_7; /* M_2_2 */
-    w[8] = 1.0 / M_3_3; /* M_D_inverse_3 */
+    /* M: equations u1 equations u, equations u2 equations u, factor */
+    const wreal M_equations_u1_equations_u1 = 1.3333333333333333 * m * l_squared;
+    const wreal M_equations_u2_equations_u2 = 0.3333333333333333 * m * l_squared;
+    const wreal M_factor_D_inverse_equations_u2 = 1.0 / M_equations_u2_equations_u2;
+    w[3] = M_equations_u1_equations_u1;
+    w[8] = M_factor_D_inverse_equations_u2;
 }
 
 #include "lanes.h"
@@ -78,73 +87,95 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real angle[CARDAN_PADDED(2)] = {q1_q, q2_q};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real cos_1 = cosine[0];
-    const real cos_1_2 = cosine[1];
-    const real tip_output = sine[0];
-    const real tip_output_2 = sine[1];
+    const real q1_cos = cosine[0];
+    const real q2_cos = cosine[1];
+    const real q1_sin = sine[0];
+    const real q2_sin = sine[1];
 
     /* common */
     const real F = r[0];
     const real v = u[0];
     const real u1 = u[1];
     const real u2 = u[2];
-    const wreal mul_1 = w[1];
-    const wreal mul_1_2 = w[2];
-    const wreal mul_1_3 = w[4];
-    const wreal mul_1_4 = w[5];
-    const wreal mul_1_5 = w[6];
-    const wreal mul_1_6 = w[7];
-    const real mul_1_8 = cos_1_2 * mul_1_2;
-    const real mul_1_9 = u1 * u1;
-    const real mul_1_10 = u2 * u2;
-    const real sub_1 = F - mul_1 * mul_1_9 * tip_output - mul_1_2 * mul_1_10 * tip_output_2;
-    const real sub_1_2 = cos_1_2 * tip_output - cos_1 * tip_output_2;
-    const real sub_1_3 = tip_output * mul_1_4 - mul_1_3 * mul_1_10 * sub_1_2;
-    const real add_1 = tip_output_2 * mul_1_5 + mul_1_3 * mul_1_9 * sub_1_2;
-    const real mul_1_11 = u1 * tip_output;
-    const real mul_1_12 = mul_1 * mul_1_11;
-    const real mul_1_13 = u2 * tip_output_2;
-    const real mul_1_14 = mul_1_2 * mul_1_13;
-    const real mul_1_15 = mul_1_3 * (u1 * cos_1 * tip_output_2 + u2 * cos_1_2 * tip_output
-        - (cos_1_2 * mul_1_11 + cos_1 * mul_1_13));
-    const real add_1_2 = sub_1 + 0.5 * (u1 * mul_1_12 + u2 * mul_1_14);
-    const real add_1_3 = sub_1_3 - 1.5 * tip_output * mul_1_6 + 0.5 * (v * mul_1_12
-        + u2 * mul_1_15);
-    const real add_1_4 = add_1 - 0.5 * tip_output_2 * mul_1_6 + 0.5 * (v * mul_1_14
-        + u1 * mul_1_15);
+    const wreal m_times_l_times_c1p5 = w[1];
+    const wreal m_times_half_l = w[2];
+    const wreal l_squared_times_half_m = w[4];
+    const wreal m_times_l_times_g_times_c1p5 = w[5];
+    const wreal m_times_l_times_half_g = w[6];
+    const wreal m_times_g_times_l = w[7];
+    const real M_minus_equations_u2_equations_v = q2_cos * m_times_half_l;
+    const real u1_squared = u1 * u1;
+    const real u2_squared = u2 * u2;
+    const real equations_drive_v_part = F - m_times_l_times_c1p5 * u1_squared * q1_sin
+        - m_times_half_l * u2_squared * q2_sin;
+    const real q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin = q2_cos * q1_sin - q1_cos * q2_sin;
+    const real equations_drive_u1_part = q1_sin * m_times_l_times_g_times_c1p5
+        - l_squared_times_half_m * u2_squared * q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin;
+    const real equations_drive_u2_part = q2_sin * m_times_l_times_half_g
+        + l_squared_times_half_m * u1_squared * q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin;
+    const real u1_times_q1_sin = u1 * q1_sin;
+    const real m_times_l_times_c1p5_times_u1_times_q1_sin = m_times_l_times_c1p5 * u1_times_q1_sin;
+    const real u2_times_q2_sin = u2 * q2_sin;
+    const real m_times_half_l_times_u2_times_q2_sin = m_times_half_l * u2_times_q2_sin;
+    const real equations_drive_u1_part_2 = l_squared_times_half_m * (u1 * q1_cos * q2_sin
+        + u2 * q2_cos * q1_sin - (q2_cos * u1_times_q1_sin + q1_cos * u2_times_q2_sin));
+    const real equations_drive_v_part_2 = equations_drive_v_part
+        + 0.5 * (u1 * m_times_l_times_c1p5_times_u1_times_q1_sin
+        + u2 * m_times_half_l_times_u2_times_q2_sin);
+    const real equations_drive_u1_part_3 = equations_drive_u1_part
+        - 1.5 * q1_sin * m_times_g_times_l
+        + 0.5 * (v * m_times_l_times_c1p5_times_u1_times_q1_sin + u2 * equations_drive_u1_part_2);
+    const real equations_drive_u2_part_2 = equations_drive_u2_part
+        - 0.5 * q2_sin * m_times_g_times_l + 0.5 * (v * m_times_half_l_times_u2_times_q2_sin
+        + u1 * equations_drive_u1_part_2);
 
-    /* M: L, factor, D inverse */
-    const wreal M_1_1 = w[0];
-    const wreal M_2_2 = w[3];
-    const wreal M_D_inverse_3 = w[8];
-    const real M_3_2 = (cos_1 * cos_1_2 + tip_output * tip_output_2) * mul_1_3;
-    const real M_L_3_2 = M_3_2 * M_D_inverse_3;
-    const real M_factor = mul_1_8 * M_L_3_2 - cos_1 * mul_1;
-    const real M_factor_2 = mul_1_8 * M_D_inverse_3;
-    const real M_D_inverse_2 = 1.0 / (M_2_2 - M_3_2 * M_L_3_2);
-    const real M_L_2_1 = M_factor * M_D_inverse_2;
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - mul_1_8 * M_factor_2 - M_factor * M_L_2_1);
+    /* M: equations u2 equations u, factor */
+    const wreal M_equations_v_equations_v = w[0];
+    const wreal M_equations_u1_equations_u1 = w[3];
+    const wreal M_factor_D_inverse_equations_u2 = w[8];
+    const real M_equations_u2_equations_u1 = (q1_cos * q2_cos
+        + q1_sin * q2_sin) * l_squared_times_half_m;
+    const real M_factor_L_equations_u2_equations_u1 = M_equations_u2_equations_u1 *
+        M_factor_D_inverse_equations_u2;
+    const real M_factor_DL_equations_u1_equations_v = M_minus_equations_u2_equations_v *
+        M_factor_L_equations_u2_equations_u1 - q1_cos * m_times_l_times_c1p5;
+    const real M_minus_factor_L_equations_u2_equations_v = M_minus_equations_u2_equations_v *
+        M_factor_D_inverse_equations_u2;
+    const real M_factor_D_inverse_equations_u1 = 1.0 / (M_equations_u1_equations_u1
+        - M_equations_u2_equations_u1 * M_factor_L_equations_u2_equations_u1);
+    const real M_factor_L_equations_u1_equations_v = M_factor_DL_equations_u1_equations_v *
+        M_factor_D_inverse_equations_u1;
+    const real M_factor_D_inverse_equations_v = 1.0 / (M_equations_v_equations_v
+        - M_minus_equations_u2_equations_v * M_minus_factor_L_equations_u2_equations_v
+        - M_factor_DL_equations_u1_equations_v * M_factor_L_equations_u1_equations_v);
 
     /* equations: drive v, drive u */
     const real v_tau = tau[0];
     const real u1_tau = tau[1];
     const real u2_tau = tau[2];
-    const real equations_drive_v = sub_1 + v_tau + add_1_2 - add_1_2;
-    const real equations_drive_u1 = sub_1_3 + u1_tau + add_1_3 - add_1_3;
-    const real equations_drive_u2 = add_1 + u2_tau + add_1_4 - add_1_4;
+    const real equations_drive_v = equations_drive_v_part + v_tau + equations_drive_v_part_2
+        - equations_drive_v_part_2;
+    const real equations_drive_u1 = equations_drive_u1_part + u1_tau + equations_drive_u1_part_3
+        - equations_drive_u1_part_3;
+    const real equations_drive_u2 = equations_drive_u2_part + u2_tau + equations_drive_u2_part_2
+        - equations_drive_u2_part_2;
 
     /* M: factor */
-    const real M_factor_3 = equations_drive_u1 - equations_drive_u2 * M_L_3_2;
+    const real M_y_equations_u1 = equations_drive_u1
+        - equations_drive_u2 * M_factor_L_equations_u2_equations_u1;
 
     /* equations: udot v, udot u */
-    const real equations_udot_v = M_D_inverse_1 * (equations_drive_v
-        + equations_drive_u2 * M_factor_2 - M_L_2_1 * M_factor_3);
-    const real equations_udot_u1 = M_D_inverse_2 * M_factor_3 - M_L_2_1 * equations_udot_v;
+    const real equations_udot_v = M_factor_D_inverse_equations_v * (equations_drive_v
+        + equations_drive_u2 * M_minus_factor_L_equations_u2_equations_v
+        - M_factor_L_equations_u1_equations_v * M_y_equations_u1);
+    const real equations_udot_u1 = M_factor_D_inverse_equations_u1 * M_y_equations_u1
+        - M_factor_L_equations_u1_equations_v * equations_udot_v;
     out[0] = equations_udot_v; /* udot: vdot */
     out[1] = equations_udot_u1; /* udot: u1dot */
     /* udot: u2dot */
-    out[2] = equations_drive_u2 * M_D_inverse_3 + M_factor_2 * equations_udot_v
-        - M_L_3_2 * equations_udot_u1;
+    out[2] = equations_drive_u2 * M_factor_D_inverse_equations_u2
+        + M_minus_factor_L_equations_u2_equations_v * equations_udot_v
+        - M_factor_L_equations_u2_equations_u1 * equations_udot_u1;
     return CARDAN_OK;
 }
 

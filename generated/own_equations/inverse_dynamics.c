@@ -42,16 +42,25 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal l = p[1];
     const wreal m = p[2];
     const wreal m_cart = p[3];
-    const wreal mul_1_9 = l * l;
-    w[0] = m_cart + 2.0 * m; /* add_1 */
-    w[1] = 1.5 * l * m; /* mul_1 */
-    w[2] = 0.5 * l * m; /* mul_1_2 */
-    w[3] = 1.3333333333333333 * m * mul_1_9; /* mul_1_3 */
-    w[4] = 0.5 * m * mul_1_9; /* mul_1_4 */
-    w[5] = 0.3333333333333333 * m * mul_1_9; /* mul_1_5 */
-    w[6] = 1.5 * g * l * m; /* mul_1_6 */
-    w[7] = 0.5 * g * l * m; /* mul_1_7 */
-    w[8] = g * l * m; /* mul_1_8 */
+    const wreal m_cart_plus_twice_m = m_cart + 2.0 * m;
+    const wreal m_times_l_times_c1p5 = 1.5 * l * m;
+    const wreal m_times_half_l = 0.5 * l * m;
+    const wreal l_squared = l * l;
+    const wreal l_squared_times_m_times_c1p3333333333333333 = 1.3333333333333333 * m * l_squared;
+    const wreal l_squared_times_half_m = 0.5 * m * l_squared;
+    const wreal l_squared_times_m_times_c0p3333333333333333 = 0.3333333333333333 * m * l_squared;
+    const wreal m_times_l_times_g_times_c1p5 = 1.5 * g * l * m;
+    const wreal m_times_l_times_half_g = 0.5 * g * l * m;
+    const wreal m_times_g_times_l = g * l * m;
+    w[0] = m_cart_plus_twice_m;
+    w[1] = m_times_l_times_c1p5;
+    w[2] = m_times_half_l;
+    w[3] = l_squared_times_m_times_c1p3333333333333333;
+    w[4] = l_squared_times_half_m;
+    w[5] = l_squared_times_m_times_c0p3333333333333333;
+    w[6] = m_times_l_times_g_times_c1p5;
+    w[7] = m_times_l_times_half_g;
+    w[8] = m_times_g_times_l;
 }
 
 #include "lanes.h"
@@ -73,56 +82,68 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real angle[CARDAN_PADDED(2)] = {q1_q, q2_q};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real cos_1 = cosine[0];
-    const real cos_1_2 = cosine[1];
-    const real tip_output = sine[0];
-    const real tip_output_2 = sine[1];
+    const real q1_cos = cosine[0];
+    const real q2_cos = cosine[1];
+    const real q1_sin = sine[0];
+    const real q2_sin = sine[1];
 
     /* common */
     const real F = r[0];
     const real v = u[0];
     const real u1 = u[1];
     const real u2 = u[2];
-    const wreal mul_1 = w[1];
-    const wreal mul_1_2 = w[2];
-    const wreal mul_1_4 = w[4];
-    const wreal mul_1_6 = w[6];
-    const wreal mul_1_7 = w[7];
-    const wreal mul_1_8 = w[8];
-    const real mul_1_10 = cos_1 * mul_1;
-    const real mul_1_11 = cos_1_2 * mul_1_2;
-    const real mul_1_12 = (cos_1 * cos_1_2 + tip_output * tip_output_2) * mul_1_4;
-    const real mul_1_13 = u1 * u1;
-    const real mul_1_14 = u2 * u2;
-    const real sub_1 = F - mul_1 * mul_1_13 * tip_output - mul_1_2 * mul_1_14 * tip_output_2;
-    const real sub_1_2 = cos_1_2 * tip_output - cos_1 * tip_output_2;
-    const real sub_1_3 = tip_output * mul_1_6 - mul_1_4 * mul_1_14 * sub_1_2;
-    const real add_1_2 = tip_output_2 * mul_1_7 + mul_1_4 * mul_1_13 * sub_1_2;
-    const real mul_1_15 = u1 * tip_output;
-    const real mul_1_16 = mul_1 * mul_1_15;
-    const real mul_1_17 = u2 * tip_output_2;
-    const real mul_1_18 = mul_1_2 * mul_1_17;
-    const real mul_1_19 = mul_1_4 * (u1 * cos_1 * tip_output_2 + u2 * cos_1_2 * tip_output
-        - (cos_1_2 * mul_1_15 + cos_1 * mul_1_17));
-    const real add_1_3 = sub_1 + 0.5 * (u1 * mul_1_16 + u2 * mul_1_18);
-    const real add_1_4 = sub_1_3 - 1.5 * tip_output * mul_1_8 + 0.5 * (v * mul_1_16
-        + u2 * mul_1_19);
-    const real add_1_5 = add_1_2 - 0.5 * tip_output_2 * mul_1_8 + 0.5 * (v * mul_1_18
-        + u1 * mul_1_19);
+    const wreal m_times_l_times_c1p5 = w[1];
+    const wreal m_times_half_l = w[2];
+    const wreal l_squared_times_half_m = w[4];
+    const wreal m_times_l_times_g_times_c1p5 = w[6];
+    const wreal m_times_l_times_half_g = w[7];
+    const wreal m_times_g_times_l = w[8];
+    const real q1_cos_times_m_times_l_times_c1p5 = q1_cos * m_times_l_times_c1p5;
+    const real q2_cos_times_m_times_half_l = q2_cos * m_times_half_l;
+    const real equations_tau_u1_part = (q1_cos * q2_cos + q1_sin * q2_sin) * l_squared_times_half_m;
+    const real u1_squared = u1 * u1;
+    const real u2_squared = u2 * u2;
+    const real equations_tau_v_part = F - m_times_l_times_c1p5 * u1_squared * q1_sin
+        - m_times_half_l * u2_squared * q2_sin;
+    const real q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin = q2_cos * q1_sin - q1_cos * q2_sin;
+    const real equations_tau_u1_part_2 = q1_sin * m_times_l_times_g_times_c1p5
+        - l_squared_times_half_m * u2_squared * q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin;
+    const real equations_tau_u2_part = q2_sin * m_times_l_times_half_g
+        + l_squared_times_half_m * u1_squared * q2_cos_times_q1_sin_minus_q1_cos_times_q2_sin;
+    const real u1_times_q1_sin = u1 * q1_sin;
+    const real m_times_l_times_c1p5_times_u1_times_q1_sin = m_times_l_times_c1p5 * u1_times_q1_sin;
+    const real u2_times_q2_sin = u2 * q2_sin;
+    const real m_times_half_l_times_u2_times_q2_sin = m_times_half_l * u2_times_q2_sin;
+    const real equations_tau_u1_part_3 = l_squared_times_half_m * (u1 * q1_cos * q2_sin
+        + u2 * q2_cos * q1_sin - (q2_cos * u1_times_q1_sin + q1_cos * u2_times_q2_sin));
+    const real equations_tau_v_part_2 = equations_tau_v_part
+        + 0.5 * (u1 * m_times_l_times_c1p5_times_u1_times_q1_sin
+        + u2 * m_times_half_l_times_u2_times_q2_sin);
+    const real equations_tau_u1_part_4 = equations_tau_u1_part_2
+        - 1.5 * q1_sin * m_times_g_times_l
+        + 0.5 * (v * m_times_l_times_c1p5_times_u1_times_q1_sin + u2 * equations_tau_u1_part_3);
+    const real equations_tau_u2_part_2 = equations_tau_u2_part - 0.5 * q2_sin * m_times_g_times_l
+        + 0.5 * (v * m_times_half_l_times_u2_times_q2_sin + u1 * equations_tau_u1_part_3);
 
     /* equations: tau v, tau u */
     const real vdot = udot[0];
     const real u1dot = udot[1];
     const real u2dot = udot[2];
-    const wreal add_1 = w[0];
-    const wreal mul_1_3 = w[3];
-    const wreal mul_1_5 = w[5];
+    const wreal m_cart_plus_twice_m = w[0];
+    const wreal l_squared_times_m_times_c1p3333333333333333 = w[3];
+    const wreal l_squared_times_m_times_c0p3333333333333333 = w[5];
     /* tau: v.tau */
-    out[0] = add_1 * vdot - mul_1_10 * u1dot - (sub_1 + mul_1_11 * u2dot) - add_1_3 + add_1_3;
+    out[0] = m_cart_plus_twice_m * vdot - q1_cos_times_m_times_l_times_c1p5 * u1dot
+        - (equations_tau_v_part + q2_cos_times_m_times_half_l * u2dot) - equations_tau_v_part_2
+        + equations_tau_v_part_2;
     /* tau: u1.tau */
-    out[1] = mul_1_3 * u1dot - mul_1_10 * vdot + mul_1_12 * u2dot - sub_1_3 - add_1_4 + add_1_4;
+    out[1] = l_squared_times_m_times_c1p3333333333333333 * u1dot
+        - q1_cos_times_m_times_l_times_c1p5 * vdot + equations_tau_u1_part * u2dot
+        - equations_tau_u1_part_2 - equations_tau_u1_part_4 + equations_tau_u1_part_4;
     /* tau: u2.tau */
-    out[2] = mul_1_5 * u2dot - mul_1_11 * vdot + mul_1_12 * u1dot - add_1_2 - add_1_5 + add_1_5;
+    out[2] = l_squared_times_m_times_c0p3333333333333333 * u2dot
+        - q2_cos_times_m_times_half_l * vdot + equations_tau_u1_part * u1dot
+        - equations_tau_u2_part - equations_tau_u2_part_2 + equations_tau_u2_part_2;
     return CARDAN_OK;
 }
 

@@ -21,21 +21,27 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* M */
+    /* M: equations v equations v */
     const wreal m = p[2];
     const wreal m_cart = p[3];
-    w[0] = m_cart + 2.0 * m; /* M_1_1 */
+    const wreal M_equations_v_equations_v = m_cart + 2.0 * m;
+    w[0] = M_equations_v_equations_v;
 
     /* common */
     const wreal l = p[1];
-    const wreal mul_1_4 = l * l;
-    w[1] = 1.5 * l * m; /* mul_1 */
-    w[2] = 0.5 * l * m; /* mul_1_2 */
-    w[4] = 0.5 * m * mul_1_4; /* mul_1_3 */
+    const wreal m_times_l_times_c1p5 = 1.5 * l * m;
+    const wreal m_times_half_l = 0.5 * l * m;
+    const wreal l_squared = l * l;
+    const wreal l_squared_times_half_m = 0.5 * m * l_squared;
+    w[1] = m_times_l_times_c1p5;
+    w[2] = m_times_half_l;
+    w[4] = l_squared_times_half_m;
 
-    /* M */
-    w[3] = 1.3333333333333333 * m * mul_1_4; /* M_2_2 */
-    w[5] = 0.3333333333333333 * m * mul_1_4; /* M_3_3 */
+    /* M: equations u1 equations u, equations u2 equations u */
+    const wreal M_equations_u1_equations_u1 = 1.3333333333333333 * m * l_squared;
+    const wreal M_equations_u2_equations_u2 = 0.3333333333333333 * m * l_squared;
+    w[3] = M_equations_u1_equations_u1;
+    w[5] = M_equations_u2_equations_u2;
 }
 
 #include "lanes.h"
@@ -54,24 +60,27 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real angle[CARDAN_PADDED(2)] = {q1_q, q2_q};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real cos_1 = cosine[0];
-    const real cos_1_2 = cosine[1];
-    const real tip_output = sine[0];
-    const real tip_output_2 = sine[1];
+    const real q1_cos = cosine[0];
+    const real q2_cos = cosine[1];
+    const real q1_sin = sine[0];
+    const real q2_sin = sine[1];
 
-    /* M */
-    const wreal mul_1 = w[1];
-    const wreal mul_1_2 = w[2];
-    const wreal mul_1_3 = w[4];
-    const real M_2_1 = -cos_1 * mul_1;
-    const real M_3_1 = -cos_1_2 * mul_1_2;
-    const real M_3_2 = (cos_1 * cos_1_2 + tip_output * tip_output_2) * mul_1_3;
-    out[1] = M_2_1; /* M: v,u1 */
-    out[3] = M_2_1; /* M: u1,v */
-    out[2] = M_3_1; /* M: v,u2 */
-    out[6] = M_3_1; /* M: u2,v */
-    out[5] = M_3_2; /* M: u1,u2 */
-    out[7] = M_3_2; /* M: u2,u1 */
+    /* common */
+    const wreal m_times_l_times_c1p5 = w[1];
+    const wreal m_times_half_l = w[2];
+    const real M_equations_u1_equations_v = -q1_cos * m_times_l_times_c1p5;
+    const real M_equations_u2_equations_v = -q2_cos * m_times_half_l;
+    out[1] = M_equations_u1_equations_v; /* M: v,u1 */
+    out[3] = M_equations_u1_equations_v; /* M: u1,v */
+    out[2] = M_equations_u2_equations_v; /* M: v,u2 */
+    out[6] = M_equations_u2_equations_v; /* M: u2,v */
+
+    /* M: equations u2 equations u */
+    const wreal l_squared_times_half_m = w[4];
+    const real M_equations_u2_equations_u1 = (q1_cos * q2_cos
+        + q1_sin * q2_sin) * l_squared_times_half_m;
+    out[5] = M_equations_u2_equations_u1; /* M: u1,u2 */
+    out[7] = M_equations_u2_equations_u1; /* M: u2,u1 */
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[0]); /* M: v,v */

@@ -45,31 +45,33 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* coin: mass, inertia */
+    /* coin: mass, origin inertia, base, base second moment */
     const wreal m = p[0]; /* kg */
-    const wreal r_1 = p[1]; /* m */
-    const wreal coin_mass = r_1 * r_1;
-    const wreal coin_inertia_xx = 0.25 * m * coin_mass;
-    const wreal coin_inertia_yy = 0.5 * m * coin_mass;
-    w[3] = coin_inertia_xx; /* coin_inertia_xx */
-    w[4] = coin_inertia_yy; /* coin_inertia_yy */
-
-    /* common */
-    const wreal mul_1 = 0.5 * (coin_inertia_xx + coin_inertia_xx + coin_inertia_yy);
-
-    /* coin: base second moment */
-    w[5] = mul_1 - coin_inertia_xx; /* coin_base_second_moment_xx */
-    w[6] = mul_1 - coin_inertia_yy; /* coin_base_second_moment_yy */
+    const wreal r_value = p[1]; /* m */
+    const wreal r_squared = r_value * r_value;
+    const wreal coin_origin_inertia_xx = 0.25 * m * r_squared;
+    const wreal coin_origin_inertia_yy = 0.5 * m * r_squared;
+    const wreal coin_base_half_trace = 0.5 * (coin_origin_inertia_xx + coin_origin_inertia_xx
+        + coin_origin_inertia_yy);
+    const wreal coin_base_second_moment_xx = coin_base_half_trace - coin_origin_inertia_xx;
+    const wreal coin_base_second_moment_yy = coin_base_half_trace - coin_origin_inertia_yy;
+    w[3] = coin_origin_inertia_xx;
+    w[4] = coin_origin_inertia_yy;
+    w[5] = coin_base_second_moment_xx;
+    w[6] = coin_base_second_moment_yy;
 
     /* rolling: M */
-    const wreal rolling_M = m * r_1;
-    w[7] = rolling_M; /* rolling_M */
-    w[8] = r_1 * rolling_M; /* rolling_M_2 */
+    const wreal momentum_minus_rolling_lean_fy = m * r_value;
+    const wreal r_times_momentum_minus_rolling_lean_fy = r_value * momentum_minus_rolling_lean_fy;
+    w[7] = momentum_minus_rolling_lean_fy;
+    w[8] = r_times_momentum_minus_rolling_lean_fy;
 
-    /* constraints: D inverse, multipliers */
-    const wreal constraints_D_inverse_5 = 1.0 / coin_inertia_yy;
-    w[9] = constraints_D_inverse_5; /* constraints_D_inverse_5 */
-    w[10] = r_1 * constraints_D_inverse_5; /* constraints_multipliers */
+    /* constraints: multipliers */
+    const wreal M_factor_D_inverse_rolling_spin = 1.0 / coin_origin_inertia_yy;
+    const wreal rolling_longitudinal_minus_z_rolling_spin = r_value *
+        M_factor_D_inverse_rolling_spin;
+    w[9] = M_factor_D_inverse_rolling_spin;
+    w[10] = rolling_longitudinal_minus_z_rolling_spin;
 
     /* parameters as they are */
     w[0] = p[0]; /* m [kg] */
@@ -89,86 +91,90 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     int status = CARDAN_OK;
 
-    /* shared by several: G, sin, R */
+    /* rolling: G, R */
     const real rolling_yaw = q[2]; /* rad */
     const real rolling_lean = q[3]; /* rad */
     const real rolling_spin = q[4]; /* rad */
     const real angle[CARDAN_PADDED(3)] = {rolling_yaw, rolling_lean, rolling_spin};
     real sine[CARDAN_PADDED(3)], cosine[CARDAN_PADDED(3)];
     cardan_sincos(3, angle, sine, cosine);
-    const real rolling_G = cosine[0];
-    const real rolling_G_2 = sine[0];
-    const real rolling_G_3 = cosine[1];
-    const real rolling_sin = sine[1];
-    const real rolling_R = cosine[2];
-    const real rolling_R_2 = sine[2];
+    const real rolling_yaw_cos = cosine[0];
+    const real rolling_yaw_sin = sine[0];
+    const real rolling_lean_cos = cosine[1];
+    const real rolling_lean_sin = sine[1];
+    const real rolling_spin_cos = cosine[2];
+    const real rolling_spin_sin = sine[2];
 
-    /* rolling: R, S, drift, momentum fx, momentum fz, momentum fy, momentum my, ... */
+    /* rolling: R, S, drift, gamma lateral */
+    const real rolling_u_x = u[0]; /* m/s */
+    const real rolling_u_y = u[1]; /* m/s */
     const real rolling_u_yaw = u[2]; /* rad/s */
     const real rolling_u_lean = u[3]; /* rad/s */
     const real rolling_u_spin = u[4]; /* rad/s */
-    const wreal m = w[0]; /* kg */
-    const wreal r_1 = w[1]; /* m */
-    const wreal coin_inertia_xx = w[3];
-    const wreal coin_inertia_yy = w[4];
-    const real rolling_R_3 = rolling_G_2 * rolling_G_3;
-    const real rolling_R_4 = rolling_G_2 * rolling_sin;
-    const real rolling_R_yy = rolling_G * rolling_G_3;
-    const real rolling_R_5 = rolling_G * rolling_sin;
-    const real rolling_R_xx = rolling_G * rolling_R - rolling_R_4 * rolling_R_2;
-    const real rolling_R_xz = rolling_G * rolling_R_2 + rolling_R_4 * rolling_R;
-    const real rolling_R_yx = rolling_G_2 * rolling_R + rolling_R_5 * rolling_R_2;
-    const real rolling_R_yz = rolling_G_2 * rolling_R_2 - rolling_R_5 * rolling_R;
-    const real rolling_R_6 = rolling_G_3 * rolling_R_2;
-    const real rolling_R_zz = rolling_G_3 * rolling_R;
-    const real rolling_S = r_1 * rolling_sin;
-    const real rolling_S_2 = rolling_R * rolling_S;
-    const real rolling_S_3 = rolling_R_2 * rolling_S;
-    const real rolling_drift = rolling_u_yaw * rolling_sin;
-    const real rolling_drift_2 = rolling_u_yaw * rolling_G_3;
-    const real rolling_drift_3 = rolling_u_spin * rolling_drift_2;
-    const real rolling_drift_4 = rolling_u_lean * rolling_u_spin - rolling_u_lean * rolling_drift;
-    const real rolling_drift_5 = rolling_R * rolling_drift_3 + rolling_R_2 * rolling_drift_4;
-    const real rolling_drift_6 = 2.0 * rolling_u_lean * rolling_drift_2 * r_1;
-    const real rolling_drift_7 = r_1 * (rolling_u_lean * rolling_u_lean
-        + rolling_drift * rolling_drift);
-    const real rolling_momentum_fx = m * rolling_R_xx;
-    const real rolling_momentum_fz = m * rolling_R_xz;
-    const real rolling_momentum_fx_2 = m * rolling_R_yx;
-    const real rolling_momentum_fy = m * rolling_R_yy;
-    const real rolling_momentum_fz_2 = m * rolling_R_yz;
-    const real rolling_momentum_my = coin_inertia_yy * rolling_sin;
-    const real rolling_momentum_mz = coin_inertia_xx * rolling_R_zz;
-    const real rolling_momentum_fx_3 = m * rolling_S_2;
-    const real rolling_momentum_fz_3 = m * rolling_S_3;
-    const real rolling_M_3 = coin_inertia_xx * rolling_R_6 * rolling_R_6
-        + rolling_sin * rolling_momentum_my + rolling_S_3 * rolling_momentum_fz_3;
-    const real rolling_momentum_mx = coin_inertia_xx * rolling_R;
-    const real rolling_momentum_mz_2 = coin_inertia_xx * rolling_R_2;
+    const wreal r_value = w[1]; /* m */
+    const real rolling_minus_R_xy = rolling_yaw_sin * rolling_lean_cos;
+    const real rolling_yaw_sin_times_lean_sin = rolling_yaw_sin * rolling_lean_sin;
+    const real rolling_R_yy = rolling_yaw_cos * rolling_lean_cos;
+    const real rolling_yaw_cos_times_lean_sin = rolling_yaw_cos * rolling_lean_sin;
+    const real rolling_R_xx = rolling_yaw_cos * rolling_spin_cos
+        - rolling_yaw_sin_times_lean_sin * rolling_spin_sin;
+    const real rolling_R_xz = rolling_yaw_cos * rolling_spin_sin
+        + rolling_yaw_sin_times_lean_sin * rolling_spin_cos;
+    const real rolling_R_yx = rolling_yaw_sin * rolling_spin_cos
+        + rolling_yaw_cos_times_lean_sin * rolling_spin_sin;
+    const real rolling_R_yz = rolling_yaw_sin * rolling_spin_sin
+        - rolling_yaw_cos_times_lean_sin * rolling_spin_cos;
+    const real rolling_minus_R_zx = rolling_lean_cos * rolling_spin_sin;
+    const real rolling_R_zz = rolling_lean_cos * rolling_spin_cos;
+    const real r_times_rolling_lean_sin = r_value * rolling_lean_sin;
+    const real rolling_spin_cos_times_r_times_rolling_lean_sin = rolling_spin_cos *
+        r_times_rolling_lean_sin;
+    const real rolling_spin_sin_times_r_times_rolling_lean_sin = rolling_spin_sin *
+        r_times_rolling_lean_sin;
+    const real rolling_u_yaw_times_lean_sin = rolling_u_yaw * rolling_lean_sin;
+    const real rolling_u_yaw_times_lean_cos = rolling_u_yaw * rolling_lean_cos;
+    const real rolling_u_spin_times_u_yaw_times_lean_cos = rolling_u_spin *
+        rolling_u_yaw_times_lean_cos;
+    const real rolling_minus_drift_relative_wx_part = rolling_u_lean * rolling_u_spin
+        - rolling_u_lean * rolling_u_yaw_times_lean_sin;
+    const real rolling_minus_drift_relative_wx = rolling_spin_cos *
+        rolling_u_spin_times_u_yaw_times_lean_cos
+        + rolling_spin_sin * rolling_minus_drift_relative_wx_part;
+    const real coin_a_x_part = 2.0 * rolling_u_lean * rolling_u_yaw_times_lean_cos * r_value;
+    const real coin_a_x_part_2 = r_value * (rolling_u_lean * rolling_u_lean
+        + rolling_u_yaw_times_lean_sin * rolling_u_yaw_times_lean_sin);
+    const real rolling_u_yaw_times_yaw_sin = rolling_u_yaw * rolling_yaw_sin;
+    const real rolling_u_yaw_times_yaw_cos = rolling_u_yaw * rolling_yaw_cos;
+    const real rolling_gamma_lateral = rolling_u_y * rolling_u_yaw_times_yaw_sin
+        + rolling_u_x * rolling_u_yaw_times_yaw_cos;
 
     /* coin: omega, alpha, a, U, n, f */
+    const wreal m = w[0]; /* kg */
     const wreal gravity_z = w[2]; /* m/s^2 */
     const wreal coin_base_second_moment_xx = w[5];
     const wreal coin_base_second_moment_yy = w[6];
-    const real coin_omega_x = rolling_u_lean * rolling_R - rolling_u_yaw * rolling_R_6;
-    const real coin_omega_y = rolling_u_spin + rolling_drift;
-    const real coin_omega_z = rolling_u_yaw * rolling_R_zz + rolling_u_lean * rolling_R_2;
-    const real coin_alpha_y = rolling_u_lean * rolling_drift_2;
-    const real coin_alpha_z = rolling_R * rolling_drift_4 - rolling_R_2 * rolling_drift_3;
-    const real coin_a_x = rolling_R * rolling_drift_6 + gravity_z * rolling_R_6
-        + rolling_R_2 * rolling_drift_7;
-    const real coin_a_y = rolling_drift * rolling_drift_2 * r_1 - gravity_z * rolling_sin;
-    const real coin_a_z = rolling_R_2 * rolling_drift_6 - gravity_z * rolling_R_zz
-        - rolling_R * rolling_drift_7;
-    const real coin_U = coin_omega_x * coin_omega_y;
-    const real coin_U_2 = coin_omega_x * coin_omega_z;
-    const real coin_U_3 = coin_omega_y * coin_omega_z;
-    const real coin_U_xy = coin_U - coin_alpha_z;
-    const real coin_U_xz = coin_alpha_y + coin_U_2;
-    const real coin_U_yx = coin_alpha_z + coin_U;
-    const real coin_U_yz = rolling_drift_5 + coin_U_3;
-    const real coin_U_zx = coin_U_2 - coin_alpha_y;
-    const real coin_U_zy = coin_U_3 - rolling_drift_5;
+    const real coin_omega_x = rolling_u_lean * rolling_spin_cos
+        - rolling_u_yaw * rolling_minus_R_zx;
+    const real coin_omega_y = rolling_u_spin + rolling_u_yaw_times_lean_sin;
+    const real coin_omega_z = rolling_u_yaw * rolling_R_zz + rolling_u_lean * rolling_spin_sin;
+    const real coin_alpha_y = rolling_u_lean * rolling_u_yaw_times_lean_cos;
+    const real coin_alpha_z = rolling_spin_cos * rolling_minus_drift_relative_wx_part
+        - rolling_spin_sin * rolling_u_spin_times_u_yaw_times_lean_cos;
+    const real coin_a_x = rolling_spin_cos * coin_a_x_part + gravity_z * rolling_minus_R_zx
+        + rolling_spin_sin * coin_a_x_part_2;
+    const real coin_a_y = rolling_u_yaw_times_lean_sin * rolling_u_yaw_times_lean_cos * r_value
+        - gravity_z * rolling_lean_sin;
+    const real coin_a_z = rolling_spin_sin * coin_a_x_part - gravity_z * rolling_R_zz
+        - rolling_spin_cos * coin_a_x_part_2;
+    const real coin_omega_x_times_omega_y = coin_omega_x * coin_omega_y;
+    const real coin_omega_x_times_omega_z = coin_omega_x * coin_omega_z;
+    const real coin_omega_y_times_omega_z = coin_omega_y * coin_omega_z;
+    const real coin_U_xy = coin_omega_x_times_omega_y - coin_alpha_z;
+    const real coin_U_xz = coin_alpha_y + coin_omega_x_times_omega_z;
+    const real coin_U_yx = coin_alpha_z + coin_omega_x_times_omega_y;
+    const real coin_U_yz = rolling_minus_drift_relative_wx + coin_omega_y_times_omega_z;
+    const real coin_U_zx = coin_omega_x_times_omega_z - coin_alpha_y;
+    const real coin_U_zy = coin_omega_y_times_omega_z - rolling_minus_drift_relative_wx;
     const real coin_n_x = coin_base_second_moment_yy * coin_U_zy
         - coin_base_second_moment_xx * coin_U_yz;
     const real coin_n_y = coin_base_second_moment_xx * coin_U_xz
@@ -179,176 +185,211 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real coin_f_y = m * coin_a_y;
     const real coin_f_z = m * coin_a_z;
 
-    /* M */
-    const wreal rolling_M = w[7];
-    const wreal rolling_M_2 = w[8];
-    const real M_1_1 = rolling_R_xx * rolling_momentum_fx + m * rolling_R_3 * rolling_R_3
-        + rolling_R_xz * rolling_momentum_fz;
-    const real M_2_1 = rolling_R_xx * rolling_momentum_fx_2 - rolling_R_3 * rolling_momentum_fy
-        + rolling_R_xz * rolling_momentum_fz_2;
-    const real M_2_2 = rolling_R_yx * rolling_momentum_fx_2 + rolling_R_yy * rolling_momentum_fy
-        + rolling_R_yz * rolling_momentum_fz_2;
-    const real M_3_1 = rolling_R_xx * rolling_momentum_fx_3 + rolling_R_xz * rolling_momentum_fz_3;
-    const real M_3_2 = rolling_R_yx * rolling_momentum_fx_3 + rolling_R_yz * rolling_momentum_fz_3;
-    const real M_3_3 = rolling_R_zz * rolling_momentum_mz + rolling_S_2 * rolling_momentum_fx_3
-        + rolling_M_3;
-    const real M_4_1 = rolling_R_3 * rolling_M;
-    const real M_4_3 = rolling_R_zz * rolling_momentum_mz_2 - rolling_R_6 * rolling_momentum_mx;
-    const real M_4_4 = rolling_R * rolling_momentum_mx + rolling_M_2
-        + rolling_R_2 * rolling_momentum_mz_2;
+    /* momentum: rolling x fx, rolling x fz, rolling y fx, rolling y fy, rolling y fz, ... */
+    const wreal coin_origin_inertia_xx = w[3];
+    const wreal coin_origin_inertia_yy = w[4];
+    const real momentum_rolling_x_fx = m * rolling_R_xx;
+    const real momentum_rolling_x_fz = m * rolling_R_xz;
+    const real momentum_rolling_y_fx = m * rolling_R_yx;
+    const real momentum_rolling_y_fy = m * rolling_R_yy;
+    const real momentum_rolling_y_fz = m * rolling_R_yz;
+    const real momentum_rolling_yaw_my = coin_origin_inertia_yy * rolling_lean_sin;
+    const real momentum_rolling_yaw_mz = coin_origin_inertia_xx * rolling_R_zz;
+    const real momentum_rolling_yaw_fx = m * rolling_spin_cos_times_r_times_rolling_lean_sin;
+    const real momentum_rolling_yaw_fz = m * rolling_spin_sin_times_r_times_rolling_lean_sin;
+    const real momentum_rolling_lean_mx = coin_origin_inertia_xx * rolling_spin_cos;
+    const real momentum_rolling_lean_mz = coin_origin_inertia_xx * rolling_spin_sin;
 
-    /* shared by several: M */
-    const real rolling_M_4 = rolling_R_yy * rolling_M;
+    /* M: rolling x rolling, rolling y rolling, rolling yaw rolling, rolling lean rolling, ... */
+    const wreal momentum_minus_rolling_lean_fy = w[7];
+    const wreal r_times_momentum_minus_rolling_lean_fy = w[8];
+    const real M_rolling_x_rolling_x = rolling_R_xx * momentum_rolling_x_fx
+        + m * rolling_minus_R_xy * rolling_minus_R_xy + rolling_R_xz * momentum_rolling_x_fz;
+    const real M_rolling_y_rolling_x = rolling_R_xx * momentum_rolling_y_fx
+        - rolling_minus_R_xy * momentum_rolling_y_fy + rolling_R_xz * momentum_rolling_y_fz;
+    const real M_rolling_y_rolling_y = rolling_R_yx * momentum_rolling_y_fx
+        + rolling_R_yy * momentum_rolling_y_fy + rolling_R_yz * momentum_rolling_y_fz;
+    const real M_rolling_yaw_rolling_x = rolling_R_xx * momentum_rolling_yaw_fx
+        + rolling_R_xz * momentum_rolling_yaw_fz;
+    const real M_rolling_yaw_rolling_y = rolling_R_yx * momentum_rolling_yaw_fx
+        + rolling_R_yz * momentum_rolling_yaw_fz;
+    const real M_rolling_lean_rolling_x = rolling_minus_R_xy * momentum_minus_rolling_lean_fy;
+    const real M_rolling_lean_rolling_yaw = rolling_R_zz * momentum_rolling_lean_mz
+        - rolling_minus_R_zx * momentum_rolling_lean_mx;
+    const real M_rolling_lean_rolling_lean = rolling_spin_cos * momentum_rolling_lean_mx
+        + r_times_momentum_minus_rolling_lean_fy + rolling_spin_sin * momentum_rolling_lean_mz;
 
-    /* rolling: tau, tau yaw, tau lean, drive, drive yaw, drive lean, drive spin */
+    /* rolling: M, tau, tau yaw, tau lean, drive, drive yaw, drive lean, drive spin */
     const real rolling_u_x_tau = tau[0]; /* N */
     const real rolling_u_y_tau = tau[1]; /* N */
     const real rolling_u_yaw_tau = tau[2]; /* N*m */
     const real rolling_u_lean_tau = tau[3]; /* N*m */
     const real rolling_u_spin_tau = tau[4]; /* N*m */
-    const real rolling_tau_x = rolling_R_xx * coin_f_x - rolling_R_3 * coin_f_y
+    const real M_rolling_yaw_rolling_yaw_part = coin_origin_inertia_xx * rolling_minus_R_zx *
+        rolling_minus_R_zx + rolling_lean_sin * momentum_rolling_yaw_my
+        + rolling_spin_sin_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fz;
+    const real rolling_tau_x = rolling_R_xx * coin_f_x - rolling_minus_R_xy * coin_f_y
         + rolling_R_xz * coin_f_z;
     const real rolling_tau_y = rolling_R_yx * coin_f_x + rolling_R_yy * coin_f_y
         + rolling_R_yz * coin_f_z;
-    const real rolling_tau = rolling_sin * coin_n_y + rolling_S_2 * coin_f_x
-        + rolling_R_zz * coin_n_z;
-    const real rolling_tau_yaw = rolling_S_3 * coin_f_z - rolling_R_6 * coin_n_x + rolling_tau;
-    const real rolling_tau_lean = rolling_R * coin_n_x - r_1 * coin_f_y + rolling_R_2 * coin_n_z;
+    const real rolling_tau_yaw = rolling_spin_sin_times_r_times_rolling_lean_sin * coin_f_z
+        - rolling_minus_R_zx * coin_n_x + (rolling_lean_sin * coin_n_y
+        + rolling_spin_cos_times_r_times_rolling_lean_sin * coin_f_x + rolling_R_zz * coin_n_z);
+    const real rolling_tau_lean = rolling_spin_cos * coin_n_x - r_value * coin_f_y
+        + rolling_spin_sin * coin_n_z;
     const real rolling_drive_x = rolling_u_x_tau - rolling_tau_x;
     const real rolling_drive_y = rolling_u_y_tau - rolling_tau_y;
     const real rolling_drive_yaw = rolling_u_yaw_tau - rolling_tau_yaw;
     const real rolling_drive_lean = rolling_u_lean_tau - rolling_tau_lean;
     const real rolling_drive_spin = rolling_u_spin_tau - coin_n_y;
 
-    /* constraints: multipliers, L, D inverse */
-    const real rolling_u_x = u[0]; /* m/s */
-    const real rolling_u_y = u[1]; /* m/s */
-    const wreal constraints_D_inverse_5 = w[9];
-    const wreal constraints_multipliers = w[10];
-    const real constraints_multipliers_2 = rolling_u_yaw * rolling_G_2;
-    const real constraints_multipliers_3 = rolling_u_yaw * rolling_G;
-    const real constraints_L_5_3 = rolling_momentum_my * constraints_D_inverse_5;
-    const real constraints_D_inverse_4 = 1.0 / M_4_4;
-    const real constraints_L_4_3 = M_4_3 * constraints_D_inverse_4;
-    const real constraints_multipliers_4 = M_3_1 - M_4_1 * constraints_L_4_3;
-    const real constraints_multipliers_5 = M_3_2 + rolling_M_4 * constraints_L_4_3;
-    const real constraints_multipliers_6 = rolling_M_4 * constraints_D_inverse_4;
-    const real constraints_L_4_1 = M_4_1 * constraints_D_inverse_4;
-    const real constraints_D_inverse_3 = 1.0 / (M_3_3 - rolling_momentum_my * constraints_L_5_3
-        - M_4_3 * constraints_L_4_3);
-    const real constraints_L_3_2 = constraints_multipliers_5 * constraints_D_inverse_3;
-    const real constraints_multipliers_7 = M_2_1 + M_4_1 * constraints_multipliers_6
-        - constraints_multipliers_4 * constraints_L_3_2;
-    const real constraints_L_3_1 = constraints_multipliers_4 * constraints_D_inverse_3;
-    const real constraints_D_inverse_2 = 1.0 / (M_2_2 - rolling_M_4 * constraints_multipliers_6
-        - constraints_multipliers_5 * constraints_L_3_2);
-    const real constraints_L_2_1 = constraints_multipliers_7 * constraints_D_inverse_2;
-    const real constraints_multipliers_8 = M_1_1 - M_4_1 * constraints_L_4_1
-        - constraints_multipliers_4 * constraints_L_3_1;
-    const real constraints_D_inverse_1 = 1.0 / (constraints_multipliers_8
-        - constraints_multipliers_7 * constraints_L_2_1);
-    const real constraints_multipliers_9 = rolling_drive_yaw
-        - rolling_drive_spin * constraints_L_5_3 - rolling_drive_lean * constraints_L_4_3;
-    const real constraints_multipliers_10 = rolling_drive_y
-        + rolling_drive_lean * constraints_multipliers_6
-        - constraints_L_3_2 * constraints_multipliers_9;
-    const real constraints_multipliers_11 = rolling_drive_x
-        - rolling_drive_lean * constraints_L_4_1 - constraints_L_3_1 * constraints_multipliers_9;
-    const real constraints_multipliers_12 = constraints_D_inverse_1 * (constraints_multipliers_11
-        - constraints_L_2_1 * constraints_multipliers_10);
-    const real constraints_multipliers_13 = constraints_D_inverse_2 * constraints_multipliers_10
-        - constraints_L_2_1 * constraints_multipliers_12;
-    const real constraints_multipliers_14 = constraints_D_inverse_3 * constraints_multipliers_9
-        - constraints_L_3_1 * constraints_multipliers_12;
-    const real constraints_multipliers_15 = constraints_multipliers_14
-        - constraints_L_3_2 * constraints_multipliers_13;
-    const real constraints_multipliers_16 = rolling_drive_spin * constraints_D_inverse_5
-        - constraints_L_5_3 * constraints_multipliers_15;
-    const real constraints_multipliers_17 = r_1 * constraints_L_5_3;
-    const real constraints_multipliers_18 = rolling_G_2
-        - constraints_L_3_2 * constraints_multipliers_17;
-    const real constraints_multipliers_19 = rolling_G
-        - constraints_L_3_1 * constraints_multipliers_17
-        - constraints_L_2_1 * constraints_multipliers_18;
-    const real constraints_multipliers_20 = constraints_D_inverse_1 * constraints_multipliers_19;
-    const real constraints_multipliers_21 = constraints_D_inverse_2 * constraints_multipliers_18
-        - constraints_L_2_1 * constraints_multipliers_20;
-    const real constraints_multipliers_22 = constraints_D_inverse_3 * constraints_multipliers_17
-        - constraints_L_3_1 * constraints_multipliers_20;
-    const real constraints_multipliers_23 = constraints_multipliers_22
-        - constraints_L_3_2 * constraints_multipliers_21;
-    const real constraints_multipliers_24 = constraints_multipliers_6 * constraints_multipliers_21 -
-        constraints_L_4_1 * constraints_multipliers_20;
-    const real constraints_multipliers_25 = constraints_multipliers
-        + constraints_L_5_3 * constraints_multipliers_23;
-    const real constraints_multipliers_26 = constraints_D_inverse_1 * (rolling_G_2
-        + rolling_G * constraints_L_2_1);
-    const real constraints_multipliers_27 = rolling_G * constraints_D_inverse_2
-        + constraints_L_2_1 * constraints_multipliers_26;
-    const real constraints_multipliers_28 = constraints_L_3_1 * constraints_multipliers_26
-        - constraints_L_3_2 * constraints_multipliers_27;
-    const real constraints_multipliers_29 = constraints_L_4_1 * constraints_multipliers_26
-        + constraints_multipliers_6 * constraints_multipliers_27;
-    const real constraints_multipliers_30 = rolling_G * constraints_multipliers_20
-        + rolling_G_2 * constraints_multipliers_21 + r_1 * constraints_multipliers_25;
-    work[0] = constraints_multipliers_30;
-    const real constraints_multipliers_31 = rolling_G * constraints_multipliers_21
-        - rolling_G_2 * constraints_multipliers_20;
-    work[1] = constraints_multipliers_31;
-    work[2] = constraints_multipliers_31;
-    const real constraints_multipliers_32 = rolling_G_2 * constraints_multipliers_26
-        + rolling_G * constraints_multipliers_27;
-    work[3] = constraints_multipliers_32;
-    const real constraints_multipliers_33 = rolling_u_x * constraints_multipliers_2
-        - rolling_u_y * constraints_multipliers_3;
-    const real constraints_multipliers_34 = constraints_multipliers_33
-        - rolling_G * constraints_multipliers_12 - rolling_G_2 * constraints_multipliers_13;
-    const real constraints_multipliers_35 = r_1 * constraints_multipliers_16
-        + constraints_multipliers_34;
-    work[4] = constraints_multipliers_35;
-    const real constraints_multipliers_36 = rolling_u_y * constraints_multipliers_2
-        + rolling_u_x * constraints_multipliers_3;
-    const real constraints_multipliers_37 = rolling_G_2 * constraints_multipliers_12
-        + constraints_multipliers_36 - rolling_G * constraints_multipliers_13;
-    work[5] = constraints_multipliers_37;
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, work + 0, work + 4, work + 6);
-    const real constraints_multipliers_38 = rolling_drive_lean * constraints_D_inverse_4
-        - constraints_L_4_1 * constraints_multipliers_12;
-    const real constraints_multipliers_39 = constraints_multipliers_6 * constraints_multipliers_13 +
-        constraints_multipliers_38;
+    /* M: rolling yaw rolling yaw */
+    const real M_rolling_yaw_rolling_yaw = rolling_R_zz * momentum_rolling_yaw_mz
+        + rolling_spin_cos_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fx
+        + M_rolling_yaw_rolling_yaw_part;
 
-    /* rolling: multiplier longitudinal, multiplier lateral */
-    const real rolling_multiplier_longitudinal = work[4];
-    const real rolling_multiplier_lateral = work[5];
+    /* shared by several: M */
+    const real momentum_minus_rolling_lean_about_ground_fy = rolling_R_yy *
+        momentum_minus_rolling_lean_fy;
 
     /* constraints: multipliers */
-    const real constraints_multipliers_40 = (constraints_multipliers_24
-        - constraints_L_4_3 * constraints_multipliers_23) * rolling_multiplier_longitudinal;
-    const real constraints_multipliers_41 = (constraints_multipliers_29
-        - constraints_L_4_3 * constraints_multipliers_28) * rolling_multiplier_lateral;
-    const real constraints_multipliers_42 = constraints_multipliers_12
-        + constraints_multipliers_20 * rolling_multiplier_longitudinal;
-    const real constraints_multipliers_43 = constraints_multipliers_13
-        + constraints_multipliers_21 * rolling_multiplier_longitudinal;
-    const real constraints_multipliers_44 = constraints_multipliers_15
-        + constraints_multipliers_23 * rolling_multiplier_longitudinal;
-    const real constraints_multipliers_45 = constraints_multipliers_39
-        - constraints_L_4_3 * constraints_multipliers_15 + constraints_multipliers_40;
-    const real constraints_multipliers_46 = constraints_multipliers_16
-        - constraints_multipliers_25 * rolling_multiplier_longitudinal;
+    const wreal M_factor_D_inverse_rolling_spin = w[9];
+    const wreal rolling_longitudinal_minus_z_rolling_spin = w[10];
+    const real M_factor_L_rolling_spin_rolling_yaw = momentum_rolling_yaw_my *
+        M_factor_D_inverse_rolling_spin;
+    const real M_factor_D_inverse_rolling_lean = 1.0 / M_rolling_lean_rolling_lean;
+    const real M_factor_L_rolling_lean_rolling_yaw = M_rolling_lean_rolling_yaw *
+        M_factor_D_inverse_rolling_lean;
+    const real M_factor_DL_rolling_yaw_rolling_x = M_rolling_yaw_rolling_x
+        - M_rolling_lean_rolling_x * M_factor_L_rolling_lean_rolling_yaw;
+    const real M_factor_DL_rolling_yaw_rolling_y = M_rolling_yaw_rolling_y
+        + momentum_minus_rolling_lean_about_ground_fy * M_factor_L_rolling_lean_rolling_yaw;
+    const real M_minus_factor_L_rolling_lean_rolling_y = momentum_minus_rolling_lean_about_ground_fy
+        * M_factor_D_inverse_rolling_lean;
+    const real M_factor_L_rolling_lean_rolling_x = M_rolling_lean_rolling_x *
+        M_factor_D_inverse_rolling_lean;
+    const real M_factor_D_inverse_rolling_yaw = 1.0 / (M_rolling_yaw_rolling_yaw
+        - momentum_rolling_yaw_my * M_factor_L_rolling_spin_rolling_yaw
+        - M_rolling_lean_rolling_yaw * M_factor_L_rolling_lean_rolling_yaw);
+    const real M_factor_L_rolling_yaw_rolling_y = M_factor_DL_rolling_yaw_rolling_y *
+        M_factor_D_inverse_rolling_yaw;
+    const real M_factor_DL_rolling_y_rolling_x = M_rolling_y_rolling_x
+        + M_rolling_lean_rolling_x * M_minus_factor_L_rolling_lean_rolling_y
+        - M_factor_DL_rolling_yaw_rolling_x * M_factor_L_rolling_yaw_rolling_y;
+    const real M_factor_L_rolling_yaw_rolling_x = M_factor_DL_rolling_yaw_rolling_x *
+        M_factor_D_inverse_rolling_yaw;
+    const real M_factor_D_inverse_rolling_y = 1.0 / (M_rolling_y_rolling_y
+        - momentum_minus_rolling_lean_about_ground_fy * M_minus_factor_L_rolling_lean_rolling_y
+        - M_factor_DL_rolling_yaw_rolling_y * M_factor_L_rolling_yaw_rolling_y);
+    const real M_factor_L_rolling_y_rolling_x = M_factor_DL_rolling_y_rolling_x *
+        M_factor_D_inverse_rolling_y;
+    const real M_factor_D_inverse_rolling_x = 1.0 / (M_rolling_x_rolling_x
+        - M_rolling_lean_rolling_x * M_factor_L_rolling_lean_rolling_x
+        - M_factor_DL_rolling_yaw_rolling_x * M_factor_L_rolling_yaw_rolling_x
+        - M_factor_DL_rolling_y_rolling_x * M_factor_L_rolling_y_rolling_x);
+    const real free_y_rolling_yaw = rolling_drive_yaw
+        - rolling_drive_spin * M_factor_L_rolling_spin_rolling_yaw
+        - rolling_drive_lean * M_factor_L_rolling_lean_rolling_yaw;
+    const real free_y_rolling_y = rolling_drive_y
+        + rolling_drive_lean * M_minus_factor_L_rolling_lean_rolling_y
+        - M_factor_L_rolling_yaw_rolling_y * free_y_rolling_yaw;
+    const real free_udot_rolling_x = M_factor_D_inverse_rolling_x * (rolling_drive_x
+        - rolling_drive_lean * M_factor_L_rolling_lean_rolling_x
+        - M_factor_L_rolling_yaw_rolling_x * free_y_rolling_yaw
+        - M_factor_L_rolling_y_rolling_x * free_y_rolling_y);
+    const real free_udot_rolling_y = M_factor_D_inverse_rolling_y * free_y_rolling_y
+        - M_factor_L_rolling_y_rolling_x * free_udot_rolling_x;
+    const real free_udot_rolling_yaw = M_factor_D_inverse_rolling_yaw * free_y_rolling_yaw
+        - M_factor_L_rolling_yaw_rolling_x * free_udot_rolling_x
+        - M_factor_L_rolling_yaw_rolling_y * free_udot_rolling_y;
+    const real free_udot_rolling_spin = rolling_drive_spin * M_factor_D_inverse_rolling_spin
+        - M_factor_L_rolling_spin_rolling_yaw * free_udot_rolling_yaw;
+    const real rolling_longitudinal_y_rolling_yaw = r_value * M_factor_L_rolling_spin_rolling_yaw;
+    const real rolling_longitudinal_y_rolling_y = rolling_yaw_sin
+        - M_factor_L_rolling_yaw_rolling_y * rolling_longitudinal_y_rolling_yaw;
+    const real rolling_longitudinal_response_rolling_x = M_factor_D_inverse_rolling_x *
+        (rolling_yaw_cos - M_factor_L_rolling_yaw_rolling_x * rolling_longitudinal_y_rolling_yaw
+        - M_factor_L_rolling_y_rolling_x * rolling_longitudinal_y_rolling_y);
+    const real rolling_longitudinal_response_rolling_y = M_factor_D_inverse_rolling_y *
+        rolling_longitudinal_y_rolling_y
+        - M_factor_L_rolling_y_rolling_x * rolling_longitudinal_response_rolling_x;
+    const real rolling_longitudinal_response_rolling_yaw = M_factor_D_inverse_rolling_yaw *
+        rolling_longitudinal_y_rolling_yaw
+        - M_factor_L_rolling_yaw_rolling_x * rolling_longitudinal_response_rolling_x
+        - M_factor_L_rolling_yaw_rolling_y * rolling_longitudinal_response_rolling_y;
+    const real rolling_longitudinal_response_rolling_lean = M_minus_factor_L_rolling_lean_rolling_y
+        * rolling_longitudinal_response_rolling_y
+        - M_factor_L_rolling_lean_rolling_x * rolling_longitudinal_response_rolling_x
+        - M_factor_L_rolling_lean_rolling_yaw * rolling_longitudinal_response_rolling_yaw;
+    const real rolling_longitudinal_minus_response_rolling_spin =
+        rolling_longitudinal_minus_z_rolling_spin
+        + M_factor_L_rolling_spin_rolling_yaw * rolling_longitudinal_response_rolling_yaw;
+    const real rolling_lateral_minus_response_rolling_x = M_factor_D_inverse_rolling_x *
+        (rolling_yaw_sin + rolling_yaw_cos * M_factor_L_rolling_y_rolling_x);
+    const real rolling_lateral_response_rolling_y = rolling_yaw_cos * M_factor_D_inverse_rolling_y +
+        M_factor_L_rolling_y_rolling_x * rolling_lateral_minus_response_rolling_x;
+    const real rolling_lateral_response_rolling_yaw = M_factor_L_rolling_yaw_rolling_x *
+        rolling_lateral_minus_response_rolling_x
+        - M_factor_L_rolling_yaw_rolling_y * rolling_lateral_response_rolling_y;
+    const real circuit_rolling_longitudinal_rolling_longitudinal = rolling_yaw_cos *
+        rolling_longitudinal_response_rolling_x
+        + rolling_yaw_sin * rolling_longitudinal_response_rolling_y
+        + r_value * rolling_longitudinal_minus_response_rolling_spin;
+    work[0] = circuit_rolling_longitudinal_rolling_longitudinal;
+    const real circuit_rolling_lateral_rolling_longitudinal = rolling_yaw_cos *
+        rolling_longitudinal_response_rolling_y
+        - rolling_yaw_sin * rolling_longitudinal_response_rolling_x;
+    work[1] = circuit_rolling_lateral_rolling_longitudinal;
+    work[2] = circuit_rolling_lateral_rolling_longitudinal;
+    const real circuit_rolling_lateral_rolling_lateral = rolling_yaw_sin *
+        rolling_lateral_minus_response_rolling_x
+        + rolling_yaw_cos * rolling_lateral_response_rolling_y;
+    work[3] = circuit_rolling_lateral_rolling_lateral;
+    const real free_gamma_rolling_longitudinal = rolling_u_x * rolling_u_yaw_times_yaw_sin
+        - rolling_u_y * rolling_u_yaw_times_yaw_cos - rolling_yaw_cos * free_udot_rolling_x
+        - rolling_yaw_sin * free_udot_rolling_y + r_value * free_udot_rolling_spin;
+    work[4] = free_gamma_rolling_longitudinal;
+    const real free_gamma_rolling_lateral = rolling_gamma_lateral
+        + rolling_yaw_sin * free_udot_rolling_x - rolling_yaw_cos * free_udot_rolling_y;
+    work[5] = free_gamma_rolling_lateral;
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, work + 0, work + 4, work + 6);
+    const real rolling_udot_lean_part = rolling_drive_lean * M_factor_D_inverse_rolling_lean
+        - M_factor_L_rolling_lean_rolling_x * free_udot_rolling_x
+        + M_minus_factor_L_rolling_lean_rolling_y * free_udot_rolling_y
+        - M_factor_L_rolling_lean_rolling_yaw * free_udot_rolling_yaw;
 
-    /* rolling: udot, udot yaw, udot lean, udot spin */
+    /* rolling: multiplier longitudinal, multiplier lateral, udot, udot yaw, udot spin */
+    const real rolling_multiplier_longitudinal = work[4];
+    const real rolling_multiplier_lateral = work[5];
     /* udot: rolling.u.xdot [m/s^2] */
-    out[0] = constraints_multipliers_42 - constraints_multipliers_26 * rolling_multiplier_lateral;
+    out[0] = free_udot_rolling_x
+        + rolling_longitudinal_response_rolling_x * rolling_multiplier_longitudinal
+        - rolling_lateral_minus_response_rolling_x * rolling_multiplier_lateral;
     /* udot: rolling.u.ydot [m/s^2] */
-    out[1] = constraints_multipliers_27 * rolling_multiplier_lateral + constraints_multipliers_43;
+    out[1] = free_udot_rolling_y
+        + rolling_longitudinal_response_rolling_y * rolling_multiplier_longitudinal
+        + rolling_lateral_response_rolling_y * rolling_multiplier_lateral;
     /* udot: rolling.u.yawdot [rad/s^2] */
-    out[2] = constraints_multipliers_28 * rolling_multiplier_lateral + constraints_multipliers_44;
-    /* udot: rolling.u.leandot [rad/s^2] */
-    out[3] = constraints_multipliers_41 + constraints_multipliers_45;
+    out[2] = free_udot_rolling_yaw
+        + rolling_longitudinal_response_rolling_yaw * rolling_multiplier_longitudinal
+        + rolling_lateral_response_rolling_yaw * rolling_multiplier_lateral;
     /* udot: rolling.u.spindot [rad/s^2] */
-    out[4] = constraints_multipliers_46
-        - constraints_L_5_3 * constraints_multipliers_28 * rolling_multiplier_lateral;
+    out[4] = free_udot_rolling_spin
+        - rolling_longitudinal_minus_response_rolling_spin * rolling_multiplier_longitudinal
+        - M_factor_L_rolling_spin_rolling_yaw * rolling_lateral_response_rolling_yaw *
+        rolling_multiplier_lateral;
+
+    /* constraints: multipliers */
+    const real rolling_udot_lean_part_2 = (M_factor_L_rolling_lean_rolling_x *
+        rolling_lateral_minus_response_rolling_x
+        + M_minus_factor_L_rolling_lean_rolling_y * rolling_lateral_response_rolling_y
+        - M_factor_L_rolling_lean_rolling_yaw * rolling_lateral_response_rolling_yaw) *
+        rolling_multiplier_lateral;
+
+    /* rolling: udot lean */
+    /* udot: rolling.u.leandot [rad/s^2] */
+    out[3] = rolling_longitudinal_response_rolling_lean * rolling_multiplier_longitudinal
+        + rolling_udot_lean_part + rolling_udot_lean_part_2;
     return status;
 }
 

@@ -24,17 +24,20 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* coin: mass, inertia */
+    /* coin: mass, origin inertia */
     const wreal m = p[0]; /* kg */
-    const wreal r_1 = p[1]; /* m */
-    const wreal coin_mass = r_1 * r_1;
-    w[2] = 0.25 * m * coin_mass; /* coin_inertia_xx */
-    w[3] = 0.5 * m * coin_mass; /* coin_inertia_yy */
+    const wreal r_value = p[1]; /* m */
+    const wreal r_squared = r_value * r_value;
+    const wreal coin_origin_inertia_xx = 0.25 * m * r_squared;
+    const wreal coin_origin_inertia_yy = 0.5 * m * r_squared;
+    w[2] = coin_origin_inertia_xx;
+    w[3] = coin_origin_inertia_yy;
 
     /* rolling: M */
-    const wreal rolling_M = m * r_1;
-    w[4] = rolling_M; /* rolling_M */
-    w[5] = r_1 * rolling_M; /* rolling_M_2 */
+    const wreal momentum_minus_rolling_lean_fy = m * r_value;
+    const wreal r_times_momentum_minus_rolling_lean_fy = r_value * momentum_minus_rolling_lean_fy;
+    w[4] = momentum_minus_rolling_lean_fy;
+    w[5] = r_times_momentum_minus_rolling_lean_fy;
 
     /* parameters as they are */
     w[0] = p[0]; /* m [kg] */
@@ -51,87 +54,108 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* rolling: R, sin */
+    /* rolling: R */
     const real rolling_yaw = q[2]; /* rad */
     const real rolling_lean = q[3]; /* rad */
     const real rolling_spin = q[4]; /* rad */
     const real angle[CARDAN_PADDED(3)] = {rolling_yaw, rolling_lean, rolling_spin};
     real sine[CARDAN_PADDED(3)], cosine[CARDAN_PADDED(3)];
     cardan_sincos(3, angle, sine, cosine);
-    const real rolling_R = cosine[0];
-    const real rolling_R_2 = sine[0];
-    const real rolling_R_3 = cosine[1];
-    const real rolling_sin = sine[1];
-    const real rolling_R_4 = cosine[2];
-    const real rolling_R_5 = sine[2];
+    const real rolling_yaw_cos = cosine[0];
+    const real rolling_yaw_sin = sine[0];
+    const real rolling_lean_cos = cosine[1];
+    const real rolling_lean_sin = sine[1];
+    const real rolling_spin_cos = cosine[2];
+    const real rolling_spin_sin = sine[2];
 
-    /* rolling: R, S, momentum fx, momentum fz, momentum fy, momentum my, momentum mz, M, ... */
+    /* rolling: R, S */
+    const wreal r_value = w[1]; /* m */
+    const real rolling_minus_R_xy = rolling_yaw_sin * rolling_lean_cos;
+    const real rolling_yaw_sin_times_lean_sin = rolling_yaw_sin * rolling_lean_sin;
+    const real rolling_R_yy = rolling_yaw_cos * rolling_lean_cos;
+    const real rolling_yaw_cos_times_lean_sin = rolling_yaw_cos * rolling_lean_sin;
+    const real rolling_R_xx = rolling_yaw_cos * rolling_spin_cos
+        - rolling_yaw_sin_times_lean_sin * rolling_spin_sin;
+    const real rolling_R_xz = rolling_yaw_cos * rolling_spin_sin
+        + rolling_yaw_sin_times_lean_sin * rolling_spin_cos;
+    const real rolling_R_yx = rolling_yaw_sin * rolling_spin_cos
+        + rolling_yaw_cos_times_lean_sin * rolling_spin_sin;
+    const real rolling_R_yz = rolling_yaw_sin * rolling_spin_sin
+        - rolling_yaw_cos_times_lean_sin * rolling_spin_cos;
+    const real rolling_minus_R_zx = rolling_lean_cos * rolling_spin_sin;
+    const real rolling_R_zz = rolling_lean_cos * rolling_spin_cos;
+    const real r_times_rolling_lean_sin = r_value * rolling_lean_sin;
+    const real rolling_spin_cos_times_r_times_rolling_lean_sin = rolling_spin_cos *
+        r_times_rolling_lean_sin;
+    const real rolling_spin_sin_times_r_times_rolling_lean_sin = rolling_spin_sin *
+        r_times_rolling_lean_sin;
+
+    /* momentum: rolling x fx, rolling x fz, rolling y fx, rolling y fy, rolling y fz, ... */
     const wreal m = w[0]; /* kg */
-    const wreal r_1 = w[1]; /* m */
-    const wreal coin_inertia_xx = w[2];
-    const wreal coin_inertia_yy = w[3];
-    const real rolling_R_6 = rolling_R_2 * rolling_R_3;
-    const real rolling_R_7 = rolling_R_2 * rolling_sin;
-    const real rolling_R_yy = rolling_R * rolling_R_3;
-    const real rolling_R_8 = rolling_R * rolling_sin;
-    const real rolling_R_xx = rolling_R * rolling_R_4 - rolling_R_7 * rolling_R_5;
-    const real rolling_R_xz = rolling_R * rolling_R_5 + rolling_R_7 * rolling_R_4;
-    const real rolling_R_yx = rolling_R_2 * rolling_R_4 + rolling_R_8 * rolling_R_5;
-    const real rolling_R_yz = rolling_R_2 * rolling_R_5 - rolling_R_8 * rolling_R_4;
-    const real rolling_R_9 = rolling_R_3 * rolling_R_5;
-    const real rolling_R_zz = rolling_R_3 * rolling_R_4;
-    const real rolling_S = r_1 * rolling_sin;
-    const real rolling_S_2 = rolling_R_4 * rolling_S;
-    const real rolling_S_3 = rolling_R_5 * rolling_S;
-    const real rolling_momentum_fx = m * rolling_R_xx;
-    const real rolling_momentum_fz = m * rolling_R_xz;
-    const real rolling_momentum_fx_2 = m * rolling_R_yx;
-    const real rolling_momentum_fy = m * rolling_R_yy;
-    const real rolling_momentum_fz_2 = m * rolling_R_yz;
-    const real rolling_momentum_my = coin_inertia_yy * rolling_sin;
-    const real rolling_momentum_mz = coin_inertia_xx * rolling_R_zz;
-    const real rolling_momentum_fx_3 = m * rolling_S_2;
-    const real rolling_momentum_fz_3 = m * rolling_S_3;
-    const real rolling_M_3 = coin_inertia_xx * rolling_R_9 * rolling_R_9
-        + rolling_sin * rolling_momentum_my + rolling_S_3 * rolling_momentum_fz_3;
-    const real rolling_momentum_mx = coin_inertia_xx * rolling_R_4;
-    const real rolling_momentum_mz_2 = coin_inertia_xx * rolling_R_5;
-    out[14] = rolling_momentum_my; /* M: rolling.u.yaw,rolling.u.spin */
-    out[22] = rolling_momentum_my; /* M: rolling.u.spin,rolling.u.yaw */
+    const wreal coin_origin_inertia_xx = w[2];
+    const wreal coin_origin_inertia_yy = w[3];
+    const real momentum_rolling_x_fx = m * rolling_R_xx;
+    const real momentum_rolling_x_fz = m * rolling_R_xz;
+    const real momentum_rolling_y_fx = m * rolling_R_yx;
+    const real momentum_rolling_y_fy = m * rolling_R_yy;
+    const real momentum_rolling_y_fz = m * rolling_R_yz;
+    const real momentum_rolling_yaw_my = coin_origin_inertia_yy * rolling_lean_sin;
+    const real momentum_rolling_yaw_mz = coin_origin_inertia_xx * rolling_R_zz;
+    const real momentum_rolling_yaw_fx = m * rolling_spin_cos_times_r_times_rolling_lean_sin;
+    const real momentum_rolling_yaw_fz = m * rolling_spin_sin_times_r_times_rolling_lean_sin;
+    const real momentum_rolling_lean_mx = coin_origin_inertia_xx * rolling_spin_cos;
+    const real momentum_rolling_lean_mz = coin_origin_inertia_xx * rolling_spin_sin;
+    out[14] = momentum_rolling_yaw_my; /* M: rolling.u.yaw,rolling.u.spin */
+    out[22] = momentum_rolling_yaw_my; /* M: rolling.u.spin,rolling.u.yaw */
 
-    /* M */
-    const wreal rolling_M = w[4];
-    const wreal rolling_M_2 = w[5];
-    const real M_4_1 = rolling_R_6 * rolling_M;
-    const real M_4_2 = -rolling_R_yy * rolling_M;
-    const real M_2_1 = rolling_R_xx * rolling_momentum_fx_2 - rolling_R_6 * rolling_momentum_fy
-        + rolling_R_xz * rolling_momentum_fz_2;
-    const real M_3_1 = rolling_R_xx * rolling_momentum_fx_3 + rolling_R_xz * rolling_momentum_fz_3;
-    const real M_3_2 = rolling_R_yx * rolling_momentum_fx_3 + rolling_R_yz * rolling_momentum_fz_3;
-    const real M_4_3 = rolling_R_zz * rolling_momentum_mz_2 - rolling_R_9 * rolling_momentum_mx;
+    /* M: rolling x rolling, rolling lean rolling, rolling y rolling, rolling yaw rolling, ... */
+    const wreal momentum_minus_rolling_lean_fy = w[4];
+    const wreal r_times_momentum_minus_rolling_lean_fy = w[5];
+    const real M_rolling_lean_rolling_x = rolling_minus_R_xy * momentum_minus_rolling_lean_fy;
+    const real M_rolling_y_rolling_x = rolling_R_xx * momentum_rolling_y_fx
+        - rolling_minus_R_xy * momentum_rolling_y_fy + rolling_R_xz * momentum_rolling_y_fz;
+    const real M_rolling_yaw_rolling_x = rolling_R_xx * momentum_rolling_yaw_fx
+        + rolling_R_xz * momentum_rolling_yaw_fz;
+    const real M_rolling_yaw_rolling_y = rolling_R_yx * momentum_rolling_yaw_fx
+        + rolling_R_yz * momentum_rolling_yaw_fz;
+    const real M_rolling_lean_rolling_yaw = rolling_R_zz * momentum_rolling_lean_mz
+        - rolling_minus_R_zx * momentum_rolling_lean_mx;
     /* M: rolling.u.x,rolling.u.x */
-    out[0] = rolling_R_xx * rolling_momentum_fx + m * rolling_R_6 * rolling_R_6
-        + rolling_R_xz * rolling_momentum_fz;
-    out[3] = M_4_1; /* M: rolling.u.x,rolling.u.lean */
-    out[15] = M_4_1; /* M: rolling.u.lean,rolling.u.x */
-    out[8] = M_4_2; /* M: rolling.u.y,rolling.u.lean */
-    out[16] = M_4_2; /* M: rolling.u.lean,rolling.u.y */
-    out[1] = M_2_1; /* M: rolling.u.x,rolling.u.y */
-    out[5] = M_2_1; /* M: rolling.u.y,rolling.u.x */
+    out[0] = rolling_R_xx * momentum_rolling_x_fx + m * rolling_minus_R_xy * rolling_minus_R_xy
+        + rolling_R_xz * momentum_rolling_x_fz;
+    out[3] = M_rolling_lean_rolling_x; /* M: rolling.u.x,rolling.u.lean */
+    out[15] = M_rolling_lean_rolling_x; /* M: rolling.u.lean,rolling.u.x */
+    out[1] = M_rolling_y_rolling_x; /* M: rolling.u.x,rolling.u.y */
+    out[5] = M_rolling_y_rolling_x; /* M: rolling.u.y,rolling.u.x */
     /* M: rolling.u.y,rolling.u.y */
-    out[6] = rolling_R_yx * rolling_momentum_fx_2 + rolling_R_yy * rolling_momentum_fy
-        + rolling_R_yz * rolling_momentum_fz_2;
-    out[2] = M_3_1; /* M: rolling.u.x,rolling.u.yaw */
-    out[10] = M_3_1; /* M: rolling.u.yaw,rolling.u.x */
-    out[7] = M_3_2; /* M: rolling.u.y,rolling.u.yaw */
-    out[11] = M_3_2; /* M: rolling.u.yaw,rolling.u.y */
-    /* M: rolling.u.yaw,rolling.u.yaw */
-    out[12] = rolling_R_zz * rolling_momentum_mz + rolling_S_2 * rolling_momentum_fx_3
-        + rolling_M_3;
-    out[13] = M_4_3; /* M: rolling.u.yaw,rolling.u.lean */
-    out[17] = M_4_3; /* M: rolling.u.lean,rolling.u.yaw */
+    out[6] = rolling_R_yx * momentum_rolling_y_fx + rolling_R_yy * momentum_rolling_y_fy
+        + rolling_R_yz * momentum_rolling_y_fz;
+    out[2] = M_rolling_yaw_rolling_x; /* M: rolling.u.x,rolling.u.yaw */
+    out[10] = M_rolling_yaw_rolling_x; /* M: rolling.u.yaw,rolling.u.x */
+    out[7] = M_rolling_yaw_rolling_y; /* M: rolling.u.y,rolling.u.yaw */
+    out[11] = M_rolling_yaw_rolling_y; /* M: rolling.u.yaw,rolling.u.y */
+    out[13] = M_rolling_lean_rolling_yaw; /* M: rolling.u.yaw,rolling.u.lean */
+    out[17] = M_rolling_lean_rolling_yaw; /* M: rolling.u.lean,rolling.u.yaw */
     /* M: rolling.u.lean,rolling.u.lean */
-    out[18] = rolling_R_4 * rolling_momentum_mx + rolling_M_2 + rolling_R_5 * rolling_momentum_mz_2;
+    out[18] = rolling_spin_cos * momentum_rolling_lean_mx
+        + r_times_momentum_minus_rolling_lean_fy + rolling_spin_sin * momentum_rolling_lean_mz;
+
+    /* shared by several: M */
+    const real momentum_rolling_lean_about_ground_fy = -rolling_R_yy *
+        momentum_minus_rolling_lean_fy;
+    out[8] = momentum_rolling_lean_about_ground_fy; /* M: rolling.u.y,rolling.u.lean */
+    out[16] = momentum_rolling_lean_about_ground_fy; /* M: rolling.u.lean,rolling.u.y */
+
+    /* rolling: M */
+    const real M_rolling_yaw_rolling_yaw_part = coin_origin_inertia_xx * rolling_minus_R_zx *
+        rolling_minus_R_zx + rolling_lean_sin * momentum_rolling_yaw_my
+        + rolling_spin_sin_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fz;
+
+    /* M: rolling yaw rolling yaw */
+    /* M: rolling.u.yaw,rolling.u.yaw */
+    out[12] = rolling_R_zz * momentum_rolling_yaw_mz
+        + rolling_spin_cos_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fx
+        + M_rolling_yaw_rolling_yaw_part;
 
     /* results that are numbers or inputs */
     out[4] = CARDAN_REAL(0.0); /* M: rolling.u.x,rolling.u.spin */

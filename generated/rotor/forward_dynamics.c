@@ -43,29 +43,32 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* disk: base inertia */
+    /* disk: base inertia, base, base second moment */
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
-    const wreal disk_base_inertia_yy = disk_inertia_yy - disk_inertia_xx;
-    w[4] = disk_base_inertia_yy; /* disk_base_inertia_yy */
-
-    /* common */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (disk_inertia_xx + disk_inertia_zz + disk_inertia_yy);
-
-    /* disk: base second moment */
-    w[5] = mul_1 - disk_inertia_xx; /* disk_base_second_moment_xx */
-    w[6] = mul_1 - disk_inertia_yy; /* disk_base_second_moment_yy */
+    const wreal disk_base_inertia_yy = disk_inertia_yy - disk_inertia_xx;
+    const wreal disk_base_half_trace = 0.5 * (disk_inertia_xx + disk_inertia_zz + disk_inertia_yy);
+    const wreal disk_base_second_moment_xx = disk_base_half_trace - disk_inertia_xx;
+    const wreal disk_base_second_moment_yy = disk_base_half_trace - disk_inertia_yy;
+    w[4] = disk_base_inertia_yy;
+    w[5] = disk_base_second_moment_xx;
+    w[6] = disk_base_second_moment_yy;
 
     /* shaft: base second moment, inertia, composite inertia */
-    w[7] = mul_1 - disk_inertia_zz; /* shaft_base_second_moment_zz */
-    w[8] = disk_inertia_xx + disk_base_inertia_yy; /* shaft_inertia */
-    w[9] = disk_inertia_zz - disk_inertia_xx; /* shaft_composite_inertia_zz */
+    const wreal shaft_base_second_moment_zz = disk_base_half_trace - disk_inertia_zz;
+    const wreal disk_inertia_xx_plus_base_inertia_yy = disk_inertia_xx + disk_base_inertia_yy;
+    const wreal shaft_composite_inertia_zz = disk_inertia_zz - disk_inertia_xx;
+    w[7] = shaft_base_second_moment_zz;
+    w[8] = disk_inertia_xx_plus_base_inertia_yy;
+    w[9] = shaft_composite_inertia_zz;
 
-    /* M: D inverse */
+    /* M: factor */
     const wreal disk_mass = p[2]; /* kg */
-    w[10] = 1.0 / disk_inertia_zz; /* M_D_inverse_5 */
-    w[11] = 1.0 / disk_mass; /* M_D_inverse_1 */
+    const wreal M_factor_D_inverse_spin = 1.0 / disk_inertia_zz;
+    const wreal M_factor_D_inverse_x = 1.0 / disk_mass;
+    w[10] = M_factor_D_inverse_spin;
+    w[11] = M_factor_D_inverse_x;
 
     /* parameters as they are */
     w[0] = p[0]; /* outer */
@@ -86,7 +89,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {spin_q, lean_q};
@@ -105,46 +108,44 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real spin_u = u[4]; /* rad/s */
     const wreal outer = w[0];
     const wreal inner = w[1];
-    const wreal M_D_inverse_1 = w[11];
+    const wreal M_factor_D_inverse_x = w[11];
     const real x_tau = 20000.0 * lean_q + outer * x_u + 400000.0 * x_q + inner * (x_u
         + y_q * spin_u);
     const real x_drive = x_u_tau - x_tau;
-    out[0] = x_drive * M_D_inverse_1; /* udot: x.udot [m/s^2] */
+    out[0] = x_drive * M_factor_D_inverse_x; /* udot: x.udot [m/s^2] */
 
     /* shaft: inertia, composite inertia, omega, U, alpha */
     const real tilt_u = u[2]; /* rad/s */
     const real lean_u = u[3]; /* rad/s */
     const wreal disk_base_inertia_yy = w[4];
-    const wreal shaft_inertia = w[8];
-    const real shaft_inertia_2 = disk_base_inertia_yy * spin_sin;
-    const real shaft_composite_inertia_xx = spin_sin * shaft_inertia_2;
-    const real shaft_composite_inertia_yy = shaft_inertia - shaft_composite_inertia_xx;
+    const wreal disk_inertia_xx_plus_base_inertia_yy = w[8];
+    const real shaft_minus_inertia_shear = disk_base_inertia_yy * spin_sin;
+    const real shaft_composite_inertia_xx = spin_sin * shaft_minus_inertia_shear;
+    const real shaft_composite_inertia_yy = disk_inertia_xx_plus_base_inertia_yy
+        - shaft_composite_inertia_xx;
     const real shaft_omega_x = tilt_u * lean_cos;
     const real shaft_omega_z = tilt_u * lean_sin;
-    const real shaft_U = lean_u * shaft_omega_z;
+    const real shaft_minus_alpha_x = lean_u * shaft_omega_z;
     const real shaft_alpha_z = lean_u * shaft_omega_x;
     const real shaft_U_xz = shaft_omega_x * shaft_omega_z;
-    const real shaft_U_yz = shaft_U + shaft_U;
-
-    /* c: inertia, composite inertia */
-    const wreal disk_inertia_xx = w[2]; /* kg m^2 */
-    const wreal shaft_composite_inertia_zz = w[9];
-    const real c_inertia = lean_sin * (shaft_composite_inertia_zz
-        - shaft_composite_inertia_xx) * lean_sin;
-    const real c_composite_inertia_xx = disk_inertia_xx + shaft_composite_inertia_xx + c_inertia;
+    const real shaft_U_yz = shaft_minus_alpha_x + shaft_minus_alpha_x;
 
     /* shared by several: inertia */
-    const real c_inertia_2 = spin_cos * shaft_inertia_2 * lean_cos;
+    const real c_minus_composite_inertia_xy = spin_cos * shaft_minus_inertia_shear * lean_cos;
 
-    /* M: L, D inverse, factor */
+    /* c: composite inertia */
+    const wreal disk_inertia_xx = w[2]; /* kg m^2 */
+    const wreal shaft_composite_inertia_zz = w[9];
+    const real c_composite_inertia_xx = disk_inertia_xx + shaft_composite_inertia_xx
+        + lean_sin * (shaft_composite_inertia_zz - shaft_composite_inertia_xx) * lean_sin;
+
+    /* M: spin tilt, factor */
     const wreal disk_inertia_zz = w[3]; /* kg m^2 */
-    const wreal M_D_inverse_5 = w[10];
-    const real M_5_3 = disk_inertia_zz * lean_sin;
-    const real M_L_5_3 = M_5_3 * M_D_inverse_5;
-    const real M_D_inverse_4 = 1.0 / shaft_composite_inertia_yy;
-    const real M_factor = c_inertia_2 * M_D_inverse_4;
-    const real M_D_inverse_3 = 1.0 / (c_composite_inertia_xx - M_5_3 * M_L_5_3
-        - c_inertia_2 * M_factor);
+    const wreal M_factor_D_inverse_spin = w[10];
+    const real M_spin_tilt = disk_inertia_zz * lean_sin;
+    const real M_factor_L_spin_tilt = M_spin_tilt * M_factor_D_inverse_spin;
+    const real M_factor_D_inverse_lean = 1.0 / shaft_composite_inertia_yy;
+    const real M_minus_factor_L_lean_tilt = c_minus_composite_inertia_xy * M_factor_D_inverse_lean;
 
     /* disk: omega, alpha, U, n, inertia force */
     const wreal disk_base_second_moment_xx = w[5];
@@ -152,24 +153,24 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real disk_omega_x = spin_cos * shaft_omega_x + lean_u * spin_sin;
     const real disk_omega_y = lean_u * spin_cos - spin_sin * shaft_omega_x;
     const real disk_omega_z = spin_u + shaft_omega_z;
-    const real disk_alpha_x = spin_u * disk_omega_y - spin_cos * shaft_U;
-    const real disk_alpha_y = spin_sin * shaft_U - spin_u * disk_omega_x;
-    const real disk_U = disk_omega_x * disk_omega_y;
-    const real disk_U_xy = disk_U - shaft_alpha_z;
-    const real disk_U_yx = shaft_alpha_z + disk_U;
+    const real disk_alpha_x = spin_u * disk_omega_y - spin_cos * shaft_minus_alpha_x;
+    const real disk_alpha_y = spin_sin * shaft_minus_alpha_x - spin_u * disk_omega_x;
+    const real disk_omega_x_times_omega_y = disk_omega_x * disk_omega_y;
+    const real disk_U_xy = disk_omega_x_times_omega_y - shaft_alpha_z;
+    const real disk_U_yx = shaft_alpha_z + disk_omega_x_times_omega_y;
     const real disk_U_zx = disk_omega_x * disk_omega_z - disk_alpha_y;
     const real disk_U_zy = disk_alpha_x + disk_omega_y * disk_omega_z;
     const real disk_n_x = disk_base_second_moment_yy * disk_U_zy;
-    const real disk_inertia_force = disk_base_second_moment_xx * disk_U_zx;
+    const real disk_minus_n_y = disk_base_second_moment_xx * disk_U_zx;
     const real disk_n_z = disk_base_second_moment_xx * disk_U_yx
         - disk_base_second_moment_yy * disk_U_xy;
 
     /* shaft: n */
     const wreal shaft_base_second_moment_zz = w[7];
     const real shaft_n_x = spin_cos * disk_n_x - shaft_base_second_moment_zz * shaft_U_yz
-        + spin_sin * disk_inertia_force;
+        + spin_sin * disk_minus_n_y;
     const real shaft_n_y = shaft_base_second_moment_zz * shaft_U_xz + spin_sin * disk_n_x
-        - spin_cos * disk_inertia_force;
+        - spin_cos * disk_minus_n_y;
 
     /* c: n */
     const real c_n_x = lean_cos * shaft_n_x + lean_sin * disk_n_z;
@@ -190,22 +191,25 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real y_u = u[1]; /* m/s */
     const real y_drive = 20000.0 * tilt_q + y_u_tau - (400000.0 * y_q + outer * y_u)
         - inner * (y_u - x_q * spin_u);
-    out[1] = y_drive * M_D_inverse_1; /* udot: y.udot [m/s^2] */
+    out[1] = y_drive * M_factor_D_inverse_x; /* udot: y.udot [m/s^2] */
 
     /* spin: drive */
     const real spin_u_tau = tau[4]; /* N*m */
     const real spin_drive = spin_u_tau - disk_n_z;
 
     /* tilt: udot */
-    const real tilt_udot = M_D_inverse_3 * (lean_drive * M_factor - spin_drive * M_L_5_3
-        + tilt_drive);
+    const real tilt_udot = 1.0 / (c_composite_inertia_xx - M_spin_tilt * M_factor_L_spin_tilt
+        - c_minus_composite_inertia_xy * M_minus_factor_L_lean_tilt) * (lean_drive *
+        M_minus_factor_L_lean_tilt - spin_drive * M_factor_L_spin_tilt + tilt_drive);
     out[2] = tilt_udot; /* udot: tilt.udot [rad/s^2] */
 
     /* lean: udot */
-    out[3] = lean_drive * M_D_inverse_4 + M_factor * tilt_udot; /* udot: lean.udot [rad/s^2] */
+    /* udot: lean.udot [rad/s^2] */
+    out[3] = lean_drive * M_factor_D_inverse_lean + M_minus_factor_L_lean_tilt * tilt_udot;
 
     /* spin: udot */
-    out[4] = spin_drive * M_D_inverse_5 - M_L_5_3 * tilt_udot; /* udot: spin.udot [rad/s^2] */
+    /* udot: spin.udot [rad/s^2] */
+    out[4] = spin_drive * M_factor_D_inverse_spin - M_factor_L_spin_tilt * tilt_udot;
     return CARDAN_OK;
 }
 

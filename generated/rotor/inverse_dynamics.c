@@ -43,18 +43,19 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* common */
+    /* disk: base, base second moment */
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (disk_inertia_xx + disk_inertia_zz + disk_inertia_yy);
-
-    /* disk: base second moment */
-    w[3] = mul_1 - disk_inertia_xx; /* disk_base_second_moment_xx */
-    w[4] = mul_1 - disk_inertia_yy; /* disk_base_second_moment_yy */
+    const wreal disk_base_half_trace = 0.5 * (disk_inertia_xx + disk_inertia_zz + disk_inertia_yy);
+    const wreal disk_base_second_moment_xx = disk_base_half_trace - disk_inertia_xx;
+    const wreal disk_base_second_moment_yy = disk_base_half_trace - disk_inertia_yy;
+    w[3] = disk_base_second_moment_xx;
+    w[4] = disk_base_second_moment_yy;
 
     /* shaft: base second moment */
-    w[5] = mul_1 - disk_inertia_zz; /* shaft_base_second_moment_zz */
+    const wreal shaft_base_second_moment_zz = disk_base_half_trace - disk_inertia_zz;
+    w[5] = shaft_base_second_moment_zz;
 
     /* parameters as they are */
     w[0] = p[0]; /* outer */
@@ -74,7 +75,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {lean_q, spin_q};
@@ -92,10 +93,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real lean_udot = udot[3]; /* rad/s^2 */
     const real shaft_omega_x = tilt_u * lean_cos;
     const real shaft_omega_z = tilt_u * lean_sin;
-    const real shaft_U = lean_u * shaft_omega_z;
+    const real lean_u_times_shaft_omega_z = lean_u * shaft_omega_z;
     const real shaft_U_xz = lean_udot + shaft_omega_x * shaft_omega_z;
-    const real shaft_alpha_x = tilt_udot * lean_cos - shaft_U;
-    const real shaft_U_yz = shaft_U - shaft_alpha_x;
+    const real shaft_alpha_x = tilt_udot * lean_cos - lean_u_times_shaft_omega_z;
+    const real shaft_U_yz = lean_u_times_shaft_omega_z - shaft_alpha_x;
     const real shaft_alpha_z = lean_u * shaft_omega_x + tilt_udot * lean_sin;
 
     /* disk: omega, alpha, U, n, inertia force */
@@ -111,13 +112,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + spin_cos * shaft_alpha_x;
     const real disk_alpha_y = lean_udot * spin_cos - spin_sin * shaft_alpha_x
         - spin_u * disk_omega_x;
-    const real disk_U = disk_omega_x * disk_omega_y;
+    const real disk_omega_x_times_omega_y = disk_omega_x * disk_omega_y;
     const real disk_U_zx = disk_omega_x * disk_omega_z - disk_alpha_y;
     const real disk_U_zy = disk_alpha_x + disk_omega_y * disk_omega_z;
     const real disk_n_x = disk_base_second_moment_yy * disk_U_zy;
-    const real disk_inertia_force = disk_base_second_moment_xx * disk_U_zx;
-    const real disk_U_xy = disk_U - disk_alpha_z;
-    const real disk_U_yx = disk_alpha_z + disk_U;
+    const real disk_minus_n_y = disk_base_second_moment_xx * disk_U_zx;
+    const real disk_U_xy = disk_omega_x_times_omega_y - disk_alpha_z;
+    const real disk_U_yx = disk_alpha_z + disk_omega_x_times_omega_y;
     const real disk_n_z = disk_base_second_moment_xx * disk_U_yx
         - disk_base_second_moment_yy * disk_U_xy;
     out[4] = disk_n_z; /* tau: spin.u.tau [N*m] */
@@ -149,9 +150,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* shaft: n */
     const wreal shaft_base_second_moment_zz = w[5];
     const real shaft_n_x = spin_cos * disk_n_x - shaft_base_second_moment_zz * shaft_U_yz
-        + spin_sin * disk_inertia_force;
+        + spin_sin * disk_minus_n_y;
     const real shaft_n_y = shaft_base_second_moment_zz * shaft_U_xz + spin_sin * disk_n_x
-        - spin_cos * disk_inertia_force;
+        - spin_cos * disk_minus_n_y;
 
     /* c: n */
     const real c_n_x = lean_cos * shaft_n_x + lean_sin * disk_n_z;

@@ -28,12 +28,14 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
     const wreal disk_base_inertia_yy = disk_inertia_yy - disk_inertia_xx;
-    w[3] = disk_base_inertia_yy; /* disk_base_inertia_yy */
+    w[3] = disk_base_inertia_yy;
 
     /* shaft: inertia, composite inertia */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
-    w[4] = disk_inertia_xx + disk_base_inertia_yy; /* shaft_inertia */
-    w[5] = disk_inertia_zz - disk_inertia_xx; /* shaft_composite_inertia_zz */
+    const wreal disk_inertia_xx_plus_base_inertia_yy = disk_inertia_xx + disk_base_inertia_yy;
+    const wreal shaft_composite_inertia_zz = disk_inertia_zz - disk_inertia_xx;
+    w[4] = disk_inertia_xx_plus_base_inertia_yy;
+    w[5] = shaft_composite_inertia_zz;
 
     /* parameters as they are */
     w[0] = p[2]; /* disk.mass [kg] */
@@ -51,7 +53,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {spin_q, lean_q};
@@ -64,26 +66,29 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* shaft: inertia, composite inertia */
     const wreal disk_base_inertia_yy = w[3];
-    const wreal shaft_inertia = w[4];
-    const real shaft_inertia_2 = disk_base_inertia_yy * spin_sin;
-    const real shaft_composite_inertia_xx = spin_sin * shaft_inertia_2;
-    out[18] = shaft_inertia - shaft_composite_inertia_xx; /* M: lean.u,lean.u */
+    const wreal disk_inertia_xx_plus_base_inertia_yy = w[4];
+    const real shaft_minus_inertia_shear = disk_base_inertia_yy * spin_sin;
+    const real shaft_composite_inertia_xx = spin_sin * shaft_minus_inertia_shear;
+    /* M: lean.u,lean.u */
+    out[18] = disk_inertia_xx_plus_base_inertia_yy - shaft_composite_inertia_xx;
 
-    /* c: composite inertia, inertia */
-    const wreal disk_inertia_xx = w[1]; /* kg m^2 */
-    const wreal shaft_composite_inertia_zz = w[5];
-    const real c_composite_inertia_xy = -spin_cos * shaft_inertia_2 * lean_cos;
-    const real c_inertia = lean_sin * (shaft_composite_inertia_zz
-        - shaft_composite_inertia_xx) * lean_sin;
+    /* shared by several: inertia */
+    const real c_composite_inertia_xy = -spin_cos * shaft_minus_inertia_shear * lean_cos;
     out[13] = c_composite_inertia_xy; /* M: tilt.u,lean.u */
     out[17] = c_composite_inertia_xy; /* M: lean.u,tilt.u */
-    out[12] = disk_inertia_xx + shaft_composite_inertia_xx + c_inertia; /* M: tilt.u,tilt.u */
 
-    /* M */
+    /* c: composite inertia */
+    const wreal disk_inertia_xx = w[1]; /* kg m^2 */
+    const wreal shaft_composite_inertia_zz = w[5];
+    /* M: tilt.u,tilt.u */
+    out[12] = disk_inertia_xx + shaft_composite_inertia_xx
+        + lean_sin * (shaft_composite_inertia_zz - shaft_composite_inertia_xx) * lean_sin;
+
+    /* M: spin tilt */
     const wreal disk_inertia_zz = w[2]; /* kg m^2 */
-    const real M_5_3 = disk_inertia_zz * lean_sin;
-    out[14] = M_5_3; /* M: tilt.u,spin.u */
-    out[22] = M_5_3; /* M: spin.u,tilt.u */
+    const real M_spin_tilt = disk_inertia_zz * lean_sin;
+    out[14] = M_spin_tilt; /* M: tilt.u,spin.u */
+    out[22] = M_spin_tilt; /* M: spin.u,tilt.u */
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[0]); /* M: x.u,x.u */

@@ -116,274 +116,328 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* tube0: first moment, mass, inertia */
+    /* tube0: first moment, mass, origin inertia, base */
     const wreal tube0_mass = p[3]; /* kg */
     const wreal tube0_com_z = p[4]; /* m */
     const wreal tube0_inertia_xx = p[5]; /* kg m^2 */
     const wreal tube0_inertia_yy = p[6]; /* kg m^2 */
+    const wreal tube0_inertia_zz = p[7]; /* kg m^2 */
     const wreal tube0_first_moment_z = tube0_mass * tube0_com_z;
-    const wreal tube0_mass_2 = tube0_com_z * tube0_first_moment_z;
-    const wreal tube0_inertia_xx_2 = tube0_inertia_xx + tube0_mass_2;
-    const wreal tube0_inertia_yy_2 = tube0_inertia_yy + tube0_mass_2;
-    w[1] = tube0_first_moment_z; /* tube0_first_moment_z */
+    const wreal tube0_com_z_times_first_moment_z = tube0_com_z * tube0_first_moment_z;
+    const wreal tube0_origin_inertia_xx = tube0_inertia_xx + tube0_com_z_times_first_moment_z;
+    const wreal tube0_origin_inertia_yy = tube0_inertia_yy + tube0_com_z_times_first_moment_z;
+    const wreal tube0_base_half_trace = 0.5 * (tube0_inertia_zz + tube0_origin_inertia_xx
+        + tube0_origin_inertia_yy);
+    w[1] = tube0_first_moment_z;
 
-    /* rod0: first moment, mass, inertia, base mass, base moment */
+    /* rod0: first moment, mass, origin inertia, base mass, base moment, base */
     const wreal slide0_position_z = p[8]; /* m */
     const wreal rod0_mass = p[9]; /* kg */
     const wreal rod0_com_z = p[10]; /* m */
     const wreal rod0_inertia_xx = p[11]; /* kg m^2 */
     const wreal rod0_inertia_yy = p[12]; /* kg m^2 */
+    const wreal rod0_inertia_zz = p[13]; /* kg m^2 */
     const wreal platform_mass = p[16]; /* kg */
     const wreal rod0_first_moment_z = rod0_mass * rod0_com_z;
-    const wreal rod0_mass_2 = rod0_com_z * rod0_first_moment_z;
-    const wreal rod0_inertia_xx_2 = rod0_inertia_xx + rod0_mass_2;
-    const wreal rod0_inertia_yy_2 = rod0_inertia_yy + rod0_mass_2;
-    const wreal rod0_mass_3 = slide0_position_z * (rod0_first_moment_z
+    const wreal rod0_com_z_times_first_moment_z = rod0_com_z * rod0_first_moment_z;
+    const wreal rod0_origin_inertia_xx = rod0_inertia_xx + rod0_com_z_times_first_moment_z;
+    const wreal rod0_origin_inertia_yy = rod0_inertia_yy + rod0_com_z_times_first_moment_z;
+    const wreal rod0_mass_shift = slide0_position_z * (rod0_first_moment_z
         + 0.5 * rod0_mass * slide0_position_z) * 2.0;
-    const wreal rod0_mass_4 = rod0_inertia_xx_2 + rod0_mass_3;
-    const wreal rod0_mass_5 = rod0_inertia_yy_2 + rod0_mass_3;
-    w[24] = rod0_mass + platform_mass; /* rod0_base_mass */
-    /* rod0_base_moment_z */
-    w[25] = rod0_first_moment_z + slide0_position_z * rod0_mass + slide0_position_z * platform_mass;
+    const wreal rod0_origin_inertia_xx_plus_mass_shift = rod0_origin_inertia_xx + rod0_mass_shift;
+    const wreal rod0_origin_inertia_yy_plus_mass_shift = rod0_origin_inertia_yy + rod0_mass_shift;
+    const wreal rod0_base_mass = rod0_mass + platform_mass;
+    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
+        + slide0_position_z * platform_mass;
+    const wreal rod0_base_half_trace = 0.5 * (rod0_inertia_zz
+        + rod0_origin_inertia_xx_plus_mass_shift + rod0_origin_inertia_yy_plus_mass_shift);
+    w[24] = rod0_base_mass;
+    w[25] = rod0_base_moment_z;
 
-    /* platform: mass, first moment, base second moment, inertia, base */
+    /* platform: mass, first moment, base second moment, origin inertia, base */
     const wreal ball0_child_position_x = p[14]; /* m */
     const wreal ball0_child_position_y = p[15]; /* m */
     const wreal platform_com_z = p[17]; /* m */
     const wreal platform_inertia_xx = p[18]; /* kg m^2 */
     const wreal platform_inertia_yy = p[19]; /* kg m^2 */
     const wreal platform_inertia_zz = p[20]; /* kg m^2 */
-    const wreal platform_mass_2 = ball0_child_position_x * platform_mass;
-    const wreal platform_mass_3 = ball0_child_position_y * platform_mass;
+    const wreal platform_minus_first_moment_x = ball0_child_position_x * platform_mass;
+    const wreal platform_minus_first_moment_y = ball0_child_position_y * platform_mass;
     const wreal platform_first_moment_z = platform_mass * platform_com_z;
-    const wreal platform_mass_4 = ball0_child_position_x * platform_mass_2;
-    const wreal platform_mass_5 = ball0_child_position_y * platform_mass_3;
-    const wreal platform_mass_6 = platform_com_z * platform_first_moment_z;
-    const wreal platform_inertia_xx_2 = platform_inertia_xx + platform_mass_5 + platform_mass_6;
-    const wreal platform_inertia_yy_2 = platform_inertia_yy + platform_mass_4 + platform_mass_6;
-    const wreal platform_inertia_zz_2 = platform_inertia_zz + platform_mass_4 + platform_mass_5;
-    const wreal platform_base = 0.5 * platform_mass * slide0_position_z * slide0_position_z;
-    w[3] = platform_mass_2; /* platform_mass_2 */
-    w[4] = platform_mass_3; /* platform_mass_3 */
-    w[5] = platform_first_moment_z; /* platform_first_moment_z */
-    w[6] = ball0_child_position_y * platform_mass_2; /* platform_base_second_moment_xy */
-    w[7] = platform_com_z * platform_mass_2; /* platform_inertia_xz */
-    w[8] = platform_com_z * platform_mass_3; /* platform_inertia_yz */
+    const wreal ball0_child_position_x_times_platform_minus_first_moment_x = ball0_child_position_x
+        * platform_minus_first_moment_x;
+    const wreal ball0_child_position_y_times_platform_minus_first_moment_y = ball0_child_position_y
+        * platform_minus_first_moment_y;
+    const wreal platform_com_z_times_first_moment_z = platform_com_z * platform_first_moment_z;
+    const wreal platform_base_second_moment_xy = ball0_child_position_y *
+        platform_minus_first_moment_x;
+    const wreal platform_origin_inertia_xz = platform_com_z * platform_minus_first_moment_x;
+    const wreal platform_origin_inertia_yz = platform_com_z * platform_minus_first_moment_y;
+    const wreal platform_origin_inertia_xx = platform_inertia_xx
+        + ball0_child_position_y_times_platform_minus_first_moment_y
+        + platform_com_z_times_first_moment_z;
+    const wreal platform_origin_inertia_yy = platform_inertia_yy
+        + ball0_child_position_x_times_platform_minus_first_moment_x
+        + platform_com_z_times_first_moment_z;
+    const wreal platform_origin_inertia_zz = platform_inertia_zz
+        + ball0_child_position_x_times_platform_minus_first_moment_x
+        + ball0_child_position_y_times_platform_minus_first_moment_y;
+    const wreal slide0_position_z_times_platform_base_mean_moment_z = 0.5 * platform_mass *
+        slide0_position_z * slide0_position_z;
+    const wreal platform_base_half_trace = 0.5 * (platform_origin_inertia_xx
+        + platform_origin_inertia_zz + platform_origin_inertia_yy);
+    const wreal platform_base_second_moment_xx = platform_base_half_trace
+        - platform_origin_inertia_xx;
+    const wreal platform_base_second_moment_yy = platform_base_half_trace
+        - platform_origin_inertia_yy;
+    const wreal platform_base_second_moment_zz = platform_base_half_trace
+        - platform_origin_inertia_zz;
+    w[3] = platform_minus_first_moment_x;
+    w[4] = platform_minus_first_moment_y;
+    w[5] = platform_first_moment_z;
+    w[6] = platform_base_second_moment_xy;
+    w[7] = platform_origin_inertia_xz;
+    w[8] = platform_origin_inertia_yz;
+    w[26] = platform_base_second_moment_xx;
+    w[27] = platform_base_second_moment_yy;
+    w[28] = platform_base_second_moment_zz;
 
-    /* tube1: first moment, mass, inertia */
+    /* tube1: first moment, mass, origin inertia, base */
     const wreal tube1_mass = p[23]; /* kg */
     const wreal tube1_com_z = p[24]; /* m */
     const wreal tube1_inertia_xx = p[25]; /* kg m^2 */
     const wreal tube1_inertia_yy = p[26]; /* kg m^2 */
+    const wreal tube1_inertia_zz = p[27]; /* kg m^2 */
     const wreal tube1_first_moment_z = tube1_mass * tube1_com_z;
-    const wreal tube1_mass_2 = tube1_com_z * tube1_first_moment_z;
-    const wreal tube1_inertia_xx_2 = tube1_inertia_xx + tube1_mass_2;
-    const wreal tube1_inertia_yy_2 = tube1_inertia_yy + tube1_mass_2;
-    w[9] = tube1_first_moment_z; /* tube1_first_moment_z */
+    const wreal tube1_com_z_times_first_moment_z = tube1_com_z * tube1_first_moment_z;
+    const wreal tube1_origin_inertia_xx = tube1_inertia_xx + tube1_com_z_times_first_moment_z;
+    const wreal tube1_origin_inertia_yy = tube1_inertia_yy + tube1_com_z_times_first_moment_z;
+    const wreal tube1_base_half_trace = 0.5 * (tube1_inertia_zz + tube1_origin_inertia_xx
+        + tube1_origin_inertia_yy);
+    w[9] = tube1_first_moment_z;
 
-    /* rod1: first moment, mass, inertia, base moment */
+    /* rod1: first moment, mass, origin inertia, base moment, base */
     const wreal slide1_position_z = p[28]; /* m */
     const wreal rod1_mass = p[29]; /* kg */
     const wreal rod1_com_z = p[30]; /* m */
     const wreal rod1_inertia_xx = p[31]; /* kg m^2 */
     const wreal rod1_inertia_yy = p[32]; /* kg m^2 */
+    const wreal rod1_inertia_zz = p[33]; /* kg m^2 */
     const wreal rod1_first_moment_z = rod1_mass * rod1_com_z;
-    const wreal rod1_mass_2 = rod1_com_z * rod1_first_moment_z;
-    const wreal rod1_inertia_xx_2 = rod1_inertia_xx + rod1_mass_2;
-    const wreal rod1_inertia_yy_2 = rod1_inertia_yy + rod1_mass_2;
-    const wreal rod1_mass_3 = slide1_position_z * (rod1_first_moment_z
+    const wreal rod1_com_z_times_first_moment_z = rod1_com_z * rod1_first_moment_z;
+    const wreal rod1_origin_inertia_xx = rod1_inertia_xx + rod1_com_z_times_first_moment_z;
+    const wreal rod1_origin_inertia_yy = rod1_inertia_yy + rod1_com_z_times_first_moment_z;
+    const wreal rod1_mass_shift = slide1_position_z * (rod1_first_moment_z
         + 0.5 * rod1_mass * slide1_position_z) * 2.0;
-    const wreal rod1_mass_4 = rod1_inertia_xx_2 + rod1_mass_3;
-    const wreal rod1_mass_5 = rod1_inertia_yy_2 + rod1_mass_3;
-    w[19] = rod1_first_moment_z + slide1_position_z * rod1_mass; /* rod1_base_moment_z */
+    const wreal rod1_base_moment_z = rod1_first_moment_z + slide1_position_z * rod1_mass;
+    const wreal rod1_base_inertia_xx = rod1_origin_inertia_xx + rod1_mass_shift;
+    const wreal rod1_base_inertia_yy = rod1_origin_inertia_yy + rod1_mass_shift;
+    const wreal rod1_base_half_trace = 0.5 * (rod1_inertia_zz + rod1_base_inertia_xx
+        + rod1_base_inertia_yy);
+    w[19] = rod1_base_moment_z;
 
-    /* tube2: first moment, mass, inertia */
+    /* tube2: first moment, mass, origin inertia, base */
     const wreal tube2_mass = p[36]; /* kg */
     const wreal tube2_com_z = p[37]; /* m */
     const wreal tube2_inertia_xx = p[38]; /* kg m^2 */
     const wreal tube2_inertia_yy = p[39]; /* kg m^2 */
+    const wreal tube2_inertia_zz = p[40]; /* kg m^2 */
     const wreal tube2_first_moment_z = tube2_mass * tube2_com_z;
-    const wreal tube2_mass_2 = tube2_com_z * tube2_first_moment_z;
-    const wreal tube2_inertia_xx_2 = tube2_inertia_xx + tube2_mass_2;
-    const wreal tube2_inertia_yy_2 = tube2_inertia_yy + tube2_mass_2;
-    w[11] = tube2_first_moment_z; /* tube2_first_moment_z */
+    const wreal tube2_com_z_times_first_moment_z = tube2_com_z * tube2_first_moment_z;
+    const wreal tube2_origin_inertia_xx = tube2_inertia_xx + tube2_com_z_times_first_moment_z;
+    const wreal tube2_origin_inertia_yy = tube2_inertia_yy + tube2_com_z_times_first_moment_z;
+    const wreal tube2_base_half_trace = 0.5 * (tube2_inertia_zz + tube2_origin_inertia_xx
+        + tube2_origin_inertia_yy);
+    w[11] = tube2_first_moment_z;
 
-    /* rod2: first moment, mass, inertia, base moment */
+    /* rod2: first moment, mass, origin inertia, base moment, base */
     const wreal slide2_position_z = p[41]; /* m */
     const wreal rod2_mass = p[42]; /* kg */
     const wreal rod2_com_z = p[43]; /* m */
     const wreal rod2_inertia_xx = p[44]; /* kg m^2 */
     const wreal rod2_inertia_yy = p[45]; /* kg m^2 */
+    const wreal rod2_inertia_zz = p[46]; /* kg m^2 */
     const wreal rod2_first_moment_z = rod2_mass * rod2_com_z;
-    const wreal rod2_mass_2 = rod2_com_z * rod2_first_moment_z;
-    const wreal rod2_inertia_xx_2 = rod2_inertia_xx + rod2_mass_2;
-    const wreal rod2_inertia_yy_2 = rod2_inertia_yy + rod2_mass_2;
-    const wreal rod2_mass_3 = slide2_position_z * (rod2_first_moment_z
+    const wreal rod2_com_z_times_first_moment_z = rod2_com_z * rod2_first_moment_z;
+    const wreal rod2_origin_inertia_xx = rod2_inertia_xx + rod2_com_z_times_first_moment_z;
+    const wreal rod2_origin_inertia_yy = rod2_inertia_yy + rod2_com_z_times_first_moment_z;
+    const wreal rod2_mass_shift = slide2_position_z * (rod2_first_moment_z
         + 0.5 * rod2_mass * slide2_position_z) * 2.0;
-    const wreal rod2_mass_4 = rod2_inertia_xx_2 + rod2_mass_3;
-    const wreal rod2_mass_5 = rod2_inertia_yy_2 + rod2_mass_3;
-    w[20] = rod2_first_moment_z + slide2_position_z * rod2_mass; /* rod2_base_moment_z */
+    const wreal rod2_base_moment_z = rod2_first_moment_z + slide2_position_z * rod2_mass;
+    const wreal rod2_base_inertia_xx = rod2_origin_inertia_xx + rod2_mass_shift;
+    const wreal rod2_base_inertia_yy = rod2_origin_inertia_yy + rod2_mass_shift;
+    const wreal rod2_base_half_trace = 0.5 * (rod2_inertia_zz + rod2_base_inertia_xx
+        + rod2_base_inertia_yy);
+    w[20] = rod2_base_moment_z;
 
-    /* tube3: first moment, mass, inertia */
+    /* tube3: first moment, mass, origin inertia, base */
     const wreal tube3_mass = p[49]; /* kg */
     const wreal tube3_com_z = p[50]; /* m */
     const wreal tube3_inertia_xx = p[51]; /* kg m^2 */
     const wreal tube3_inertia_yy = p[52]; /* kg m^2 */
+    const wreal tube3_inertia_zz = p[53]; /* kg m^2 */
     const wreal tube3_first_moment_z = tube3_mass * tube3_com_z;
-    const wreal tube3_mass_2 = tube3_com_z * tube3_first_moment_z;
-    const wreal tube3_inertia_xx_2 = tube3_inertia_xx + tube3_mass_2;
-    const wreal tube3_inertia_yy_2 = tube3_inertia_yy + tube3_mass_2;
-    w[13] = tube3_first_moment_z; /* tube3_first_moment_z */
+    const wreal tube3_com_z_times_first_moment_z = tube3_com_z * tube3_first_moment_z;
+    const wreal tube3_origin_inertia_xx = tube3_inertia_xx + tube3_com_z_times_first_moment_z;
+    const wreal tube3_origin_inertia_yy = tube3_inertia_yy + tube3_com_z_times_first_moment_z;
+    const wreal tube3_base_half_trace = 0.5 * (tube3_inertia_zz + tube3_origin_inertia_xx
+        + tube3_origin_inertia_yy);
+    w[13] = tube3_first_moment_z;
 
-    /* rod3: first moment, mass, inertia, base moment */
+    /* rod3: first moment, mass, origin inertia, base moment, base */
     const wreal slide3_position_z = p[54]; /* m */
     const wreal rod3_mass = p[55]; /* kg */
     const wreal rod3_com_z = p[56]; /* m */
     const wreal rod3_inertia_xx = p[57]; /* kg m^2 */
     const wreal rod3_inertia_yy = p[58]; /* kg m^2 */
+    const wreal rod3_inertia_zz = p[59]; /* kg m^2 */
     const wreal rod3_first_moment_z = rod3_mass * rod3_com_z;
-    const wreal rod3_mass_2 = rod3_com_z * rod3_first_moment_z;
-    const wreal rod3_inertia_xx_2 = rod3_inertia_xx + rod3_mass_2;
-    const wreal rod3_inertia_yy_2 = rod3_inertia_yy + rod3_mass_2;
-    const wreal rod3_mass_3 = slide3_position_z * (rod3_first_moment_z
+    const wreal rod3_com_z_times_first_moment_z = rod3_com_z * rod3_first_moment_z;
+    const wreal rod3_origin_inertia_xx = rod3_inertia_xx + rod3_com_z_times_first_moment_z;
+    const wreal rod3_origin_inertia_yy = rod3_inertia_yy + rod3_com_z_times_first_moment_z;
+    const wreal rod3_mass_shift = slide3_position_z * (rod3_first_moment_z
         + 0.5 * rod3_mass * slide3_position_z) * 2.0;
-    const wreal rod3_mass_4 = rod3_inertia_xx_2 + rod3_mass_3;
-    const wreal rod3_mass_5 = rod3_inertia_yy_2 + rod3_mass_3;
-    w[21] = rod3_first_moment_z + slide3_position_z * rod3_mass; /* rod3_base_moment_z */
+    const wreal rod3_base_moment_z = rod3_first_moment_z + slide3_position_z * rod3_mass;
+    const wreal rod3_base_inertia_xx = rod3_origin_inertia_xx + rod3_mass_shift;
+    const wreal rod3_base_inertia_yy = rod3_origin_inertia_yy + rod3_mass_shift;
+    const wreal rod3_base_half_trace = 0.5 * (rod3_inertia_zz + rod3_base_inertia_xx
+        + rod3_base_inertia_yy);
+    w[21] = rod3_base_moment_z;
 
-    /* tube4: first moment, mass, inertia */
+    /* tube4: first moment, mass, origin inertia, base */
     const wreal tube4_mass = p[62]; /* kg */
     const wreal tube4_com_z = p[63]; /* m */
     const wreal tube4_inertia_xx = p[64]; /* kg m^2 */
     const wreal tube4_inertia_yy = p[65]; /* kg m^2 */
+    const wreal tube4_inertia_zz = p[66]; /* kg m^2 */
     const wreal tube4_first_moment_z = tube4_mass * tube4_com_z;
-    const wreal tube4_mass_2 = tube4_com_z * tube4_first_moment_z;
-    const wreal tube4_inertia_xx_2 = tube4_inertia_xx + tube4_mass_2;
-    const wreal tube4_inertia_yy_2 = tube4_inertia_yy + tube4_mass_2;
-    w[15] = tube4_first_moment_z; /* tube4_first_moment_z */
+    const wreal tube4_com_z_times_first_moment_z = tube4_com_z * tube4_first_moment_z;
+    const wreal tube4_origin_inertia_xx = tube4_inertia_xx + tube4_com_z_times_first_moment_z;
+    const wreal tube4_origin_inertia_yy = tube4_inertia_yy + tube4_com_z_times_first_moment_z;
+    const wreal tube4_base_half_trace = 0.5 * (tube4_inertia_zz + tube4_origin_inertia_xx
+        + tube4_origin_inertia_yy);
+    w[15] = tube4_first_moment_z;
 
-    /* rod4: first moment, mass, inertia, base moment */
+    /* rod4: first moment, mass, origin inertia, base moment, base */
     const wreal slide4_position_z = p[67]; /* m */
     const wreal rod4_mass = p[68]; /* kg */
     const wreal rod4_com_z = p[69]; /* m */
     const wreal rod4_inertia_xx = p[70]; /* kg m^2 */
     const wreal rod4_inertia_yy = p[71]; /* kg m^2 */
+    const wreal rod4_inertia_zz = p[72]; /* kg m^2 */
     const wreal rod4_first_moment_z = rod4_mass * rod4_com_z;
-    const wreal rod4_mass_2 = rod4_com_z * rod4_first_moment_z;
-    const wreal rod4_inertia_xx_2 = rod4_inertia_xx + rod4_mass_2;
-    const wreal rod4_inertia_yy_2 = rod4_inertia_yy + rod4_mass_2;
-    const wreal rod4_mass_3 = slide4_position_z * (rod4_first_moment_z
+    const wreal rod4_com_z_times_first_moment_z = rod4_com_z * rod4_first_moment_z;
+    const wreal rod4_origin_inertia_xx = rod4_inertia_xx + rod4_com_z_times_first_moment_z;
+    const wreal rod4_origin_inertia_yy = rod4_inertia_yy + rod4_com_z_times_first_moment_z;
+    const wreal rod4_mass_shift = slide4_position_z * (rod4_first_moment_z
         + 0.5 * rod4_mass * slide4_position_z) * 2.0;
-    const wreal rod4_mass_4 = rod4_inertia_xx_2 + rod4_mass_3;
-    const wreal rod4_mass_5 = rod4_inertia_yy_2 + rod4_mass_3;
-    w[22] = rod4_first_moment_z + slide4_position_z * rod4_mass; /* rod4_base_moment_z */
+    const wreal rod4_base_moment_z = rod4_first_moment_z + slide4_position_z * rod4_mass;
+    const wreal rod4_base_inertia_xx = rod4_origin_inertia_xx + rod4_mass_shift;
+    const wreal rod4_base_inertia_yy = rod4_origin_inertia_yy + rod4_mass_shift;
+    const wreal rod4_base_half_trace = 0.5 * (rod4_inertia_zz + rod4_base_inertia_xx
+        + rod4_base_inertia_yy);
+    w[22] = rod4_base_moment_z;
 
-    /* tube5: first moment, mass, inertia */
+    /* tube5: first moment, mass, origin inertia, base */
     const wreal tube5_mass = p[75]; /* kg */
     const wreal tube5_com_z = p[76]; /* m */
     const wreal tube5_inertia_xx = p[77]; /* kg m^2 */
     const wreal tube5_inertia_yy = p[78]; /* kg m^2 */
+    const wreal tube5_inertia_zz = p[79]; /* kg m^2 */
     const wreal tube5_first_moment_z = tube5_mass * tube5_com_z;
-    const wreal tube5_mass_2 = tube5_com_z * tube5_first_moment_z;
-    const wreal tube5_inertia_xx_2 = tube5_inertia_xx + tube5_mass_2;
-    const wreal tube5_inertia_yy_2 = tube5_inertia_yy + tube5_mass_2;
-    w[17] = tube5_first_moment_z; /* tube5_first_moment_z */
+    const wreal tube5_com_z_times_first_moment_z = tube5_com_z * tube5_first_moment_z;
+    const wreal tube5_origin_inertia_xx = tube5_inertia_xx + tube5_com_z_times_first_moment_z;
+    const wreal tube5_origin_inertia_yy = tube5_inertia_yy + tube5_com_z_times_first_moment_z;
+    const wreal tube5_base_half_trace = 0.5 * (tube5_inertia_zz + tube5_origin_inertia_xx
+        + tube5_origin_inertia_yy);
+    w[17] = tube5_first_moment_z;
 
-    /* rod5: first moment, mass, inertia, base moment */
+    /* rod5: first moment, mass, origin inertia, base moment, base */
     const wreal slide5_position_z = p[80]; /* m */
     const wreal rod5_mass = p[81]; /* kg */
     const wreal rod5_com_z = p[82]; /* m */
     const wreal rod5_inertia_xx = p[83]; /* kg m^2 */
     const wreal rod5_inertia_yy = p[84]; /* kg m^2 */
-    const wreal rod5_first_moment_z = rod5_mass * rod5_com_z;
-    const wreal rod5_mass_2 = rod5_com_z * rod5_first_moment_z;
-    const wreal rod5_inertia_xx_2 = rod5_inertia_xx + rod5_mass_2;
-    const wreal rod5_inertia_yy_2 = rod5_inertia_yy + rod5_mass_2;
-    const wreal rod5_mass_3 = slide5_position_z * (rod5_first_moment_z
-        + 0.5 * rod5_mass * slide5_position_z) * 2.0;
-    const wreal rod5_mass_4 = rod5_inertia_xx_2 + rod5_mass_3;
-    const wreal rod5_mass_5 = rod5_inertia_yy_2 + rod5_mass_3;
-    w[23] = rod5_first_moment_z + slide5_position_z * rod5_mass; /* rod5_base_moment_z */
-
-    /* common */
-    const wreal tube0_inertia_zz = p[7]; /* kg m^2 */
-    const wreal rod0_inertia_zz = p[13]; /* kg m^2 */
-    const wreal tube1_inertia_zz = p[27]; /* kg m^2 */
-    const wreal rod1_inertia_zz = p[33]; /* kg m^2 */
-    const wreal tube2_inertia_zz = p[40]; /* kg m^2 */
-    const wreal rod2_inertia_zz = p[46]; /* kg m^2 */
-    const wreal tube3_inertia_zz = p[53]; /* kg m^2 */
-    const wreal rod3_inertia_zz = p[59]; /* kg m^2 */
-    const wreal tube4_inertia_zz = p[66]; /* kg m^2 */
-    const wreal rod4_inertia_zz = p[72]; /* kg m^2 */
-    const wreal tube5_inertia_zz = p[79]; /* kg m^2 */
     const wreal rod5_inertia_zz = p[85]; /* kg m^2 */
-    const wreal mul_1 = 0.5 * (tube0_inertia_zz + tube0_inertia_xx_2 + tube0_inertia_yy_2);
-    const wreal mul_1_2 = 0.5 * (rod0_inertia_zz + rod0_mass_4 + rod0_mass_5);
-    const wreal mul_1_3 = 0.5 * (platform_inertia_xx_2 + platform_inertia_zz_2
-        + platform_inertia_yy_2);
-    const wreal mul_1_4 = 0.5 * (tube1_inertia_zz + tube1_inertia_xx_2 + tube1_inertia_yy_2);
-    const wreal mul_1_5 = 0.5 * (rod1_inertia_zz + rod1_mass_4 + rod1_mass_5);
-    const wreal mul_1_6 = 0.5 * (tube2_inertia_zz + tube2_inertia_xx_2 + tube2_inertia_yy_2);
-    const wreal mul_1_7 = 0.5 * (rod2_inertia_zz + rod2_mass_4 + rod2_mass_5);
-    const wreal mul_1_8 = 0.5 * (tube3_inertia_zz + tube3_inertia_xx_2 + tube3_inertia_yy_2);
-    const wreal mul_1_9 = 0.5 * (rod3_inertia_zz + rod3_mass_4 + rod3_mass_5);
-    const wreal mul_1_10 = 0.5 * (tube4_inertia_zz + tube4_inertia_xx_2 + tube4_inertia_yy_2);
-    const wreal mul_1_11 = 0.5 * (rod4_inertia_zz + rod4_mass_4 + rod4_mass_5);
-    const wreal mul_1_12 = 0.5 * (tube5_inertia_zz + tube5_inertia_xx_2 + tube5_inertia_yy_2);
-    const wreal mul_1_13 = 0.5 * (rod5_inertia_zz + rod5_mass_4 + rod5_mass_5);
-
-    /* platform: base second moment */
-    w[26] = mul_1_3 - platform_inertia_xx_2; /* platform_base_second_moment_xx */
-    w[27] = mul_1_3 - platform_inertia_yy_2; /* platform_base_second_moment_yy */
-    w[28] = mul_1_3 - platform_inertia_zz_2; /* platform_base_second_moment_zz */
+    const wreal rod5_first_moment_z = rod5_mass * rod5_com_z;
+    const wreal rod5_com_z_times_first_moment_z = rod5_com_z * rod5_first_moment_z;
+    const wreal rod5_origin_inertia_xx = rod5_inertia_xx + rod5_com_z_times_first_moment_z;
+    const wreal rod5_origin_inertia_yy = rod5_inertia_yy + rod5_com_z_times_first_moment_z;
+    const wreal rod5_mass_shift = slide5_position_z * (rod5_first_moment_z
+        + 0.5 * rod5_mass * slide5_position_z) * 2.0;
+    const wreal rod5_base_moment_z = rod5_first_moment_z + slide5_position_z * rod5_mass;
+    const wreal rod5_base_inertia_xx = rod5_origin_inertia_xx + rod5_mass_shift;
+    const wreal rod5_base_inertia_yy = rod5_origin_inertia_yy + rod5_mass_shift;
+    const wreal rod5_base_half_trace = 0.5 * (rod5_inertia_zz + rod5_base_inertia_xx
+        + rod5_base_inertia_yy);
+    w[23] = rod5_base_moment_z;
 
     /* tube5: base second moment */
-    /* tube5_base_second_moment_xx */
-    w[29] = mul_1_12 - tube5_inertia_xx_2 + (mul_1_13 - rod5_mass_4);
-    /* tube5_base_second_moment_yy */
-    w[30] = mul_1_12 - tube5_inertia_yy_2 + (mul_1_13 - rod5_mass_5);
-    /* tube5_base_second_moment_zz */
-    w[31] = mul_1_12 - tube5_inertia_zz + (mul_1_13 - rod5_inertia_zz);
+    const wreal tube5_base_second_moment_xx = tube5_base_half_trace - tube5_origin_inertia_xx
+        + (rod5_base_half_trace - rod5_base_inertia_xx);
+    const wreal tube5_base_second_moment_yy = tube5_base_half_trace - tube5_origin_inertia_yy
+        + (rod5_base_half_trace - rod5_base_inertia_yy);
+    const wreal tube5_base_second_moment_zz = tube5_base_half_trace - tube5_inertia_zz
+        + (rod5_base_half_trace - rod5_inertia_zz);
+    w[29] = tube5_base_second_moment_xx;
+    w[30] = tube5_base_second_moment_yy;
+    w[31] = tube5_base_second_moment_zz;
 
     /* tube4: base second moment */
-    /* tube4_base_second_moment_xx */
-    w[32] = mul_1_10 - tube4_inertia_xx_2 + (mul_1_11 - rod4_mass_4);
-    /* tube4_base_second_moment_yy */
-    w[33] = mul_1_10 - tube4_inertia_yy_2 + (mul_1_11 - rod4_mass_5);
-    /* tube4_base_second_moment_zz */
-    w[34] = mul_1_10 - tube4_inertia_zz + (mul_1_11 - rod4_inertia_zz);
+    const wreal tube4_base_second_moment_xx = tube4_base_half_trace - tube4_origin_inertia_xx
+        + (rod4_base_half_trace - rod4_base_inertia_xx);
+    const wreal tube4_base_second_moment_yy = tube4_base_half_trace - tube4_origin_inertia_yy
+        + (rod4_base_half_trace - rod4_base_inertia_yy);
+    const wreal tube4_base_second_moment_zz = tube4_base_half_trace - tube4_inertia_zz
+        + (rod4_base_half_trace - rod4_inertia_zz);
+    w[32] = tube4_base_second_moment_xx;
+    w[33] = tube4_base_second_moment_yy;
+    w[34] = tube4_base_second_moment_zz;
 
     /* tube3: base second moment */
-    /* tube3_base_second_moment_xx */
-    w[35] = mul_1_8 - tube3_inertia_xx_2 + (mul_1_9 - rod3_mass_4);
-    /* tube3_base_second_moment_yy */
-    w[36] = mul_1_8 - tube3_inertia_yy_2 + (mul_1_9 - rod3_mass_5);
-    /* tube3_base_second_moment_zz */
-    w[37] = mul_1_8 - tube3_inertia_zz + (mul_1_9 - rod3_inertia_zz);
+    const wreal tube3_base_second_moment_xx = tube3_base_half_trace - tube3_origin_inertia_xx
+        + (rod3_base_half_trace - rod3_base_inertia_xx);
+    const wreal tube3_base_second_moment_yy = tube3_base_half_trace - tube3_origin_inertia_yy
+        + (rod3_base_half_trace - rod3_base_inertia_yy);
+    const wreal tube3_base_second_moment_zz = tube3_base_half_trace - tube3_inertia_zz
+        + (rod3_base_half_trace - rod3_inertia_zz);
+    w[35] = tube3_base_second_moment_xx;
+    w[36] = tube3_base_second_moment_yy;
+    w[37] = tube3_base_second_moment_zz;
 
     /* tube2: base second moment */
-    /* tube2_base_second_moment_xx */
-    w[38] = mul_1_6 - tube2_inertia_xx_2 + (mul_1_7 - rod2_mass_4);
-    /* tube2_base_second_moment_yy */
-    w[39] = mul_1_6 - tube2_inertia_yy_2 + (mul_1_7 - rod2_mass_5);
-    /* tube2_base_second_moment_zz */
-    w[40] = mul_1_6 - tube2_inertia_zz + (mul_1_7 - rod2_inertia_zz);
+    const wreal tube2_base_second_moment_xx = tube2_base_half_trace - tube2_origin_inertia_xx
+        + (rod2_base_half_trace - rod2_base_inertia_xx);
+    const wreal tube2_base_second_moment_yy = tube2_base_half_trace - tube2_origin_inertia_yy
+        + (rod2_base_half_trace - rod2_base_inertia_yy);
+    const wreal tube2_base_second_moment_zz = tube2_base_half_trace - tube2_inertia_zz
+        + (rod2_base_half_trace - rod2_inertia_zz);
+    w[38] = tube2_base_second_moment_xx;
+    w[39] = tube2_base_second_moment_yy;
+    w[40] = tube2_base_second_moment_zz;
 
     /* tube1: base second moment */
-    /* tube1_base_second_moment_xx */
-    w[41] = mul_1_4 - tube1_inertia_xx_2 + (mul_1_5 - rod1_mass_4);
-    /* tube1_base_second_moment_yy */
-    w[42] = mul_1_4 - tube1_inertia_yy_2 + (mul_1_5 - rod1_mass_5);
-    /* tube1_base_second_moment_zz */
-    w[43] = mul_1_4 - tube1_inertia_zz + (mul_1_5 - rod1_inertia_zz);
+    const wreal tube1_base_second_moment_xx = tube1_base_half_trace - tube1_origin_inertia_xx
+        + (rod1_base_half_trace - rod1_base_inertia_xx);
+    const wreal tube1_base_second_moment_yy = tube1_base_half_trace - tube1_origin_inertia_yy
+        + (rod1_base_half_trace - rod1_base_inertia_yy);
+    const wreal tube1_base_second_moment_zz = tube1_base_half_trace - tube1_inertia_zz
+        + (rod1_base_half_trace - rod1_inertia_zz);
+    w[41] = tube1_base_second_moment_xx;
+    w[42] = tube1_base_second_moment_yy;
+    w[43] = tube1_base_second_moment_zz;
 
     /* tube0: base second moment */
-    w[44] = mul_1 - tube0_inertia_xx_2 + (mul_1_2 - rod0_mass_4); /* tube0_base_second_moment_xx */
-    w[45] = mul_1 - tube0_inertia_yy_2 + (mul_1_2 - rod0_mass_5); /* tube0_base_second_moment_yy */
-    /* tube0_base_second_moment_zz */
-    w[46] = platform_base + platform_base + (mul_1 - tube0_inertia_zz + (mul_1_2
-        - rod0_inertia_zz));
+    const wreal tube0_base_second_moment_xx = tube0_base_half_trace - tube0_origin_inertia_xx
+        + (rod0_base_half_trace - rod0_origin_inertia_xx_plus_mass_shift);
+    const wreal tube0_base_second_moment_yy = tube0_base_half_trace - tube0_origin_inertia_yy
+        + (rod0_base_half_trace - rod0_origin_inertia_yy_plus_mass_shift);
+    const wreal tube0_base_second_moment_zz = slide0_position_z_times_platform_base_mean_moment_z
+        + slide0_position_z_times_platform_base_mean_moment_z + (tube0_base_half_trace
+        - tube0_inertia_zz + (rod0_base_half_trace - rod0_inertia_zz));
+    w[44] = tube0_base_second_moment_xx;
+    w[45] = tube0_base_second_moment_yy;
+    w[46] = tube0_base_second_moment_zz;
 
     /* parameters as they are */
     w[0] = p[0]; /* gravity.z [m/s^2] */
@@ -408,7 +462,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real hooke0_angle1 = q[0]; /* rad */
     const real hooke0_angle2 = q[1]; /* rad */
     const real hooke1_angle1 = q[7]; /* rad */
@@ -426,75 +480,77 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         hooke4_angle2, hooke5_angle1, hooke5_angle2};
     real sine[CARDAN_PADDED(12)], cosine[CARDAN_PADDED(12)];
     cardan_sincos(12, angle, sine, cosine);
-    const real hooke0_cos = cosine[0];
-    const real hooke0_sin = sine[0];
-    const real hooke0_cos_2 = cosine[1];
-    const real hooke0_sin_2 = sine[1];
-    const real hooke1_cos = cosine[2];
-    const real hooke1_sin = sine[2];
-    const real hooke1_cos_2 = cosine[3];
-    const real hooke1_sin_2 = sine[3];
-    const real hooke2_cos = cosine[4];
-    const real hooke2_sin = sine[4];
-    const real hooke2_cos_2 = cosine[5];
-    const real hooke2_sin_2 = sine[5];
-    const real hooke3_cos = cosine[6];
-    const real hooke3_sin = sine[6];
-    const real hooke3_cos_2 = cosine[7];
-    const real hooke3_sin_2 = sine[7];
-    const real hooke4_cos = cosine[8];
-    const real hooke4_sin = sine[8];
-    const real hooke4_cos_2 = cosine[9];
-    const real hooke4_sin_2 = sine[9];
-    const real hooke5_cos = cosine[10];
-    const real hooke5_sin = sine[10];
-    const real hooke5_cos_2 = cosine[11];
-    const real hooke5_sin_2 = sine[11];
+    const real hooke0_angle1_cos = cosine[0];
+    const real hooke0_angle1_sin = sine[0];
+    const real hooke0_angle2_cos = cosine[1];
+    const real hooke0_angle2_sin = sine[1];
+    const real hooke1_angle1_cos = cosine[2];
+    const real hooke1_angle1_sin = sine[2];
+    const real hooke1_angle2_cos = cosine[3];
+    const real hooke1_angle2_sin = sine[3];
+    const real hooke2_angle1_cos = cosine[4];
+    const real hooke2_angle1_sin = sine[4];
+    const real hooke2_angle2_cos = cosine[5];
+    const real hooke2_angle2_sin = sine[5];
+    const real hooke3_angle1_cos = cosine[6];
+    const real hooke3_angle1_sin = sine[6];
+    const real hooke3_angle2_cos = cosine[7];
+    const real hooke3_angle2_sin = sine[7];
+    const real hooke4_angle1_cos = cosine[8];
+    const real hooke4_angle1_sin = sine[8];
+    const real hooke4_angle2_cos = cosine[9];
+    const real hooke4_angle2_sin = sine[9];
+    const real hooke5_angle1_cos = cosine[10];
+    const real hooke5_angle1_sin = sine[10];
+    const real hooke5_angle2_cos = cosine[11];
+    const real hooke5_angle2_sin = sine[11];
 
     /* tube0: a, omega */
     const real hooke0_u_angle1 = u[0]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
-    const real tube0_a = gravity_z * hooke0_sin;
-    const real tube0_a_x = hooke0_cos * hooke0_sin_2 * gravity_z;
-    const real tube0_omega_x = hooke0_u_angle1 * hooke0_cos_2;
-    const real tube0_omega_z = hooke0_u_angle1 * hooke0_sin_2;
+    const real tube0_minus_a_y = gravity_z * hooke0_angle1_sin;
+    const real tube0_a_x = hooke0_angle1_cos * hooke0_angle2_sin * gravity_z;
+    const real tube0_omega_x = hooke0_u_angle1 * hooke0_angle2_cos;
+    const real tube0_omega_z = hooke0_u_angle1 * hooke0_angle2_sin;
 
     /* hooke0: R, drift */
     const real hooke0_u_angle2 = u[1]; /* rad/s */
-    const real hooke0_R_zz = hooke0_cos * hooke0_cos_2;
-    const real hooke0_drift = hooke0_u_angle1 * hooke0_u_angle2;
+    const real hooke0_R_zz = hooke0_angle1_cos * hooke0_angle2_cos;
+    const real hooke0_u_angle1_times_u_angle2 = hooke0_u_angle1 * hooke0_u_angle2;
 
     /* tube0: alpha */
     const real hooke0_u_angle1dot = udot[0]; /* rad/s^2 */
-    const real tube0_alpha_x = hooke0_u_angle1dot * hooke0_cos_2 - hooke0_sin_2 * hooke0_drift;
-    const real tube0_alpha_z = hooke0_cos_2 * hooke0_drift + hooke0_u_angle1dot * hooke0_sin_2;
+    const real tube0_alpha_x = hooke0_u_angle1dot * hooke0_angle2_cos
+        - hooke0_angle2_sin * hooke0_u_angle1_times_u_angle2;
+    const real tube0_alpha_z = hooke0_angle2_cos * hooke0_u_angle1_times_u_angle2
+        + hooke0_u_angle1dot * hooke0_angle2_sin;
 
     /* ball0: R */
     const real ball0_w = q[3];
     const real ball0_x = q[4];
     const real ball0_y = q[5];
     const real ball0_z = q[6];
-    const real ball0_R = 2.0 * ball0_x;
-    const real ball0_R_2 = 2.0 * ball0_y;
-    const real ball0_R_3 = 2.0 * ball0_z;
-    const real ball0_R_4 = ball0_w * ball0_R;
-    const real ball0_R_5 = 1.0 - ball0_x * ball0_R;
-    const real ball0_R_6 = ball0_w * ball0_R_2;
-    const real ball0_R_7 = ball0_w * ball0_R_3;
-    const real ball0_R_8 = ball0_x * ball0_R_2;
-    const real ball0_R_9 = ball0_y * ball0_R_2;
-    const real ball0_R_10 = ball0_x * ball0_R_3;
-    const real ball0_R_11 = ball0_y * ball0_R_3;
-    const real ball0_R_12 = ball0_z * ball0_R_3;
-    const real ball0_R_xx = 1.0 - ball0_R_9 - ball0_R_12;
-    const real ball0_R_yy = ball0_R_5 - ball0_R_12;
-    const real ball0_R_zz = ball0_R_5 - ball0_R_9;
-    const real ball0_R_xy = ball0_R_8 - ball0_R_7;
-    const real ball0_R_yx = ball0_R_7 + ball0_R_8;
-    const real ball0_R_xz = ball0_R_6 + ball0_R_10;
-    const real ball0_R_zx = ball0_R_10 - ball0_R_6;
-    const real ball0_R_yz = ball0_R_11 - ball0_R_4;
-    const real ball0_R_zy = ball0_R_4 + ball0_R_11;
+    const real twice_ball0_x = 2.0 * ball0_x;
+    const real twice_ball0_y = 2.0 * ball0_y;
+    const real twice_ball0_z = 2.0 * ball0_z;
+    const real ball0_w_times_twice_ball0_x = ball0_w * twice_ball0_x;
+    const real one_minus_ball0_x_times_twice_ball0_x = 1.0 - ball0_x * twice_ball0_x;
+    const real ball0_w_times_twice_ball0_y = ball0_w * twice_ball0_y;
+    const real ball0_w_times_twice_ball0_z = ball0_w * twice_ball0_z;
+    const real ball0_x_times_twice_ball0_y = ball0_x * twice_ball0_y;
+    const real ball0_y_times_twice_ball0_y = ball0_y * twice_ball0_y;
+    const real ball0_x_times_twice_ball0_z = ball0_x * twice_ball0_z;
+    const real ball0_y_times_twice_ball0_z = ball0_y * twice_ball0_z;
+    const real ball0_z_times_twice_ball0_z = ball0_z * twice_ball0_z;
+    const real ball0_R_xx = 1.0 - ball0_y_times_twice_ball0_y - ball0_z_times_twice_ball0_z;
+    const real ball0_R_yy = one_minus_ball0_x_times_twice_ball0_x - ball0_z_times_twice_ball0_z;
+    const real ball0_R_zz = one_minus_ball0_x_times_twice_ball0_x - ball0_y_times_twice_ball0_y;
+    const real ball0_R_xy = ball0_x_times_twice_ball0_y - ball0_w_times_twice_ball0_z;
+    const real ball0_R_yx = ball0_w_times_twice_ball0_z + ball0_x_times_twice_ball0_y;
+    const real ball0_R_xz = ball0_w_times_twice_ball0_y + ball0_x_times_twice_ball0_z;
+    const real ball0_R_zx = ball0_x_times_twice_ball0_z - ball0_w_times_twice_ball0_y;
+    const real ball0_R_yz = ball0_y_times_twice_ball0_z - ball0_w_times_twice_ball0_x;
+    const real ball0_R_zy = ball0_w_times_twice_ball0_x + ball0_y_times_twice_ball0_z;
 
     /* platform: alpha, omega, U, inertia force, f */
     const real ball0_u_x = u[3]; /* rad/s */
@@ -504,173 +560,147 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real ball0_u_xdot = udot[3]; /* rad/s^2 */
     const real ball0_u_ydot = udot[4]; /* rad/s^2 */
     const real ball0_u_zdot = udot[5]; /* rad/s^2 */
-    const wreal platform_mass_2 = w[3];
-    const wreal platform_mass_3 = w[4];
+    const wreal platform_minus_first_moment_x = w[3];
+    const wreal platform_minus_first_moment_y = w[4];
     const wreal platform_first_moment_z = w[5];
-    const wreal platform_base_second_moment_xy = w[6];
-    const wreal platform_inertia_xz = w[7];
-    const wreal platform_inertia_yz = w[8];
-    const wreal platform_base_second_moment_xx = w[26];
-    const wreal platform_base_second_moment_yy = w[27];
-    const wreal platform_base_second_moment_zz = w[28];
-    const real platform_alpha = tube0_omega_x * ball0_R_xx + hooke0_u_angle2 * ball0_R_yx
-        + tube0_omega_z * ball0_R_zx;
-    const real platform_alpha_2 = tube0_omega_x * ball0_R_xy + hooke0_u_angle2 * ball0_R_yy
-        + tube0_omega_z * ball0_R_zy;
-    const real platform_alpha_3 = tube0_omega_x * ball0_R_xz + hooke0_u_angle2 * ball0_R_yz
-        + tube0_omega_z * ball0_R_zz;
-    const real platform_omega_x = ball0_u_x + platform_alpha;
-    const real platform_omega_y = ball0_u_y + platform_alpha_2;
-    const real platform_omega_z = ball0_u_z + platform_alpha_3;
-    const real platform_alpha_4 = ball0_u_xdot + hooke0_u_angle2dot * ball0_R_yx
-        + tube0_alpha_x * ball0_R_xx + tube0_alpha_z * ball0_R_zx;
-    const real platform_alpha_x = ball0_u_z * platform_alpha_2 - ball0_u_y * platform_alpha_3
-        + platform_alpha_4;
-    const real platform_alpha_5 = ball0_u_ydot + hooke0_u_angle2dot * ball0_R_yy
-        + tube0_alpha_x * ball0_R_xy + tube0_alpha_z * ball0_R_zy;
-    const real platform_alpha_y = ball0_u_x * platform_alpha_3 - ball0_u_z * platform_alpha
-        + platform_alpha_5;
-    const real platform_alpha_6 = ball0_u_zdot + hooke0_u_angle2dot * ball0_R_yz
-        + tube0_alpha_x * ball0_R_xz + tube0_alpha_z * ball0_R_zz;
-    const real platform_alpha_z = ball0_u_y * platform_alpha - ball0_u_x * platform_alpha_2
-        + platform_alpha_6;
-    const real platform_U = platform_omega_x * platform_omega_x;
-    const real platform_U_2 = platform_omega_y * platform_omega_y;
-    const real platform_U_3 = platform_omega_z * platform_omega_z;
-    const real platform_U_4 = platform_omega_x * platform_omega_y;
-    const real platform_U_5 = platform_omega_x * platform_omega_z;
-    const real platform_U_6 = platform_omega_y * platform_omega_z;
-    const real platform_U_7 = platform_U_2 + platform_U_3;
-    const real platform_U_8 = platform_U + platform_U_3;
-    const real platform_U_9 = platform_U + platform_U_2;
-    const real platform_U_xy = platform_U_4 - platform_alpha_z;
-    const real platform_U_yx = platform_alpha_z + platform_U_4;
-    const real platform_U_xz = platform_alpha_y + platform_U_5;
-    const real platform_U_zx = platform_U_5 - platform_alpha_y;
-    const real platform_U_yz = platform_U_6 - platform_alpha_x;
-    const real platform_U_zy = platform_alpha_x + platform_U_6;
-    const real platform_inertia_force = platform_base_second_moment_yy * platform_U_zy
-        - platform_base_second_moment_zz * platform_U_yz;
-    const real platform_inertia_force_2 = platform_base_second_moment_xy * platform_U_zx
-        - platform_inertia_yz * (platform_U_8 - platform_U_9);
-    const real platform_inertia_force_3 = platform_base_second_moment_zz * platform_U_xz
-        - platform_base_second_moment_xx * platform_U_zx;
-    const real platform_inertia_force_4 = platform_mass_2 * platform_U_zx
-        + platform_first_moment_z * platform_U_9 + platform_mass_3 * platform_U_zy;
-    const real platform_inertia_force_5 = platform_base_second_moment_xx * platform_U_yx
-        - platform_base_second_moment_yy * platform_U_xy;
-    const real platform_inertia_force_6 = platform_base_second_moment_xy * (platform_U_7
-        - platform_U_8) - platform_inertia_xz * platform_U_yz;
-    const real platform_f_y = platform_mass_3 * platform_U_8 - platform_mass_2 * platform_U_yx
-        + platform_first_moment_z * platform_U_yz;
-    const real platform_f_x = platform_mass_2 * platform_U_7 - platform_mass_3 * platform_U_xy
-        + platform_first_moment_z * platform_U_xz;
-    const real platform_f = ball0_R_xx * platform_f_x + ball0_R_xy * platform_f_y
-        - ball0_R_xz * platform_inertia_force_4;
-    const real platform_f_2 = ball0_R_yx * platform_f_x + ball0_R_yy * platform_f_y
-        - ball0_R_yz * platform_inertia_force_4;
+    const real platform_alpha_parent_omega_x = tube0_omega_x * ball0_R_xx
+        + hooke0_u_angle2 * ball0_R_yx + tube0_omega_z * ball0_R_zx;
+    const real platform_alpha_parent_omega_y = tube0_omega_x * ball0_R_xy
+        + hooke0_u_angle2 * ball0_R_yy + tube0_omega_z * ball0_R_zy;
+    const real platform_alpha_parent_omega_z = tube0_omega_x * ball0_R_xz
+        + hooke0_u_angle2 * ball0_R_yz + tube0_omega_z * ball0_R_zz;
+    const real platform_omega_x = ball0_u_x + platform_alpha_parent_omega_x;
+    const real platform_omega_y = ball0_u_y + platform_alpha_parent_omega_y;
+    const real platform_omega_z = ball0_u_z + platform_alpha_parent_omega_z;
+    const real platform_alpha_x = ball0_u_xdot + hooke0_u_angle2dot * ball0_R_yx
+        + tube0_alpha_x * ball0_R_xx + tube0_alpha_z * ball0_R_zx
+        + (ball0_u_z * platform_alpha_parent_omega_y - ball0_u_y * platform_alpha_parent_omega_z);
+    const real platform_alpha_y = ball0_u_ydot + hooke0_u_angle2dot * ball0_R_yy
+        + tube0_alpha_x * ball0_R_xy + tube0_alpha_z * ball0_R_zy
+        + (ball0_u_x * platform_alpha_parent_omega_z - ball0_u_z * platform_alpha_parent_omega_x);
+    const real platform_alpha_z = ball0_u_zdot + hooke0_u_angle2dot * ball0_R_yz
+        + tube0_alpha_x * ball0_R_xz + tube0_alpha_z * ball0_R_zz
+        + (ball0_u_y * platform_alpha_parent_omega_x - ball0_u_x * platform_alpha_parent_omega_y);
+    const real platform_omega_x_squared = platform_omega_x * platform_omega_x;
+    const real platform_omega_y_squared = platform_omega_y * platform_omega_y;
+    const real platform_omega_z_squared = platform_omega_z * platform_omega_z;
+    const real platform_omega_x_times_omega_y = platform_omega_x * platform_omega_y;
+    const real platform_omega_x_times_omega_z = platform_omega_x * platform_omega_z;
+    const real platform_omega_y_times_omega_z = platform_omega_y * platform_omega_z;
+    const real platform_minus_U_xx = platform_omega_y_squared + platform_omega_z_squared;
+    const real platform_minus_U_yy = platform_omega_x_squared + platform_omega_z_squared;
+    const real platform_minus_U_zz = platform_omega_x_squared + platform_omega_y_squared;
+    const real platform_U_xy = platform_omega_x_times_omega_y - platform_alpha_z;
+    const real platform_U_yx = platform_alpha_z + platform_omega_x_times_omega_y;
+    const real platform_U_xz = platform_alpha_y + platform_omega_x_times_omega_z;
+    const real platform_U_zx = platform_omega_x_times_omega_z - platform_alpha_y;
+    const real platform_U_yz = platform_omega_y_times_omega_z - platform_alpha_x;
+    const real platform_U_zy = platform_alpha_x + platform_omega_y_times_omega_z;
+    const real platform_minus_f_z = platform_minus_first_moment_x * platform_U_zx
+        + platform_first_moment_z * platform_minus_U_zz
+        + platform_minus_first_moment_y * platform_U_zy;
+    const real platform_f_y = platform_minus_first_moment_y * platform_minus_U_yy
+        - platform_minus_first_moment_x * platform_U_yx + platform_first_moment_z * platform_U_yz;
+    const real platform_f_x = platform_minus_first_moment_x * platform_minus_U_xx
+        - platform_minus_first_moment_y * platform_U_xy + platform_first_moment_z * platform_U_xz;
+    const real rod0_f_x_part = ball0_R_xx * platform_f_x + ball0_R_xy * platform_f_y
+        - ball0_R_xz * platform_minus_f_z;
+    const real rod0_f_y_part = ball0_R_yx * platform_f_x + ball0_R_yy * platform_f_y
+        - ball0_R_yz * platform_minus_f_z;
 
     /* tube1: a, omega */
     const real hooke1_u_angle1 = u[6]; /* rad/s */
-    const real tube1_a = gravity_z * hooke1_sin;
-    const real tube1_a_x = hooke1_cos * hooke1_sin_2 * gravity_z;
-    const real tube1_omega_x = hooke1_u_angle1 * hooke1_cos_2;
-    const real tube1_omega_z = hooke1_u_angle1 * hooke1_sin_2;
+    const real tube1_minus_a_y = gravity_z * hooke1_angle1_sin;
+    const real tube1_a_x = hooke1_angle1_cos * hooke1_angle2_sin * gravity_z;
+    const real tube1_omega_x = hooke1_u_angle1 * hooke1_angle2_cos;
+    const real tube1_omega_z = hooke1_u_angle1 * hooke1_angle2_sin;
 
     /* hooke1: R, drift */
     const real hooke1_u_angle2 = u[7]; /* rad/s */
-    const real hooke1_R_zz = hooke1_cos * hooke1_cos_2;
-    const real hooke1_drift = hooke1_u_angle1 * hooke1_u_angle2;
+    const real hooke1_R_zz = hooke1_angle1_cos * hooke1_angle2_cos;
+    const real hooke1_u_angle1_times_u_angle2 = hooke1_u_angle1 * hooke1_u_angle2;
 
     /* tube2: a, omega */
     const real hooke2_u_angle1 = u[9]; /* rad/s */
-    const real tube2_a = gravity_z * hooke2_sin;
-    const real tube2_a_x = hooke2_cos * hooke2_sin_2 * gravity_z;
-    const real tube2_omega_x = hooke2_u_angle1 * hooke2_cos_2;
-    const real tube2_omega_z = hooke2_u_angle1 * hooke2_sin_2;
+    const real tube2_minus_a_y = gravity_z * hooke2_angle1_sin;
+    const real tube2_a_x = hooke2_angle1_cos * hooke2_angle2_sin * gravity_z;
+    const real tube2_omega_x = hooke2_u_angle1 * hooke2_angle2_cos;
+    const real tube2_omega_z = hooke2_u_angle1 * hooke2_angle2_sin;
 
     /* hooke2: R, drift */
     const real hooke2_u_angle2 = u[10]; /* rad/s */
-    const real hooke2_R_zz = hooke2_cos * hooke2_cos_2;
-    const real hooke2_drift = hooke2_u_angle1 * hooke2_u_angle2;
+    const real hooke2_R_zz = hooke2_angle1_cos * hooke2_angle2_cos;
+    const real hooke2_u_angle1_times_u_angle2 = hooke2_u_angle1 * hooke2_u_angle2;
 
     /* tube3: a, omega */
     const real hooke3_u_angle1 = u[12]; /* rad/s */
-    const real tube3_a = gravity_z * hooke3_sin;
-    const real tube3_a_x = hooke3_cos * hooke3_sin_2 * gravity_z;
-    const real tube3_omega_x = hooke3_u_angle1 * hooke3_cos_2;
-    const real tube3_omega_z = hooke3_u_angle1 * hooke3_sin_2;
+    const real tube3_minus_a_y = gravity_z * hooke3_angle1_sin;
+    const real tube3_a_x = hooke3_angle1_cos * hooke3_angle2_sin * gravity_z;
+    const real tube3_omega_x = hooke3_u_angle1 * hooke3_angle2_cos;
+    const real tube3_omega_z = hooke3_u_angle1 * hooke3_angle2_sin;
 
     /* hooke3: R, drift */
     const real hooke3_u_angle2 = u[13]; /* rad/s */
-    const real hooke3_R_zz = hooke3_cos * hooke3_cos_2;
-    const real hooke3_drift = hooke3_u_angle1 * hooke3_u_angle2;
+    const real hooke3_R_zz = hooke3_angle1_cos * hooke3_angle2_cos;
+    const real hooke3_u_angle1_times_u_angle2 = hooke3_u_angle1 * hooke3_u_angle2;
 
     /* tube4: a, omega */
     const real hooke4_u_angle1 = u[15]; /* rad/s */
-    const real tube4_a = gravity_z * hooke4_sin;
-    const real tube4_a_x = hooke4_cos * hooke4_sin_2 * gravity_z;
-    const real tube4_omega_x = hooke4_u_angle1 * hooke4_cos_2;
-    const real tube4_omega_z = hooke4_u_angle1 * hooke4_sin_2;
+    const real tube4_minus_a_y = gravity_z * hooke4_angle1_sin;
+    const real tube4_a_x = hooke4_angle1_cos * hooke4_angle2_sin * gravity_z;
+    const real tube4_omega_x = hooke4_u_angle1 * hooke4_angle2_cos;
+    const real tube4_omega_z = hooke4_u_angle1 * hooke4_angle2_sin;
 
     /* hooke4: R, drift */
     const real hooke4_u_angle2 = u[16]; /* rad/s */
-    const real hooke4_R_zz = hooke4_cos * hooke4_cos_2;
-    const real hooke4_drift = hooke4_u_angle1 * hooke4_u_angle2;
+    const real hooke4_R_zz = hooke4_angle1_cos * hooke4_angle2_cos;
+    const real hooke4_u_angle1_times_u_angle2 = hooke4_u_angle1 * hooke4_u_angle2;
 
     /* tube5: a, omega */
     const real hooke5_u_angle1 = u[18]; /* rad/s */
-    const real tube5_a = gravity_z * hooke5_sin;
-    const real tube5_a_x = hooke5_cos * hooke5_sin_2 * gravity_z;
-    const real tube5_omega_x = hooke5_u_angle1 * hooke5_cos_2;
-    const real tube5_omega_z = hooke5_u_angle1 * hooke5_sin_2;
+    const real tube5_minus_a_y = gravity_z * hooke5_angle1_sin;
+    const real tube5_a_x = hooke5_angle1_cos * hooke5_angle2_sin * gravity_z;
+    const real tube5_omega_x = hooke5_u_angle1 * hooke5_angle2_cos;
+    const real tube5_omega_z = hooke5_u_angle1 * hooke5_angle2_sin;
 
     /* hooke5: R, drift */
     const real hooke5_u_angle2 = u[19]; /* rad/s */
-    const real hooke5_R_zz = hooke5_cos * hooke5_cos_2;
-    const real hooke5_drift = hooke5_u_angle1 * hooke5_u_angle2;
+    const real hooke5_R_zz = hooke5_angle1_cos * hooke5_angle2_cos;
+    const real hooke5_u_angle1_times_u_angle2 = hooke5_u_angle1 * hooke5_u_angle2;
 
     /* shared by several: U */
-    const real tube0_U = tube0_omega_x * tube0_omega_x + hooke0_u_angle2 * hooke0_u_angle2;
-    const real tube0_U_2 = hooke0_u_angle2 * tube0_omega_x;
-    const real tube0_U_3 = tube0_omega_x * tube0_omega_z;
-    const real tube0_U_4 = hooke0_u_angle2 * tube0_omega_z;
-    const real tube1_U = tube1_omega_x * tube1_omega_x + hooke1_u_angle2 * hooke1_u_angle2;
-    const real tube1_U_2 = hooke1_u_angle2 * tube1_omega_x;
-    const real tube1_U_3 = tube1_omega_x * tube1_omega_z;
-    const real tube1_U_4 = hooke1_u_angle2 * tube1_omega_z;
-    const real tube2_U = tube2_omega_x * tube2_omega_x + hooke2_u_angle2 * hooke2_u_angle2;
-    const real tube2_U_2 = hooke2_u_angle2 * tube2_omega_x;
-    const real tube2_U_3 = tube2_omega_x * tube2_omega_z;
-    const real tube2_U_4 = hooke2_u_angle2 * tube2_omega_z;
-    const real tube3_U = tube3_omega_x * tube3_omega_x + hooke3_u_angle2 * hooke3_u_angle2;
-    const real tube3_U_2 = hooke3_u_angle2 * tube3_omega_x;
-    const real tube3_U_3 = tube3_omega_x * tube3_omega_z;
-    const real tube3_U_4 = hooke3_u_angle2 * tube3_omega_z;
-    const real tube4_U = tube4_omega_x * tube4_omega_x + hooke4_u_angle2 * hooke4_u_angle2;
-    const real tube4_U_2 = hooke4_u_angle2 * tube4_omega_x;
-    const real tube4_U_3 = tube4_omega_x * tube4_omega_z;
-    const real tube4_U_4 = hooke4_u_angle2 * tube4_omega_z;
-    const real tube5_U = tube5_omega_x * tube5_omega_x + hooke5_u_angle2 * hooke5_u_angle2;
-    const real tube5_U_2 = hooke5_u_angle2 * tube5_omega_x;
-    const real tube5_U_3 = tube5_omega_x * tube5_omega_z;
-    const real tube5_U_4 = hooke5_u_angle2 * tube5_omega_z;
+    const real tube0_minus_U_zz = tube0_omega_x * tube0_omega_x + hooke0_u_angle2 * hooke0_u_angle2;
+    const real hooke0_u_angle2_times_tube0_omega_x = hooke0_u_angle2 * tube0_omega_x;
+    const real tube0_omega_x_times_omega_z = tube0_omega_x * tube0_omega_z;
+    const real hooke0_u_angle2_times_tube0_omega_z = hooke0_u_angle2 * tube0_omega_z;
+    const real tube1_minus_U_zz = tube1_omega_x * tube1_omega_x + hooke1_u_angle2 * hooke1_u_angle2;
+    const real hooke1_u_angle2_times_tube1_omega_x = hooke1_u_angle2 * tube1_omega_x;
+    const real tube1_omega_x_times_omega_z = tube1_omega_x * tube1_omega_z;
+    const real hooke1_u_angle2_times_tube1_omega_z = hooke1_u_angle2 * tube1_omega_z;
+    const real tube2_minus_U_zz = tube2_omega_x * tube2_omega_x + hooke2_u_angle2 * hooke2_u_angle2;
+    const real hooke2_u_angle2_times_tube2_omega_x = hooke2_u_angle2 * tube2_omega_x;
+    const real tube2_omega_x_times_omega_z = tube2_omega_x * tube2_omega_z;
+    const real hooke2_u_angle2_times_tube2_omega_z = hooke2_u_angle2 * tube2_omega_z;
+    const real tube3_minus_U_zz = tube3_omega_x * tube3_omega_x + hooke3_u_angle2 * hooke3_u_angle2;
+    const real hooke3_u_angle2_times_tube3_omega_x = hooke3_u_angle2 * tube3_omega_x;
+    const real tube3_omega_x_times_omega_z = tube3_omega_x * tube3_omega_z;
+    const real hooke3_u_angle2_times_tube3_omega_z = hooke3_u_angle2 * tube3_omega_z;
+    const real tube4_minus_U_zz = tube4_omega_x * tube4_omega_x + hooke4_u_angle2 * hooke4_u_angle2;
+    const real hooke4_u_angle2_times_tube4_omega_x = hooke4_u_angle2 * tube4_omega_x;
+    const real tube4_omega_x_times_omega_z = tube4_omega_x * tube4_omega_z;
+    const real hooke4_u_angle2_times_tube4_omega_z = hooke4_u_angle2 * tube4_omega_z;
+    const real tube5_minus_U_zz = tube5_omega_x * tube5_omega_x + hooke5_u_angle2 * hooke5_u_angle2;
+    const real hooke5_u_angle2_times_tube5_omega_x = hooke5_u_angle2 * tube5_omega_x;
+    const real tube5_omega_x_times_omega_z = tube5_omega_x * tube5_omega_z;
+    const real hooke5_u_angle2_times_tube5_omega_z = hooke5_u_angle2 * tube5_omega_z;
 
-    /* tube0: U, n */
-    const wreal tube0_first_moment_z = w[1];
-    const wreal tube0_base_second_moment_xx = w[44];
-    const wreal tube0_base_second_moment_yy = w[45];
-    const wreal tube0_base_second_moment_zz = w[46];
-    const real tube0_U_xy = tube0_U_2 - tube0_alpha_z;
-    const real tube0_U_yx = tube0_alpha_z + tube0_U_2;
-    const real tube0_U_xz = hooke0_u_angle2dot + tube0_U_3;
-    const real tube0_U_zx = tube0_U_3 - hooke0_u_angle2dot;
-    const real tube0_U_yz = tube0_U_4 - tube0_alpha_x;
-    const real tube0_U_zy = tube0_alpha_x + tube0_U_4;
-    const real tube0_n = tube0_base_second_moment_yy * tube0_U_zy
-        + tube0_first_moment_z * tube0_a - tube0_base_second_moment_zz * tube0_U_yz;
-    const real tube0_n_2 = tube0_base_second_moment_zz * tube0_U_xz
-        + tube0_first_moment_z * tube0_a_x - tube0_base_second_moment_xx * tube0_U_zx;
+    /* tube0: U */
+    const real tube0_U_xy = hooke0_u_angle2_times_tube0_omega_x - tube0_alpha_z;
+    const real tube0_U_yx = tube0_alpha_z + hooke0_u_angle2_times_tube0_omega_x;
+    const real tube0_U_xz = hooke0_u_angle2dot + tube0_omega_x_times_omega_z;
+    const real tube0_U_zx = tube0_omega_x_times_omega_z - hooke0_u_angle2dot;
+    const real tube0_U_yz = hooke0_u_angle2_times_tube0_omega_z - tube0_alpha_x;
+    const real tube0_U_zy = tube0_alpha_x + hooke0_u_angle2_times_tube0_omega_z;
 
     /* rod0: a, f */
     const real slide0_q = q[2]; /* m */
@@ -679,42 +709,60 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod0_base_mass = w[24];
     const wreal rod0_base_moment_z = w[25];
     const real rod0_a_x = tube0_a_x + hooke0_u_angle2 * slide0_u * 2.0 + slide0_q * tube0_U_xz;
-    const real rod0_a_y = slide0_q * tube0_U_yz - (tube0_a + slide0_u * tube0_omega_x * 2.0);
-    const real rod0_a_z = slide0_udot - gravity_z * hooke0_R_zz - slide0_q * tube0_U;
-    const real rod0_f_x = rod0_base_mass * rod0_a_x + rod0_base_moment_z * tube0_U_xz + platform_f;
-    const real rod0_f = rod0_base_mass * rod0_a_z - rod0_base_moment_z * tube0_U
-        + ball0_R_zx * platform_f_x;
-    const real rod0_f_z = ball0_R_zy * platform_f_y - ball0_R_zz * platform_inertia_force_4
-        + rod0_f;
+    const real rod0_a_y = slide0_q * tube0_U_yz - (tube0_minus_a_y
+        + slide0_u * tube0_omega_x * 2.0);
+    const real rod0_a_z = slide0_udot - gravity_z * hooke0_R_zz - slide0_q * tube0_minus_U_zz;
+    const real rod0_f_x = rod0_base_mass * rod0_a_x + rod0_base_moment_z * tube0_U_xz
+        + rod0_f_x_part;
+    const real rod0_f_z = rod0_base_mass * rod0_a_z - rod0_base_moment_z * tube0_minus_U_zz
+        + ball0_R_zx * platform_f_x + (ball0_R_zy * platform_f_y - ball0_R_zz * platform_minus_f_z);
     const real rod0_f_y = rod0_base_mass * rod0_a_y + rod0_base_moment_z * tube0_U_yz
-        + platform_f_2;
+        + rod0_f_y_part;
 
     /* platform: a, inertia force, n */
     const wreal slide0_position_z = w[2]; /* m */
-    const real platform_a = rod0_a_x + slide0_position_z * tube0_U_xz;
-    const real platform_a_2 = rod0_a_y + slide0_position_z * tube0_U_yz;
-    const real platform_a_3 = rod0_a_z - slide0_position_z * tube0_U;
-    const real platform_a_x = ball0_R_xx * platform_a + ball0_R_yx * platform_a_2
-        + ball0_R_zx * platform_a_3;
-    const real platform_a_y = ball0_R_xy * platform_a + ball0_R_yy * platform_a_2
-        + ball0_R_zy * platform_a_3;
-    const real platform_a_z = ball0_R_xz * platform_a + ball0_R_yz * platform_a_2
-        + ball0_R_zz * platform_a_3;
-    const real platform_inertia_force_7 = platform_inertia_xz * platform_U_yx
-        - platform_mass_3 * platform_a_z + platform_inertia_force_2;
-    const real platform_n_x = platform_inertia_force - platform_first_moment_z * platform_a_y
-        + platform_inertia_force_7;
-    const real platform_inertia_force_8 = platform_first_moment_z * platform_a_x
-        - platform_base_second_moment_xy * platform_U_zy;
-    const real platform_inertia_force_9 = platform_inertia_force_8
-        - (platform_inertia_xz * (platform_U_9 - platform_U_7)
-        + platform_inertia_yz * platform_U_xy);
-    const real platform_n_y = platform_mass_2 * platform_a_z + platform_inertia_force_3
-        + platform_inertia_force_9;
-    const real platform_inertia_force_10 = platform_inertia_yz * platform_U_xz
-        + platform_mass_3 * platform_a_x + platform_inertia_force_6;
-    const real platform_n_z = platform_inertia_force_5 - platform_mass_2 * platform_a_y
-        + platform_inertia_force_10;
+    const wreal platform_base_second_moment_xy = w[6];
+    const wreal platform_origin_inertia_xz = w[7];
+    const wreal platform_origin_inertia_yz = w[8];
+    const wreal platform_base_second_moment_xx = w[26];
+    const wreal platform_base_second_moment_yy = w[27];
+    const wreal platform_base_second_moment_zz = w[28];
+    const real rod0_a_x_plus_slide0_position_z_times_tube0_U_xz = rod0_a_x
+        + slide0_position_z * tube0_U_xz;
+    const real rod0_a_y_plus_slide0_position_z_times_tube0_U_yz = rod0_a_y
+        + slide0_position_z * tube0_U_yz;
+    const real rod0_a_z_minus_slide0_position_z_times_tube0_minus_U_zz = rod0_a_z
+        - slide0_position_z * tube0_minus_U_zz;
+    const real platform_a_x = ball0_R_xx * rod0_a_x_plus_slide0_position_z_times_tube0_U_xz
+        + ball0_R_yx * rod0_a_y_plus_slide0_position_z_times_tube0_U_yz
+        + ball0_R_zx * rod0_a_z_minus_slide0_position_z_times_tube0_minus_U_zz;
+    const real platform_a_y = ball0_R_xy * rod0_a_x_plus_slide0_position_z_times_tube0_U_xz
+        + ball0_R_yy * rod0_a_y_plus_slide0_position_z_times_tube0_U_yz
+        + ball0_R_zy * rod0_a_z_minus_slide0_position_z_times_tube0_minus_U_zz;
+    const real platform_a_z = ball0_R_xz * rod0_a_x_plus_slide0_position_z_times_tube0_U_xz
+        + ball0_R_yz * rod0_a_y_plus_slide0_position_z_times_tube0_U_yz
+        + ball0_R_zz * rod0_a_z_minus_slide0_position_z_times_tube0_minus_U_zz;
+    const real platform_n_x_part = platform_base_second_moment_xy * platform_U_zx
+        - platform_origin_inertia_yz * (platform_minus_U_yy - platform_minus_U_zz)
+        + (platform_origin_inertia_xz * platform_U_yx
+        - platform_minus_first_moment_y * platform_a_z);
+    const real platform_n_x = platform_base_second_moment_yy * platform_U_zy
+        - platform_base_second_moment_zz * platform_U_yz - platform_first_moment_z * platform_a_y
+        + platform_n_x_part;
+    const real platform_n_y_part = platform_first_moment_z * platform_a_x
+        - platform_base_second_moment_xy * platform_U_zy
+        - (platform_origin_inertia_xz * (platform_minus_U_zz - platform_minus_U_xx)
+        + platform_origin_inertia_yz * platform_U_xy);
+    const real platform_n_y = platform_base_second_moment_zz * platform_U_xz
+        - platform_base_second_moment_xx * platform_U_zx
+        + platform_minus_first_moment_x * platform_a_z + platform_n_y_part;
+    const real platform_n_z_part = platform_base_second_moment_xy * (platform_minus_U_xx
+        - platform_minus_U_yy) - platform_origin_inertia_xz * platform_U_yz
+        + (platform_origin_inertia_yz * platform_U_xz
+        + platform_minus_first_moment_y * platform_a_x);
+    const real platform_n_z = platform_base_second_moment_xx * platform_U_yx
+        - platform_base_second_moment_yy * platform_U_xy
+        - platform_minus_first_moment_x * platform_a_y + platform_n_z_part;
     out[3] = platform_n_x; /* tau: ball0.u.x.tau [N*m] */
     out[4] = platform_n_y; /* tau: ball0.u.y.tau [N*m] */
     out[5] = platform_n_z; /* tau: ball0.u.z.tau [N*m] */
@@ -722,24 +770,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* tube1: alpha, U, n */
     const real hooke1_u_angle1dot = udot[6]; /* rad/s^2 */
     const real hooke1_u_angle2dot = udot[7]; /* rad/s^2 */
-    const wreal tube1_first_moment_z = w[9];
     const wreal tube1_base_second_moment_xx = w[41];
     const wreal tube1_base_second_moment_yy = w[42];
-    const wreal tube1_base_second_moment_zz = w[43];
-    const real tube1_alpha_x = hooke1_u_angle1dot * hooke1_cos_2 - hooke1_sin_2 * hooke1_drift;
-    const real tube1_alpha_z = hooke1_cos_2 * hooke1_drift + hooke1_u_angle1dot * hooke1_sin_2;
-    const real tube1_U_xy = tube1_U_2 - tube1_alpha_z;
-    const real tube1_U_yx = tube1_alpha_z + tube1_U_2;
+    const real tube1_alpha_x = hooke1_u_angle1dot * hooke1_angle2_cos
+        - hooke1_angle2_sin * hooke1_u_angle1_times_u_angle2;
+    const real tube1_alpha_z = hooke1_angle2_cos * hooke1_u_angle1_times_u_angle2
+        + hooke1_u_angle1dot * hooke1_angle2_sin;
+    const real tube1_U_xy = hooke1_u_angle2_times_tube1_omega_x - tube1_alpha_z;
+    const real tube1_U_yx = tube1_alpha_z + hooke1_u_angle2_times_tube1_omega_x;
     const real tube1_n_z = tube1_base_second_moment_xx * tube1_U_yx
         - tube1_base_second_moment_yy * tube1_U_xy;
-    const real tube1_U_xz = hooke1_u_angle2dot + tube1_U_3;
-    const real tube1_U_zx = tube1_U_3 - hooke1_u_angle2dot;
-    const real tube1_U_yz = tube1_U_4 - tube1_alpha_x;
-    const real tube1_U_zy = tube1_alpha_x + tube1_U_4;
-    const real tube1_n = tube1_base_second_moment_yy * tube1_U_zy
-        + tube1_first_moment_z * tube1_a - tube1_base_second_moment_zz * tube1_U_yz;
-    const real tube1_n_2 = tube1_base_second_moment_zz * tube1_U_xz
-        + tube1_first_moment_z * tube1_a_x - tube1_base_second_moment_xx * tube1_U_zx;
+    const real tube1_U_xz = hooke1_u_angle2dot + tube1_omega_x_times_omega_z;
+    const real tube1_U_zx = tube1_omega_x_times_omega_z - hooke1_u_angle2dot;
+    const real tube1_U_yz = hooke1_u_angle2_times_tube1_omega_z - tube1_alpha_x;
+    const real tube1_U_zy = tube1_alpha_x + hooke1_u_angle2_times_tube1_omega_z;
 
     /* rod1: a, f, n */
     const real slide1_q = q[9]; /* m */
@@ -748,9 +792,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod1_mass = w[10]; /* kg */
     const wreal rod1_base_moment_z = w[19];
     const real rod1_a_x = tube1_a_x + hooke1_u_angle2 * slide1_u * 2.0 + slide1_q * tube1_U_xz;
-    const real rod1_a_y = slide1_q * tube1_U_yz - (tube1_a + slide1_u * tube1_omega_x * 2.0);
-    const real rod1_a_z = slide1_udot - gravity_z * hooke1_R_zz - slide1_q * tube1_U;
-    const real rod1_f_z = rod1_mass * rod1_a_z - rod1_base_moment_z * tube1_U;
+    const real rod1_a_y = slide1_q * tube1_U_yz - (tube1_minus_a_y
+        + slide1_u * tube1_omega_x * 2.0);
+    const real rod1_a_z = slide1_udot - gravity_z * hooke1_R_zz - slide1_q * tube1_minus_U_zz;
+    const real rod1_f_z = rod1_mass * rod1_a_z - rod1_base_moment_z * tube1_minus_U_zz;
     const real rod1_f_y = rod1_mass * rod1_a_y + rod1_base_moment_z * tube1_U_yz;
     const real rod1_n_y = rod1_base_moment_z * rod1_a_x;
     const real rod1_f_x = rod1_mass * rod1_a_x + rod1_base_moment_z * tube1_U_xz;
@@ -762,24 +807,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* tube2: alpha, U, n */
     const real hooke2_u_angle1dot = udot[9]; /* rad/s^2 */
     const real hooke2_u_angle2dot = udot[10]; /* rad/s^2 */
-    const wreal tube2_first_moment_z = w[11];
     const wreal tube2_base_second_moment_xx = w[38];
     const wreal tube2_base_second_moment_yy = w[39];
-    const wreal tube2_base_second_moment_zz = w[40];
-    const real tube2_alpha_x = hooke2_u_angle1dot * hooke2_cos_2 - hooke2_sin_2 * hooke2_drift;
-    const real tube2_alpha_z = hooke2_cos_2 * hooke2_drift + hooke2_u_angle1dot * hooke2_sin_2;
-    const real tube2_U_xy = tube2_U_2 - tube2_alpha_z;
-    const real tube2_U_yx = tube2_alpha_z + tube2_U_2;
+    const real tube2_alpha_x = hooke2_u_angle1dot * hooke2_angle2_cos
+        - hooke2_angle2_sin * hooke2_u_angle1_times_u_angle2;
+    const real tube2_alpha_z = hooke2_angle2_cos * hooke2_u_angle1_times_u_angle2
+        + hooke2_u_angle1dot * hooke2_angle2_sin;
+    const real tube2_U_xy = hooke2_u_angle2_times_tube2_omega_x - tube2_alpha_z;
+    const real tube2_U_yx = tube2_alpha_z + hooke2_u_angle2_times_tube2_omega_x;
     const real tube2_n_z = tube2_base_second_moment_xx * tube2_U_yx
         - tube2_base_second_moment_yy * tube2_U_xy;
-    const real tube2_U_xz = hooke2_u_angle2dot + tube2_U_3;
-    const real tube2_U_zx = tube2_U_3 - hooke2_u_angle2dot;
-    const real tube2_U_yz = tube2_U_4 - tube2_alpha_x;
-    const real tube2_U_zy = tube2_alpha_x + tube2_U_4;
-    const real tube2_n = tube2_base_second_moment_yy * tube2_U_zy
-        + tube2_first_moment_z * tube2_a - tube2_base_second_moment_zz * tube2_U_yz;
-    const real tube2_n_2 = tube2_base_second_moment_zz * tube2_U_xz
-        + tube2_first_moment_z * tube2_a_x - tube2_base_second_moment_xx * tube2_U_zx;
+    const real tube2_U_xz = hooke2_u_angle2dot + tube2_omega_x_times_omega_z;
+    const real tube2_U_zx = tube2_omega_x_times_omega_z - hooke2_u_angle2dot;
+    const real tube2_U_yz = hooke2_u_angle2_times_tube2_omega_z - tube2_alpha_x;
+    const real tube2_U_zy = tube2_alpha_x + hooke2_u_angle2_times_tube2_omega_z;
 
     /* rod2: a, f, n */
     const real slide2_q = q[12]; /* m */
@@ -788,9 +829,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod2_mass = w[12]; /* kg */
     const wreal rod2_base_moment_z = w[20];
     const real rod2_a_x = tube2_a_x + hooke2_u_angle2 * slide2_u * 2.0 + slide2_q * tube2_U_xz;
-    const real rod2_a_y = slide2_q * tube2_U_yz - (tube2_a + slide2_u * tube2_omega_x * 2.0);
-    const real rod2_a_z = slide2_udot - gravity_z * hooke2_R_zz - slide2_q * tube2_U;
-    const real rod2_f_z = rod2_mass * rod2_a_z - rod2_base_moment_z * tube2_U;
+    const real rod2_a_y = slide2_q * tube2_U_yz - (tube2_minus_a_y
+        + slide2_u * tube2_omega_x * 2.0);
+    const real rod2_a_z = slide2_udot - gravity_z * hooke2_R_zz - slide2_q * tube2_minus_U_zz;
+    const real rod2_f_z = rod2_mass * rod2_a_z - rod2_base_moment_z * tube2_minus_U_zz;
     const real rod2_f_y = rod2_mass * rod2_a_y + rod2_base_moment_z * tube2_U_yz;
     const real rod2_n_y = rod2_base_moment_z * rod2_a_x;
     const real rod2_f_x = rod2_mass * rod2_a_x + rod2_base_moment_z * tube2_U_xz;
@@ -802,24 +844,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* tube3: alpha, U, n */
     const real hooke3_u_angle1dot = udot[12]; /* rad/s^2 */
     const real hooke3_u_angle2dot = udot[13]; /* rad/s^2 */
-    const wreal tube3_first_moment_z = w[13];
     const wreal tube3_base_second_moment_xx = w[35];
     const wreal tube3_base_second_moment_yy = w[36];
-    const wreal tube3_base_second_moment_zz = w[37];
-    const real tube3_alpha_x = hooke3_u_angle1dot * hooke3_cos_2 - hooke3_sin_2 * hooke3_drift;
-    const real tube3_alpha_z = hooke3_cos_2 * hooke3_drift + hooke3_u_angle1dot * hooke3_sin_2;
-    const real tube3_U_xy = tube3_U_2 - tube3_alpha_z;
-    const real tube3_U_yx = tube3_alpha_z + tube3_U_2;
+    const real tube3_alpha_x = hooke3_u_angle1dot * hooke3_angle2_cos
+        - hooke3_angle2_sin * hooke3_u_angle1_times_u_angle2;
+    const real tube3_alpha_z = hooke3_angle2_cos * hooke3_u_angle1_times_u_angle2
+        + hooke3_u_angle1dot * hooke3_angle2_sin;
+    const real tube3_U_xy = hooke3_u_angle2_times_tube3_omega_x - tube3_alpha_z;
+    const real tube3_U_yx = tube3_alpha_z + hooke3_u_angle2_times_tube3_omega_x;
     const real tube3_n_z = tube3_base_second_moment_xx * tube3_U_yx
         - tube3_base_second_moment_yy * tube3_U_xy;
-    const real tube3_U_xz = hooke3_u_angle2dot + tube3_U_3;
-    const real tube3_U_zx = tube3_U_3 - hooke3_u_angle2dot;
-    const real tube3_U_yz = tube3_U_4 - tube3_alpha_x;
-    const real tube3_U_zy = tube3_alpha_x + tube3_U_4;
-    const real tube3_n = tube3_base_second_moment_yy * tube3_U_zy
-        + tube3_first_moment_z * tube3_a - tube3_base_second_moment_zz * tube3_U_yz;
-    const real tube3_n_2 = tube3_base_second_moment_zz * tube3_U_xz
-        + tube3_first_moment_z * tube3_a_x - tube3_base_second_moment_xx * tube3_U_zx;
+    const real tube3_U_xz = hooke3_u_angle2dot + tube3_omega_x_times_omega_z;
+    const real tube3_U_zx = tube3_omega_x_times_omega_z - hooke3_u_angle2dot;
+    const real tube3_U_yz = hooke3_u_angle2_times_tube3_omega_z - tube3_alpha_x;
+    const real tube3_U_zy = tube3_alpha_x + hooke3_u_angle2_times_tube3_omega_z;
 
     /* rod3: a, f, n */
     const real slide3_q = q[15]; /* m */
@@ -828,9 +866,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod3_mass = w[14]; /* kg */
     const wreal rod3_base_moment_z = w[21];
     const real rod3_a_x = tube3_a_x + hooke3_u_angle2 * slide3_u * 2.0 + slide3_q * tube3_U_xz;
-    const real rod3_a_y = slide3_q * tube3_U_yz - (tube3_a + slide3_u * tube3_omega_x * 2.0);
-    const real rod3_a_z = slide3_udot - gravity_z * hooke3_R_zz - slide3_q * tube3_U;
-    const real rod3_f_z = rod3_mass * rod3_a_z - rod3_base_moment_z * tube3_U;
+    const real rod3_a_y = slide3_q * tube3_U_yz - (tube3_minus_a_y
+        + slide3_u * tube3_omega_x * 2.0);
+    const real rod3_a_z = slide3_udot - gravity_z * hooke3_R_zz - slide3_q * tube3_minus_U_zz;
+    const real rod3_f_z = rod3_mass * rod3_a_z - rod3_base_moment_z * tube3_minus_U_zz;
     const real rod3_f_y = rod3_mass * rod3_a_y + rod3_base_moment_z * tube3_U_yz;
     const real rod3_n_y = rod3_base_moment_z * rod3_a_x;
     const real rod3_f_x = rod3_mass * rod3_a_x + rod3_base_moment_z * tube3_U_xz;
@@ -842,24 +881,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* tube4: alpha, U, n */
     const real hooke4_u_angle1dot = udot[15]; /* rad/s^2 */
     const real hooke4_u_angle2dot = udot[16]; /* rad/s^2 */
-    const wreal tube4_first_moment_z = w[15];
     const wreal tube4_base_second_moment_xx = w[32];
     const wreal tube4_base_second_moment_yy = w[33];
-    const wreal tube4_base_second_moment_zz = w[34];
-    const real tube4_alpha_x = hooke4_u_angle1dot * hooke4_cos_2 - hooke4_sin_2 * hooke4_drift;
-    const real tube4_alpha_z = hooke4_cos_2 * hooke4_drift + hooke4_u_angle1dot * hooke4_sin_2;
-    const real tube4_U_xy = tube4_U_2 - tube4_alpha_z;
-    const real tube4_U_yx = tube4_alpha_z + tube4_U_2;
+    const real tube4_alpha_x = hooke4_u_angle1dot * hooke4_angle2_cos
+        - hooke4_angle2_sin * hooke4_u_angle1_times_u_angle2;
+    const real tube4_alpha_z = hooke4_angle2_cos * hooke4_u_angle1_times_u_angle2
+        + hooke4_u_angle1dot * hooke4_angle2_sin;
+    const real tube4_U_xy = hooke4_u_angle2_times_tube4_omega_x - tube4_alpha_z;
+    const real tube4_U_yx = tube4_alpha_z + hooke4_u_angle2_times_tube4_omega_x;
     const real tube4_n_z = tube4_base_second_moment_xx * tube4_U_yx
         - tube4_base_second_moment_yy * tube4_U_xy;
-    const real tube4_U_xz = hooke4_u_angle2dot + tube4_U_3;
-    const real tube4_U_zx = tube4_U_3 - hooke4_u_angle2dot;
-    const real tube4_U_yz = tube4_U_4 - tube4_alpha_x;
-    const real tube4_U_zy = tube4_alpha_x + tube4_U_4;
-    const real tube4_n = tube4_base_second_moment_yy * tube4_U_zy
-        + tube4_first_moment_z * tube4_a - tube4_base_second_moment_zz * tube4_U_yz;
-    const real tube4_n_2 = tube4_base_second_moment_zz * tube4_U_xz
-        + tube4_first_moment_z * tube4_a_x - tube4_base_second_moment_xx * tube4_U_zx;
+    const real tube4_U_xz = hooke4_u_angle2dot + tube4_omega_x_times_omega_z;
+    const real tube4_U_zx = tube4_omega_x_times_omega_z - hooke4_u_angle2dot;
+    const real tube4_U_yz = hooke4_u_angle2_times_tube4_omega_z - tube4_alpha_x;
+    const real tube4_U_zy = tube4_alpha_x + hooke4_u_angle2_times_tube4_omega_z;
 
     /* rod4: a, f, n */
     const real slide4_q = q[18]; /* m */
@@ -868,9 +903,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod4_mass = w[16]; /* kg */
     const wreal rod4_base_moment_z = w[22];
     const real rod4_a_x = tube4_a_x + hooke4_u_angle2 * slide4_u * 2.0 + slide4_q * tube4_U_xz;
-    const real rod4_a_y = slide4_q * tube4_U_yz - (tube4_a + slide4_u * tube4_omega_x * 2.0);
-    const real rod4_a_z = slide4_udot - gravity_z * hooke4_R_zz - slide4_q * tube4_U;
-    const real rod4_f_z = rod4_mass * rod4_a_z - rod4_base_moment_z * tube4_U;
+    const real rod4_a_y = slide4_q * tube4_U_yz - (tube4_minus_a_y
+        + slide4_u * tube4_omega_x * 2.0);
+    const real rod4_a_z = slide4_udot - gravity_z * hooke4_R_zz - slide4_q * tube4_minus_U_zz;
+    const real rod4_f_z = rod4_mass * rod4_a_z - rod4_base_moment_z * tube4_minus_U_zz;
     const real rod4_f_y = rod4_mass * rod4_a_y + rod4_base_moment_z * tube4_U_yz;
     const real rod4_n_y = rod4_base_moment_z * rod4_a_x;
     const real rod4_f_x = rod4_mass * rod4_a_x + rod4_base_moment_z * tube4_U_xz;
@@ -882,24 +918,20 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* tube5: alpha, U, n */
     const real hooke5_u_angle1dot = udot[18]; /* rad/s^2 */
     const real hooke5_u_angle2dot = udot[19]; /* rad/s^2 */
-    const wreal tube5_first_moment_z = w[17];
     const wreal tube5_base_second_moment_xx = w[29];
     const wreal tube5_base_second_moment_yy = w[30];
-    const wreal tube5_base_second_moment_zz = w[31];
-    const real tube5_alpha_x = hooke5_u_angle1dot * hooke5_cos_2 - hooke5_sin_2 * hooke5_drift;
-    const real tube5_alpha_z = hooke5_cos_2 * hooke5_drift + hooke5_u_angle1dot * hooke5_sin_2;
-    const real tube5_U_xy = tube5_U_2 - tube5_alpha_z;
-    const real tube5_U_yx = tube5_alpha_z + tube5_U_2;
+    const real tube5_alpha_x = hooke5_u_angle1dot * hooke5_angle2_cos
+        - hooke5_angle2_sin * hooke5_u_angle1_times_u_angle2;
+    const real tube5_alpha_z = hooke5_angle2_cos * hooke5_u_angle1_times_u_angle2
+        + hooke5_u_angle1dot * hooke5_angle2_sin;
+    const real tube5_U_xy = hooke5_u_angle2_times_tube5_omega_x - tube5_alpha_z;
+    const real tube5_U_yx = tube5_alpha_z + hooke5_u_angle2_times_tube5_omega_x;
     const real tube5_n_z = tube5_base_second_moment_xx * tube5_U_yx
         - tube5_base_second_moment_yy * tube5_U_xy;
-    const real tube5_U_xz = hooke5_u_angle2dot + tube5_U_3;
-    const real tube5_U_zx = tube5_U_3 - hooke5_u_angle2dot;
-    const real tube5_U_yz = tube5_U_4 - tube5_alpha_x;
-    const real tube5_U_zy = tube5_alpha_x + tube5_U_4;
-    const real tube5_n = tube5_base_second_moment_yy * tube5_U_zy
-        + tube5_first_moment_z * tube5_a - tube5_base_second_moment_zz * tube5_U_yz;
-    const real tube5_n_2 = tube5_base_second_moment_zz * tube5_U_xz
-        + tube5_first_moment_z * tube5_a_x - tube5_base_second_moment_xx * tube5_U_zx;
+    const real tube5_U_xz = hooke5_u_angle2dot + tube5_omega_x_times_omega_z;
+    const real tube5_U_zx = tube5_omega_x_times_omega_z - hooke5_u_angle2dot;
+    const real tube5_U_yz = hooke5_u_angle2_times_tube5_omega_z - tube5_alpha_x;
+    const real tube5_U_zy = tube5_alpha_x + hooke5_u_angle2_times_tube5_omega_z;
 
     /* rod5: a, f, n */
     const real slide5_q = q[21]; /* m */
@@ -908,9 +940,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal rod5_mass = w[18]; /* kg */
     const wreal rod5_base_moment_z = w[23];
     const real rod5_a_x = tube5_a_x + hooke5_u_angle2 * slide5_u * 2.0 + slide5_q * tube5_U_xz;
-    const real rod5_a_y = slide5_q * tube5_U_yz - (tube5_a + slide5_u * tube5_omega_x * 2.0);
-    const real rod5_a_z = slide5_udot - gravity_z * hooke5_R_zz - slide5_q * tube5_U;
-    const real rod5_f_z = rod5_mass * rod5_a_z - rod5_base_moment_z * tube5_U;
+    const real rod5_a_y = slide5_q * tube5_U_yz - (tube5_minus_a_y
+        + slide5_u * tube5_omega_x * 2.0);
+    const real rod5_a_z = slide5_udot - gravity_z * hooke5_R_zz - slide5_q * tube5_minus_U_zz;
+    const real rod5_f_z = rod5_mass * rod5_a_z - rod5_base_moment_z * tube5_minus_U_zz;
     const real rod5_f_y = rod5_mass * rod5_a_y + rod5_base_moment_z * tube5_U_yz;
     const real rod5_n_y = rod5_base_moment_z * rod5_a_x;
     const real rod5_f_x = rod5_mass * rod5_a_x + rod5_base_moment_z * tube5_U_xz;
@@ -920,64 +953,102 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[20] = rod5_f_z - drive5; /* tau: slide5.u.tau [N] */
 
     /* tube1: n */
-    const real tube1_n_x = tube1_n - rod1_base_moment_z * rod1_a_y - slide1_q * rod1_f_y;
-    out[7] = rod1_n_y + tube1_n_2 + slide1_q * rod1_f_x; /* tau: hooke1.u.angle2.tau [N*m] */
+    const wreal tube1_first_moment_z = w[9];
+    const wreal tube1_base_second_moment_zz = w[43];
+    const real tube1_n_x = tube1_base_second_moment_yy * tube1_U_zy
+        + tube1_first_moment_z * tube1_minus_a_y - tube1_base_second_moment_zz * tube1_U_yz
+        - rod1_base_moment_z * rod1_a_y - slide1_q * rod1_f_y;
+    /* tau: hooke1.u.angle2.tau [N*m] */
+    out[7] = tube1_base_second_moment_zz * tube1_U_xz + tube1_first_moment_z * tube1_a_x
+        - tube1_base_second_moment_xx * tube1_U_zx + rod1_n_y + slide1_q * rod1_f_x;
 
     /* hooke1: tau angle */
     /* tau: hooke1.u.angle1.tau [N*m] */
-    out[6] = hooke1_cos_2 * tube1_n_x + hooke1_sin_2 * tube1_n_z;
+    out[6] = hooke1_angle2_cos * tube1_n_x + hooke1_angle2_sin * tube1_n_z;
 
     /* tube2: n */
-    const real tube2_n_x = tube2_n - rod2_base_moment_z * rod2_a_y - slide2_q * rod2_f_y;
-    out[10] = rod2_n_y + tube2_n_2 + slide2_q * rod2_f_x; /* tau: hooke2.u.angle2.tau [N*m] */
+    const wreal tube2_first_moment_z = w[11];
+    const wreal tube2_base_second_moment_zz = w[40];
+    const real tube2_n_x = tube2_base_second_moment_yy * tube2_U_zy
+        + tube2_first_moment_z * tube2_minus_a_y - tube2_base_second_moment_zz * tube2_U_yz
+        - rod2_base_moment_z * rod2_a_y - slide2_q * rod2_f_y;
+    /* tau: hooke2.u.angle2.tau [N*m] */
+    out[10] = tube2_base_second_moment_zz * tube2_U_xz + tube2_first_moment_z * tube2_a_x
+        - tube2_base_second_moment_xx * tube2_U_zx + rod2_n_y + slide2_q * rod2_f_x;
 
     /* hooke2: tau angle */
     /* tau: hooke2.u.angle1.tau [N*m] */
-    out[9] = hooke2_cos_2 * tube2_n_x + hooke2_sin_2 * tube2_n_z;
+    out[9] = hooke2_angle2_cos * tube2_n_x + hooke2_angle2_sin * tube2_n_z;
 
     /* tube3: n */
-    const real tube3_n_x = tube3_n - rod3_base_moment_z * rod3_a_y - slide3_q * rod3_f_y;
-    out[13] = rod3_n_y + tube3_n_2 + slide3_q * rod3_f_x; /* tau: hooke3.u.angle2.tau [N*m] */
+    const wreal tube3_first_moment_z = w[13];
+    const wreal tube3_base_second_moment_zz = w[37];
+    const real tube3_n_x = tube3_base_second_moment_yy * tube3_U_zy
+        + tube3_first_moment_z * tube3_minus_a_y - tube3_base_second_moment_zz * tube3_U_yz
+        - rod3_base_moment_z * rod3_a_y - slide3_q * rod3_f_y;
+    /* tau: hooke3.u.angle2.tau [N*m] */
+    out[13] = tube3_base_second_moment_zz * tube3_U_xz + tube3_first_moment_z * tube3_a_x
+        - tube3_base_second_moment_xx * tube3_U_zx + rod3_n_y + slide3_q * rod3_f_x;
 
     /* hooke3: tau angle */
     /* tau: hooke3.u.angle1.tau [N*m] */
-    out[12] = hooke3_cos_2 * tube3_n_x + hooke3_sin_2 * tube3_n_z;
+    out[12] = hooke3_angle2_cos * tube3_n_x + hooke3_angle2_sin * tube3_n_z;
 
     /* tube4: n */
-    const real tube4_n_x = tube4_n - rod4_base_moment_z * rod4_a_y - slide4_q * rod4_f_y;
-    out[16] = rod4_n_y + tube4_n_2 + slide4_q * rod4_f_x; /* tau: hooke4.u.angle2.tau [N*m] */
+    const wreal tube4_first_moment_z = w[15];
+    const wreal tube4_base_second_moment_zz = w[34];
+    const real tube4_n_x = tube4_base_second_moment_yy * tube4_U_zy
+        + tube4_first_moment_z * tube4_minus_a_y - tube4_base_second_moment_zz * tube4_U_yz
+        - rod4_base_moment_z * rod4_a_y - slide4_q * rod4_f_y;
+    /* tau: hooke4.u.angle2.tau [N*m] */
+    out[16] = tube4_base_second_moment_zz * tube4_U_xz + tube4_first_moment_z * tube4_a_x
+        - tube4_base_second_moment_xx * tube4_U_zx + rod4_n_y + slide4_q * rod4_f_x;
 
     /* hooke4: tau angle */
     /* tau: hooke4.u.angle1.tau [N*m] */
-    out[15] = hooke4_cos_2 * tube4_n_x + hooke4_sin_2 * tube4_n_z;
+    out[15] = hooke4_angle2_cos * tube4_n_x + hooke4_angle2_sin * tube4_n_z;
 
     /* tube5: n */
-    const real tube5_n_x = tube5_n - rod5_base_moment_z * rod5_a_y - slide5_q * rod5_f_y;
-    out[19] = rod5_n_y + tube5_n_2 + slide5_q * rod5_f_x; /* tau: hooke5.u.angle2.tau [N*m] */
+    const wreal tube5_first_moment_z = w[17];
+    const wreal tube5_base_second_moment_zz = w[31];
+    const real tube5_n_x = tube5_base_second_moment_yy * tube5_U_zy
+        + tube5_first_moment_z * tube5_minus_a_y - tube5_base_second_moment_zz * tube5_U_yz
+        - rod5_base_moment_z * rod5_a_y - slide5_q * rod5_f_y;
+    /* tau: hooke5.u.angle2.tau [N*m] */
+    out[19] = tube5_base_second_moment_zz * tube5_U_xz + tube5_first_moment_z * tube5_a_x
+        - tube5_base_second_moment_xx * tube5_U_zx + rod5_n_y + slide5_q * rod5_f_x;
 
     /* hooke5: tau angle */
     /* tau: hooke5.u.angle1.tau [N*m] */
-    out[18] = hooke5_cos_2 * tube5_n_x + hooke5_sin_2 * tube5_n_z;
+    out[18] = hooke5_angle2_cos * tube5_n_x + hooke5_angle2_sin * tube5_n_z;
 
     /* rod0: n */
-    const real rod0_n = rod0_base_moment_z * rod0_a_x + ball0_R_yx * platform_n_x
-        + slide0_position_z * platform_f;
-    const real rod0_n_y = ball0_R_yy * platform_n_y + ball0_R_yz * platform_n_z + rod0_n;
+    const real rod0_n_y = ball0_R_yy * platform_n_y + ball0_R_yz * platform_n_z
+        + (rod0_base_moment_z * rod0_a_x + ball0_R_yx * platform_n_x
+        + slide0_position_z * rod0_f_x_part);
     const real rod0_n_z = ball0_R_zx * platform_n_x + ball0_R_zy * platform_n_y
         + ball0_R_zz * platform_n_z;
-    const real rod0_n_2 = ball0_R_xx * platform_n_x - rod0_base_moment_z * rod0_a_y
-        - slide0_position_z * platform_f_2;
-    const real rod0_n_x = ball0_R_xy * platform_n_y + ball0_R_xz * platform_n_z + rod0_n_2;
+    const real rod0_n_x = ball0_R_xy * platform_n_y + ball0_R_xz * platform_n_z
+        + (ball0_R_xx * platform_n_x - rod0_base_moment_z * rod0_a_y
+        - slide0_position_z * rod0_f_y_part);
 
     /* tube0: n */
+    const wreal tube0_first_moment_z = w[1];
+    const wreal tube0_base_second_moment_xx = w[44];
+    const wreal tube0_base_second_moment_yy = w[45];
+    const wreal tube0_base_second_moment_zz = w[46];
     const real tube0_n_z = tube0_base_second_moment_xx * tube0_U_yx
         - tube0_base_second_moment_yy * tube0_U_xy + rod0_n_z;
-    const real tube0_n_x = tube0_n - slide0_q * rod0_f_y + rod0_n_x;
-    out[1] = slide0_q * rod0_f_x + tube0_n_2 + rod0_n_y; /* tau: hooke0.u.angle2.tau [N*m] */
+    const real tube0_n_x = tube0_base_second_moment_yy * tube0_U_zy
+        + tube0_first_moment_z * tube0_minus_a_y - tube0_base_second_moment_zz * tube0_U_yz
+        - slide0_q * rod0_f_y + rod0_n_x;
+    /* tau: hooke0.u.angle2.tau [N*m] */
+    out[1] = tube0_base_second_moment_zz * tube0_U_xz + tube0_first_moment_z * tube0_a_x
+        - tube0_base_second_moment_xx * tube0_U_zx + slide0_q * rod0_f_x + rod0_n_y;
 
     /* hooke0: tau angle */
     /* tau: hooke0.u.angle1.tau [N*m] */
-    out[0] = hooke0_cos_2 * tube0_n_x + hooke0_sin_2 * tube0_n_z;
+    out[0] = hooke0_angle2_cos * tube0_n_x + hooke0_angle2_sin * tube0_n_z;
 
     /* slide0: tau */
     const real drive0 = r[0];

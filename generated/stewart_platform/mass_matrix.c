@@ -41,7 +41,7 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* tube0: first moment, mass, inertia, base inertia */
+    /* tube0: first moment, mass, origin inertia, base inertia */
     const wreal tube0_mass = p[3]; /* kg */
     const wreal tube0_com_z = p[4]; /* m */
     const wreal tube0_inertia_xx = p[5]; /* kg m^2 */
@@ -49,12 +49,13 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube0_inertia_zz = p[7]; /* kg m^2 */
     const wreal rod0_inertia_zz = p[13]; /* kg m^2 */
     const wreal tube0_first_moment_z = tube0_mass * tube0_com_z;
-    const wreal tube0_mass_2 = tube0_com_z * tube0_first_moment_z;
-    const wreal tube0_inertia_xx_2 = tube0_inertia_xx + tube0_mass_2;
-    const wreal tube0_inertia_yy_2 = tube0_inertia_yy + tube0_mass_2;
-    w[45] = tube0_inertia_zz + rod0_inertia_zz; /* tube0_base_inertia_zz */
+    const wreal tube0_com_z_times_first_moment_z = tube0_com_z * tube0_first_moment_z;
+    const wreal tube0_origin_inertia_xx = tube0_inertia_xx + tube0_com_z_times_first_moment_z;
+    const wreal tube0_origin_inertia_yy = tube0_inertia_yy + tube0_com_z_times_first_moment_z;
+    const wreal tube0_base_inertia_zz = tube0_inertia_zz + rod0_inertia_zz;
+    w[45] = tube0_base_inertia_zz;
 
-    /* rod0: first moment, mass, inertia, base mass, base moment, base */
+    /* rod0: first moment, mass, origin inertia, base mass, base moment, base */
     const wreal slide0_position_z = p[8]; /* m */
     const wreal rod0_mass = p[9]; /* kg */
     const wreal rod0_com_z = p[10]; /* m */
@@ -62,46 +63,58 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod0_inertia_yy = p[12]; /* kg m^2 */
     const wreal platform_mass = p[16]; /* kg */
     const wreal rod0_first_moment_z = rod0_mass * rod0_com_z;
-    const wreal rod0_mass_2 = rod0_com_z * rod0_first_moment_z;
-    const wreal rod0_inertia_xx_2 = rod0_inertia_xx + rod0_mass_2;
-    const wreal rod0_inertia_yy_2 = rod0_inertia_yy + rod0_mass_2;
-    const wreal rod0_mass_3 = slide0_position_z * (rod0_first_moment_z
-        + 0.5 * rod0_mass * slide0_position_z) * 2.0;
+    const wreal rod0_com_z_times_first_moment_z = rod0_com_z * rod0_first_moment_z;
+    const wreal rod0_origin_inertia_xx = rod0_inertia_xx + rod0_com_z_times_first_moment_z;
+    const wreal rod0_origin_inertia_yy = rod0_inertia_yy + rod0_com_z_times_first_moment_z;
     const wreal rod0_base_mass = rod0_mass + platform_mass;
-    const wreal rod0_base = rod0_mass_3
+    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
+        + slide0_position_z * platform_mass;
+    const wreal rod0_mass_shift_plus_platform_base_shift = slide0_position_z * (rod0_first_moment_z
+        + 0.5 * rod0_mass * slide0_position_z) * 2.0
         + 0.5 * platform_mass * slide0_position_z * slide0_position_z * 2.0;
-    w[41] = rod0_base_mass; /* rod0_base_mass */
-    /* rod0_base_moment_z */
-    w[42] = rod0_first_moment_z + slide0_position_z * rod0_mass + slide0_position_z * platform_mass;
+    w[41] = rod0_base_mass;
+    w[42] = rod0_base_moment_z;
 
-    /* ball0: momentum fz, momentum fx */
+    /* momentum: ball0 y fz, ball0 z fx */
     const wreal ball0_child_position_x = p[14]; /* m */
     const wreal ball0_child_position_y = p[15]; /* m */
-    const wreal ball0_momentum_fz = ball0_child_position_x * platform_mass;
-    const wreal ball0_momentum_fx = ball0_child_position_y * platform_mass;
-    w[1] = ball0_momentum_fz; /* ball0_momentum_fz */
-    w[2] = ball0_momentum_fx; /* ball0_momentum_fx */
+    const wreal momentum_ball0_y_fz = ball0_child_position_x * platform_mass;
+    const wreal momentum_ball0_z_fx = ball0_child_position_y * platform_mass;
+    w[1] = momentum_ball0_y_fz;
+    w[2] = momentum_ball0_z_fx;
 
-    /* platform: first moment, mass, base second moment, inertia */
+    /* platform: first moment, mass, base second moment, origin inertia */
     const wreal platform_com_z = p[17]; /* m */
     const wreal platform_inertia_xx = p[18]; /* kg m^2 */
     const wreal platform_inertia_yy = p[19]; /* kg m^2 */
     const wreal platform_inertia_zz = p[20]; /* kg m^2 */
     const wreal platform_first_moment_z = platform_mass * platform_com_z;
-    const wreal platform_mass_2 = ball0_child_position_x * ball0_momentum_fz;
-    const wreal platform_mass_3 = ball0_child_position_y * ball0_momentum_fx;
-    const wreal platform_mass_4 = platform_com_z * platform_first_moment_z;
-    const wreal platform_base_second_moment_xy = ball0_child_position_y * ball0_momentum_fz;
-    w[3] = platform_first_moment_z; /* platform_first_moment_z */
-    w[4] = platform_base_second_moment_xy; /* platform_base_second_moment_xy */
-    w[5] = -platform_base_second_moment_xy; /* platform_inertia_xy */
-    w[6] = platform_com_z * ball0_momentum_fz; /* platform_inertia_xz */
-    w[7] = platform_com_z * ball0_momentum_fx; /* platform_inertia_yz */
-    w[8] = platform_inertia_xx + platform_mass_3 + platform_mass_4; /* platform_inertia_xx_2 */
-    w[9] = platform_inertia_yy + platform_mass_2 + platform_mass_4; /* platform_inertia_yy_2 */
-    w[10] = platform_inertia_zz + platform_mass_2 + platform_mass_3; /* platform_inertia_zz_2 */
+    const wreal ball0_child_position_x_times_momentum_ball0_y_fz = ball0_child_position_x *
+        momentum_ball0_y_fz;
+    const wreal ball0_child_position_y_times_momentum_ball0_z_fx = ball0_child_position_y *
+        momentum_ball0_z_fx;
+    const wreal platform_com_z_times_first_moment_z = platform_com_z * platform_first_moment_z;
+    const wreal platform_base_second_moment_xy = ball0_child_position_y * momentum_ball0_y_fz;
+    const wreal platform_origin_inertia_xy = -platform_base_second_moment_xy;
+    const wreal platform_origin_inertia_xz = platform_com_z * momentum_ball0_y_fz;
+    const wreal platform_origin_inertia_yz = platform_com_z * momentum_ball0_z_fx;
+    const wreal platform_origin_inertia_xx = platform_inertia_xx
+        + ball0_child_position_y_times_momentum_ball0_z_fx + platform_com_z_times_first_moment_z;
+    const wreal platform_origin_inertia_yy = platform_inertia_yy
+        + ball0_child_position_x_times_momentum_ball0_y_fz + platform_com_z_times_first_moment_z;
+    const wreal platform_origin_inertia_zz = platform_inertia_zz
+        + ball0_child_position_x_times_momentum_ball0_y_fz
+        + ball0_child_position_y_times_momentum_ball0_z_fx;
+    w[3] = platform_first_moment_z;
+    w[4] = platform_base_second_moment_xy;
+    w[5] = platform_origin_inertia_xy;
+    w[6] = platform_origin_inertia_xz;
+    w[7] = platform_origin_inertia_yz;
+    w[8] = platform_origin_inertia_xx;
+    w[9] = platform_origin_inertia_yy;
+    w[10] = platform_origin_inertia_zz;
 
-    /* tube1: first moment, mass, inertia, base inertia */
+    /* tube1: first moment, mass, origin inertia, base inertia */
     const wreal tube1_mass = p[23]; /* kg */
     const wreal tube1_com_z = p[24]; /* m */
     const wreal tube1_inertia_xx = p[25]; /* kg m^2 */
@@ -109,24 +122,26 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube1_inertia_zz = p[27]; /* kg m^2 */
     const wreal rod1_inertia_zz = p[33]; /* kg m^2 */
     const wreal tube1_first_moment_z = tube1_mass * tube1_com_z;
-    const wreal tube1_mass_2 = tube1_com_z * tube1_first_moment_z;
-    const wreal tube1_inertia_xx_2 = tube1_inertia_xx + tube1_mass_2;
-    const wreal tube1_inertia_yy_2 = tube1_inertia_yy + tube1_mass_2;
-    w[40] = tube1_inertia_zz + rod1_inertia_zz; /* tube1_base_inertia_zz */
+    const wreal tube1_com_z_times_first_moment_z = tube1_com_z * tube1_first_moment_z;
+    const wreal tube1_origin_inertia_xx = tube1_inertia_xx + tube1_com_z_times_first_moment_z;
+    const wreal tube1_origin_inertia_yy = tube1_inertia_yy + tube1_com_z_times_first_moment_z;
+    const wreal tube1_base_inertia_zz = tube1_inertia_zz + rod1_inertia_zz;
+    w[40] = tube1_base_inertia_zz;
 
-    /* rod1: first moment, mass, inertia, base moment */
+    /* rod1: first moment, mass, origin inertia, base moment */
     const wreal slide1_position_z = p[28]; /* m */
     const wreal rod1_mass = p[29]; /* kg */
     const wreal rod1_com_z = p[30]; /* m */
     const wreal rod1_inertia_xx = p[31]; /* kg m^2 */
     const wreal rod1_inertia_yy = p[32]; /* kg m^2 */
     const wreal rod1_first_moment_z = rod1_mass * rod1_com_z;
-    const wreal rod1_mass_2 = rod1_com_z * rod1_first_moment_z;
-    const wreal rod1_inertia_xx_2 = rod1_inertia_xx + rod1_mass_2;
-    const wreal rod1_inertia_yy_2 = rod1_inertia_yy + rod1_mass_2;
-    w[17] = rod1_first_moment_z + slide1_position_z * rod1_mass; /* rod1_base_moment_z */
+    const wreal rod1_com_z_times_first_moment_z = rod1_com_z * rod1_first_moment_z;
+    const wreal rod1_origin_inertia_xx = rod1_inertia_xx + rod1_com_z_times_first_moment_z;
+    const wreal rod1_origin_inertia_yy = rod1_inertia_yy + rod1_com_z_times_first_moment_z;
+    const wreal rod1_base_moment_z = rod1_first_moment_z + slide1_position_z * rod1_mass;
+    w[17] = rod1_base_moment_z;
 
-    /* tube2: first moment, mass, inertia, base inertia */
+    /* tube2: first moment, mass, origin inertia, base inertia */
     const wreal tube2_mass = p[36]; /* kg */
     const wreal tube2_com_z = p[37]; /* m */
     const wreal tube2_inertia_xx = p[38]; /* kg m^2 */
@@ -134,24 +149,26 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube2_inertia_zz = p[40]; /* kg m^2 */
     const wreal rod2_inertia_zz = p[46]; /* kg m^2 */
     const wreal tube2_first_moment_z = tube2_mass * tube2_com_z;
-    const wreal tube2_mass_2 = tube2_com_z * tube2_first_moment_z;
-    const wreal tube2_inertia_xx_2 = tube2_inertia_xx + tube2_mass_2;
-    const wreal tube2_inertia_yy_2 = tube2_inertia_yy + tube2_mass_2;
-    w[37] = tube2_inertia_zz + rod2_inertia_zz; /* tube2_base_inertia_zz */
+    const wreal tube2_com_z_times_first_moment_z = tube2_com_z * tube2_first_moment_z;
+    const wreal tube2_origin_inertia_xx = tube2_inertia_xx + tube2_com_z_times_first_moment_z;
+    const wreal tube2_origin_inertia_yy = tube2_inertia_yy + tube2_com_z_times_first_moment_z;
+    const wreal tube2_base_inertia_zz = tube2_inertia_zz + rod2_inertia_zz;
+    w[37] = tube2_base_inertia_zz;
 
-    /* rod2: first moment, mass, inertia, base moment */
+    /* rod2: first moment, mass, origin inertia, base moment */
     const wreal slide2_position_z = p[41]; /* m */
     const wreal rod2_mass = p[42]; /* kg */
     const wreal rod2_com_z = p[43]; /* m */
     const wreal rod2_inertia_xx = p[44]; /* kg m^2 */
     const wreal rod2_inertia_yy = p[45]; /* kg m^2 */
     const wreal rod2_first_moment_z = rod2_mass * rod2_com_z;
-    const wreal rod2_mass_2 = rod2_com_z * rod2_first_moment_z;
-    const wreal rod2_inertia_xx_2 = rod2_inertia_xx + rod2_mass_2;
-    const wreal rod2_inertia_yy_2 = rod2_inertia_yy + rod2_mass_2;
-    w[19] = rod2_first_moment_z + slide2_position_z * rod2_mass; /* rod2_base_moment_z */
+    const wreal rod2_com_z_times_first_moment_z = rod2_com_z * rod2_first_moment_z;
+    const wreal rod2_origin_inertia_xx = rod2_inertia_xx + rod2_com_z_times_first_moment_z;
+    const wreal rod2_origin_inertia_yy = rod2_inertia_yy + rod2_com_z_times_first_moment_z;
+    const wreal rod2_base_moment_z = rod2_first_moment_z + slide2_position_z * rod2_mass;
+    w[19] = rod2_base_moment_z;
 
-    /* tube3: first moment, mass, inertia, base inertia */
+    /* tube3: first moment, mass, origin inertia, base inertia */
     const wreal tube3_mass = p[49]; /* kg */
     const wreal tube3_com_z = p[50]; /* m */
     const wreal tube3_inertia_xx = p[51]; /* kg m^2 */
@@ -159,24 +176,26 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube3_inertia_zz = p[53]; /* kg m^2 */
     const wreal rod3_inertia_zz = p[59]; /* kg m^2 */
     const wreal tube3_first_moment_z = tube3_mass * tube3_com_z;
-    const wreal tube3_mass_2 = tube3_com_z * tube3_first_moment_z;
-    const wreal tube3_inertia_xx_2 = tube3_inertia_xx + tube3_mass_2;
-    const wreal tube3_inertia_yy_2 = tube3_inertia_yy + tube3_mass_2;
-    w[34] = tube3_inertia_zz + rod3_inertia_zz; /* tube3_base_inertia_zz */
+    const wreal tube3_com_z_times_first_moment_z = tube3_com_z * tube3_first_moment_z;
+    const wreal tube3_origin_inertia_xx = tube3_inertia_xx + tube3_com_z_times_first_moment_z;
+    const wreal tube3_origin_inertia_yy = tube3_inertia_yy + tube3_com_z_times_first_moment_z;
+    const wreal tube3_base_inertia_zz = tube3_inertia_zz + rod3_inertia_zz;
+    w[34] = tube3_base_inertia_zz;
 
-    /* rod3: first moment, mass, inertia, base moment */
+    /* rod3: first moment, mass, origin inertia, base moment */
     const wreal slide3_position_z = p[54]; /* m */
     const wreal rod3_mass = p[55]; /* kg */
     const wreal rod3_com_z = p[56]; /* m */
     const wreal rod3_inertia_xx = p[57]; /* kg m^2 */
     const wreal rod3_inertia_yy = p[58]; /* kg m^2 */
     const wreal rod3_first_moment_z = rod3_mass * rod3_com_z;
-    const wreal rod3_mass_2 = rod3_com_z * rod3_first_moment_z;
-    const wreal rod3_inertia_xx_2 = rod3_inertia_xx + rod3_mass_2;
-    const wreal rod3_inertia_yy_2 = rod3_inertia_yy + rod3_mass_2;
-    w[21] = rod3_first_moment_z + slide3_position_z * rod3_mass; /* rod3_base_moment_z */
+    const wreal rod3_com_z_times_first_moment_z = rod3_com_z * rod3_first_moment_z;
+    const wreal rod3_origin_inertia_xx = rod3_inertia_xx + rod3_com_z_times_first_moment_z;
+    const wreal rod3_origin_inertia_yy = rod3_inertia_yy + rod3_com_z_times_first_moment_z;
+    const wreal rod3_base_moment_z = rod3_first_moment_z + slide3_position_z * rod3_mass;
+    w[21] = rod3_base_moment_z;
 
-    /* tube4: first moment, mass, inertia, base inertia */
+    /* tube4: first moment, mass, origin inertia, base inertia */
     const wreal tube4_mass = p[62]; /* kg */
     const wreal tube4_com_z = p[63]; /* m */
     const wreal tube4_inertia_xx = p[64]; /* kg m^2 */
@@ -184,24 +203,26 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube4_inertia_zz = p[66]; /* kg m^2 */
     const wreal rod4_inertia_zz = p[72]; /* kg m^2 */
     const wreal tube4_first_moment_z = tube4_mass * tube4_com_z;
-    const wreal tube4_mass_2 = tube4_com_z * tube4_first_moment_z;
-    const wreal tube4_inertia_xx_2 = tube4_inertia_xx + tube4_mass_2;
-    const wreal tube4_inertia_yy_2 = tube4_inertia_yy + tube4_mass_2;
-    w[31] = tube4_inertia_zz + rod4_inertia_zz; /* tube4_base_inertia_zz */
+    const wreal tube4_com_z_times_first_moment_z = tube4_com_z * tube4_first_moment_z;
+    const wreal tube4_origin_inertia_xx = tube4_inertia_xx + tube4_com_z_times_first_moment_z;
+    const wreal tube4_origin_inertia_yy = tube4_inertia_yy + tube4_com_z_times_first_moment_z;
+    const wreal tube4_base_inertia_zz = tube4_inertia_zz + rod4_inertia_zz;
+    w[31] = tube4_base_inertia_zz;
 
-    /* rod4: first moment, mass, inertia, base moment */
+    /* rod4: first moment, mass, origin inertia, base moment */
     const wreal slide4_position_z = p[67]; /* m */
     const wreal rod4_mass = p[68]; /* kg */
     const wreal rod4_com_z = p[69]; /* m */
     const wreal rod4_inertia_xx = p[70]; /* kg m^2 */
     const wreal rod4_inertia_yy = p[71]; /* kg m^2 */
     const wreal rod4_first_moment_z = rod4_mass * rod4_com_z;
-    const wreal rod4_mass_2 = rod4_com_z * rod4_first_moment_z;
-    const wreal rod4_inertia_xx_2 = rod4_inertia_xx + rod4_mass_2;
-    const wreal rod4_inertia_yy_2 = rod4_inertia_yy + rod4_mass_2;
-    w[23] = rod4_first_moment_z + slide4_position_z * rod4_mass; /* rod4_base_moment_z */
+    const wreal rod4_com_z_times_first_moment_z = rod4_com_z * rod4_first_moment_z;
+    const wreal rod4_origin_inertia_xx = rod4_inertia_xx + rod4_com_z_times_first_moment_z;
+    const wreal rod4_origin_inertia_yy = rod4_inertia_yy + rod4_com_z_times_first_moment_z;
+    const wreal rod4_base_moment_z = rod4_first_moment_z + slide4_position_z * rod4_mass;
+    w[23] = rod4_base_moment_z;
 
-    /* tube5: first moment, mass, inertia, base inertia */
+    /* tube5: first moment, mass, origin inertia, base inertia */
     const wreal tube5_mass = p[75]; /* kg */
     const wreal tube5_com_z = p[76]; /* m */
     const wreal tube5_inertia_xx = p[77]; /* kg m^2 */
@@ -209,79 +230,106 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube5_inertia_zz = p[79]; /* kg m^2 */
     const wreal rod5_inertia_zz = p[85]; /* kg m^2 */
     const wreal tube5_first_moment_z = tube5_mass * tube5_com_z;
-    const wreal tube5_mass_2 = tube5_com_z * tube5_first_moment_z;
-    const wreal tube5_inertia_xx_2 = tube5_inertia_xx + tube5_mass_2;
-    const wreal tube5_inertia_yy_2 = tube5_inertia_yy + tube5_mass_2;
-    w[28] = tube5_inertia_zz + rod5_inertia_zz; /* tube5_base_inertia_zz */
+    const wreal tube5_com_z_times_first_moment_z = tube5_com_z * tube5_first_moment_z;
+    const wreal tube5_origin_inertia_xx = tube5_inertia_xx + tube5_com_z_times_first_moment_z;
+    const wreal tube5_origin_inertia_yy = tube5_inertia_yy + tube5_com_z_times_first_moment_z;
+    const wreal tube5_base_inertia_zz = tube5_inertia_zz + rod5_inertia_zz;
+    w[28] = tube5_base_inertia_zz;
 
-    /* rod5: first moment, mass, inertia, base moment */
+    /* rod5: first moment, mass, origin inertia, base moment */
     const wreal slide5_position_z = p[80]; /* m */
     const wreal rod5_mass = p[81]; /* kg */
     const wreal rod5_com_z = p[82]; /* m */
     const wreal rod5_inertia_xx = p[83]; /* kg m^2 */
     const wreal rod5_inertia_yy = p[84]; /* kg m^2 */
     const wreal rod5_first_moment_z = rod5_mass * rod5_com_z;
-    const wreal rod5_mass_2 = rod5_com_z * rod5_first_moment_z;
-    const wreal rod5_inertia_xx_2 = rod5_inertia_xx + rod5_mass_2;
-    const wreal rod5_inertia_yy_2 = rod5_inertia_yy + rod5_mass_2;
-    w[25] = rod5_first_moment_z + slide5_position_z * rod5_mass; /* rod5_base_moment_z */
+    const wreal rod5_com_z_times_first_moment_z = rod5_com_z * rod5_first_moment_z;
+    const wreal rod5_origin_inertia_xx = rod5_inertia_xx + rod5_com_z_times_first_moment_z;
+    const wreal rod5_origin_inertia_yy = rod5_inertia_yy + rod5_com_z_times_first_moment_z;
+    const wreal rod5_base_moment_z = rod5_first_moment_z + slide5_position_z * rod5_mass;
+    w[25] = rod5_base_moment_z;
 
     /* shared by several: inertia */
-    const wreal tube1_inertia = 0.5 * rod1_mass;
-    const wreal tube2_inertia = 0.5 * rod2_mass;
-    const wreal tube3_inertia = 0.5 * rod3_mass;
-    const wreal tube4_inertia = 0.5 * rod4_mass;
-    const wreal tube5_inertia = 0.5 * rod5_mass;
-    w[16] = tube1_inertia; /* tube1_inertia */
-    w[18] = tube2_inertia; /* tube2_inertia */
-    w[20] = tube3_inertia; /* tube3_inertia */
-    w[22] = tube4_inertia; /* tube4_inertia */
-    w[24] = tube5_inertia; /* tube5_inertia */
+    const wreal half_rod1_mass = 0.5 * rod1_mass;
+    const wreal half_rod2_mass = 0.5 * rod2_mass;
+    const wreal half_rod3_mass = 0.5 * rod3_mass;
+    const wreal half_rod4_mass = 0.5 * rod4_mass;
+    const wreal half_rod5_mass = 0.5 * rod5_mass;
+    w[16] = half_rod1_mass;
+    w[18] = half_rod2_mass;
+    w[20] = half_rod3_mass;
+    w[22] = half_rod4_mass;
+    w[24] = half_rod5_mass;
 
     /* rod1: mass */
-    const wreal rod1_mass_3 = slide1_position_z * (rod1_first_moment_z
-        + slide1_position_z * tube1_inertia) * 2.0;
+    const wreal rod1_mass_shift = slide1_position_z * (rod1_first_moment_z
+        + slide1_position_z * half_rod1_mass) * 2.0;
 
     /* rod2: mass */
-    const wreal rod2_mass_3 = slide2_position_z * (rod2_first_moment_z
-        + slide2_position_z * tube2_inertia) * 2.0;
+    const wreal rod2_mass_shift = slide2_position_z * (rod2_first_moment_z
+        + slide2_position_z * half_rod2_mass) * 2.0;
 
     /* rod3: mass */
-    const wreal rod3_mass_3 = slide3_position_z * (rod3_first_moment_z
-        + slide3_position_z * tube3_inertia) * 2.0;
+    const wreal rod3_mass_shift = slide3_position_z * (rod3_first_moment_z
+        + slide3_position_z * half_rod3_mass) * 2.0;
 
     /* rod4: mass */
-    const wreal rod4_mass_3 = slide4_position_z * (rod4_first_moment_z
-        + slide4_position_z * tube4_inertia) * 2.0;
+    const wreal rod4_mass_shift = slide4_position_z * (rod4_first_moment_z
+        + slide4_position_z * half_rod4_mass) * 2.0;
 
     /* rod5: mass */
-    const wreal rod5_mass_3 = slide5_position_z * (rod5_first_moment_z
-        + slide5_position_z * tube5_inertia) * 2.0;
+    const wreal rod5_mass_shift = slide5_position_z * (rod5_first_moment_z
+        + slide5_position_z * half_rod5_mass) * 2.0;
 
     /* tube5: base inertia */
-    w[26] = tube5_inertia_xx_2 + rod5_inertia_xx_2 + rod5_mass_3; /* tube5_base_inertia_xx */
-    w[27] = tube5_inertia_yy_2 + rod5_inertia_yy_2 + rod5_mass_3; /* tube5_base_inertia_yy */
+    const wreal tube5_base_inertia_xx = tube5_origin_inertia_xx + rod5_origin_inertia_xx
+        + rod5_mass_shift;
+    const wreal tube5_base_inertia_yy = tube5_origin_inertia_yy + rod5_origin_inertia_yy
+        + rod5_mass_shift;
+    w[26] = tube5_base_inertia_xx;
+    w[27] = tube5_base_inertia_yy;
 
     /* tube4: base inertia */
-    w[29] = tube4_inertia_xx_2 + rod4_inertia_xx_2 + rod4_mass_3; /* tube4_base_inertia_xx */
-    w[30] = tube4_inertia_yy_2 + rod4_inertia_yy_2 + rod4_mass_3; /* tube4_base_inertia_yy */
+    const wreal tube4_base_inertia_xx = tube4_origin_inertia_xx + rod4_origin_inertia_xx
+        + rod4_mass_shift;
+    const wreal tube4_base_inertia_yy = tube4_origin_inertia_yy + rod4_origin_inertia_yy
+        + rod4_mass_shift;
+    w[29] = tube4_base_inertia_xx;
+    w[30] = tube4_base_inertia_yy;
 
     /* tube3: base inertia */
-    w[32] = tube3_inertia_xx_2 + rod3_inertia_xx_2 + rod3_mass_3; /* tube3_base_inertia_xx */
-    w[33] = tube3_inertia_yy_2 + rod3_inertia_yy_2 + rod3_mass_3; /* tube3_base_inertia_yy */
+    const wreal tube3_base_inertia_xx = tube3_origin_inertia_xx + rod3_origin_inertia_xx
+        + rod3_mass_shift;
+    const wreal tube3_base_inertia_yy = tube3_origin_inertia_yy + rod3_origin_inertia_yy
+        + rod3_mass_shift;
+    w[32] = tube3_base_inertia_xx;
+    w[33] = tube3_base_inertia_yy;
 
     /* tube2: base inertia */
-    w[35] = tube2_inertia_xx_2 + rod2_inertia_xx_2 + rod2_mass_3; /* tube2_base_inertia_xx */
-    w[36] = tube2_inertia_yy_2 + rod2_inertia_yy_2 + rod2_mass_3; /* tube2_base_inertia_yy */
+    const wreal tube2_base_inertia_xx = tube2_origin_inertia_xx + rod2_origin_inertia_xx
+        + rod2_mass_shift;
+    const wreal tube2_base_inertia_yy = tube2_origin_inertia_yy + rod2_origin_inertia_yy
+        + rod2_mass_shift;
+    w[35] = tube2_base_inertia_xx;
+    w[36] = tube2_base_inertia_yy;
 
     /* tube1: base inertia */
-    w[38] = tube1_inertia_xx_2 + rod1_inertia_xx_2 + rod1_mass_3; /* tube1_base_inertia_xx */
-    w[39] = tube1_inertia_yy_2 + rod1_inertia_yy_2 + rod1_mass_3; /* tube1_base_inertia_yy */
+    const wreal tube1_base_inertia_xx = tube1_origin_inertia_xx + rod1_origin_inertia_xx
+        + rod1_mass_shift;
+    const wreal tube1_base_inertia_yy = tube1_origin_inertia_yy + rod1_origin_inertia_yy
+        + rod1_mass_shift;
+    w[38] = tube1_base_inertia_xx;
+    w[39] = tube1_base_inertia_yy;
 
     /* tube0: base inertia, inertia */
-    w[43] = tube0_inertia_xx_2 + rod0_inertia_xx_2 + rod0_base; /* tube0_base_inertia_xx */
-    w[44] = tube0_inertia_yy_2 + rod0_inertia_yy_2 + rod0_base; /* tube0_base_inertia_yy */
-    w[46] = 0.5 * rod0_base_mass; /* tube0_inertia */
+    const wreal tube0_base_inertia_xx = tube0_origin_inertia_xx + rod0_origin_inertia_xx
+        + rod0_mass_shift_plus_platform_base_shift;
+    const wreal tube0_base_inertia_yy = tube0_origin_inertia_yy + rod0_origin_inertia_yy
+        + rod0_mass_shift_plus_platform_base_shift;
+    const wreal half_rod0_base_mass = 0.5 * rod0_base_mass;
+    w[43] = tube0_base_inertia_xx;
+    w[44] = tube0_base_inertia_yy;
+    w[46] = half_rod0_base_mass;
 
     /* parameters as they are */
     w[0] = p[8]; /* slide0.position.z [m] */
@@ -302,7 +350,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real hooke0_angle2 = q[1]; /* rad */
     const real hooke1_angle2 = q[8]; /* rad */
     const real hooke2_angle2 = q[11]; /* rad */
@@ -313,151 +361,156 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         hooke2_angle2, hooke1_angle2, hooke0_angle2};
     real sine[CARDAN_PADDED(6)], cosine[CARDAN_PADDED(6)];
     cardan_sincos(6, angle, sine, cosine);
-    const real hooke5_cos = cosine[0];
-    const real hooke5_sin = sine[0];
-    const real hooke4_cos = cosine[1];
-    const real hooke4_sin = sine[1];
-    const real hooke3_cos = cosine[2];
-    const real hooke3_sin = sine[2];
-    const real hooke2_cos = cosine[3];
-    const real hooke2_sin = sine[3];
-    const real hooke1_cos = cosine[4];
-    const real hooke1_sin = sine[4];
-    const real hooke0_cos = cosine[5];
-    const real hooke0_sin = sine[5];
+    const real hooke5_angle2_cos = cosine[0];
+    const real hooke5_angle2_sin = sine[0];
+    const real hooke4_angle2_cos = cosine[1];
+    const real hooke4_angle2_sin = sine[1];
+    const real hooke3_angle2_cos = cosine[2];
+    const real hooke3_angle2_sin = sine[2];
+    const real hooke2_angle2_cos = cosine[3];
+    const real hooke2_angle2_sin = sine[3];
+    const real hooke1_angle2_cos = cosine[4];
+    const real hooke1_angle2_sin = sine[4];
+    const real hooke0_angle2_cos = cosine[5];
+    const real hooke0_angle2_sin = sine[5];
 
     /* tube5: inertia, composite inertia */
     const real slide5_q = q[21]; /* m */
-    const wreal tube5_inertia = w[24];
+    const wreal half_rod5_mass = w[24];
     const wreal rod5_base_moment_z = w[25];
     const wreal tube5_base_inertia_xx = w[26];
     const wreal tube5_base_inertia_yy = w[27];
-    const real tube5_inertia_2 = slide5_q * (rod5_base_moment_z + slide5_q * tube5_inertia) * 2.0;
-    const real tube5_composite_inertia_xx = tube5_base_inertia_xx + tube5_inertia_2;
-    out[418] = tube5_base_inertia_yy + tube5_inertia_2; /* M: hooke5.u.angle2,hooke5.u.angle2 */
+    const real tube5_inertia_shift = slide5_q * (rod5_base_moment_z
+        + slide5_q * half_rod5_mass) * 2.0;
+    const real tube5_composite_inertia_xx = tube5_base_inertia_xx + tube5_inertia_shift;
+    out[418] = tube5_base_inertia_yy + tube5_inertia_shift; /* M: hooke5.u.angle2,hooke5.u.angle2 */
 
     /* tube4: inertia, composite inertia */
     const real slide4_q = q[18]; /* m */
-    const wreal tube4_inertia = w[22];
+    const wreal half_rod4_mass = w[22];
     const wreal rod4_base_moment_z = w[23];
     const wreal tube4_base_inertia_xx = w[29];
     const wreal tube4_base_inertia_yy = w[30];
-    const real tube4_inertia_2 = slide4_q * (rod4_base_moment_z + slide4_q * tube4_inertia) * 2.0;
-    const real tube4_composite_inertia_xx = tube4_base_inertia_xx + tube4_inertia_2;
-    out[352] = tube4_base_inertia_yy + tube4_inertia_2; /* M: hooke4.u.angle2,hooke4.u.angle2 */
+    const real tube4_inertia_shift = slide4_q * (rod4_base_moment_z
+        + slide4_q * half_rod4_mass) * 2.0;
+    const real tube4_composite_inertia_xx = tube4_base_inertia_xx + tube4_inertia_shift;
+    out[352] = tube4_base_inertia_yy + tube4_inertia_shift; /* M: hooke4.u.angle2,hooke4.u.angle2 */
 
     /* tube3: inertia, composite inertia */
     const real slide3_q = q[15]; /* m */
-    const wreal tube3_inertia = w[20];
+    const wreal half_rod3_mass = w[20];
     const wreal rod3_base_moment_z = w[21];
     const wreal tube3_base_inertia_xx = w[32];
     const wreal tube3_base_inertia_yy = w[33];
-    const real tube3_inertia_2 = slide3_q * (rod3_base_moment_z + slide3_q * tube3_inertia) * 2.0;
-    const real tube3_composite_inertia_xx = tube3_base_inertia_xx + tube3_inertia_2;
-    out[286] = tube3_base_inertia_yy + tube3_inertia_2; /* M: hooke3.u.angle2,hooke3.u.angle2 */
+    const real tube3_inertia_shift = slide3_q * (rod3_base_moment_z
+        + slide3_q * half_rod3_mass) * 2.0;
+    const real tube3_composite_inertia_xx = tube3_base_inertia_xx + tube3_inertia_shift;
+    out[286] = tube3_base_inertia_yy + tube3_inertia_shift; /* M: hooke3.u.angle2,hooke3.u.angle2 */
 
     /* tube2: inertia, composite inertia */
     const real slide2_q = q[12]; /* m */
-    const wreal tube2_inertia = w[18];
+    const wreal half_rod2_mass = w[18];
     const wreal rod2_base_moment_z = w[19];
     const wreal tube2_base_inertia_xx = w[35];
     const wreal tube2_base_inertia_yy = w[36];
-    const real tube2_inertia_2 = slide2_q * (rod2_base_moment_z + slide2_q * tube2_inertia) * 2.0;
-    const real tube2_composite_inertia_xx = tube2_base_inertia_xx + tube2_inertia_2;
-    out[220] = tube2_base_inertia_yy + tube2_inertia_2; /* M: hooke2.u.angle2,hooke2.u.angle2 */
+    const real tube2_inertia_shift = slide2_q * (rod2_base_moment_z
+        + slide2_q * half_rod2_mass) * 2.0;
+    const real tube2_composite_inertia_xx = tube2_base_inertia_xx + tube2_inertia_shift;
+    out[220] = tube2_base_inertia_yy + tube2_inertia_shift; /* M: hooke2.u.angle2,hooke2.u.angle2 */
 
     /* tube1: inertia, composite inertia */
     const real slide1_q = q[9]; /* m */
-    const wreal tube1_inertia = w[16];
+    const wreal half_rod1_mass = w[16];
     const wreal rod1_base_moment_z = w[17];
     const wreal tube1_base_inertia_xx = w[38];
     const wreal tube1_base_inertia_yy = w[39];
-    const real tube1_inertia_2 = slide1_q * (rod1_base_moment_z + slide1_q * tube1_inertia) * 2.0;
-    const real tube1_composite_inertia_xx = tube1_base_inertia_xx + tube1_inertia_2;
-    out[154] = tube1_base_inertia_yy + tube1_inertia_2; /* M: hooke1.u.angle2,hooke1.u.angle2 */
+    const real tube1_inertia_shift = slide1_q * (rod1_base_moment_z
+        + slide1_q * half_rod1_mass) * 2.0;
+    const real tube1_composite_inertia_xx = tube1_base_inertia_xx + tube1_inertia_shift;
+    out[154] = tube1_base_inertia_yy + tube1_inertia_shift; /* M: hooke1.u.angle2,hooke1.u.angle2 */
 
     /* ball0: R */
     const real ball0_w = q[3];
     const real ball0_x = q[4];
     const real ball0_y = q[5];
     const real ball0_z = q[6];
-    const real ball0_R = 2.0 * ball0_x;
-    const real ball0_R_2 = 2.0 * ball0_y;
-    const real ball0_R_3 = 2.0 * ball0_z;
-    const real ball0_R_4 = ball0_w * ball0_R;
-    const real ball0_R_5 = 1.0 - ball0_x * ball0_R;
-    const real ball0_R_6 = ball0_w * ball0_R_2;
-    const real ball0_R_7 = ball0_w * ball0_R_3;
-    const real ball0_R_8 = ball0_x * ball0_R_2;
-    const real ball0_R_9 = ball0_y * ball0_R_2;
-    const real ball0_R_10 = ball0_x * ball0_R_3;
-    const real ball0_R_11 = ball0_y * ball0_R_3;
-    const real ball0_R_12 = ball0_z * ball0_R_3;
-    const real ball0_R_xx = 1.0 - ball0_R_9 - ball0_R_12;
-    const real ball0_R_yy = ball0_R_5 - ball0_R_12;
-    const real ball0_R_zz = ball0_R_5 - ball0_R_9;
-    const real ball0_R_xy = ball0_R_8 - ball0_R_7;
-    const real ball0_R_yx = ball0_R_7 + ball0_R_8;
-    const real ball0_R_xz = ball0_R_6 + ball0_R_10;
-    const real ball0_R_zx = ball0_R_10 - ball0_R_6;
-    const real ball0_R_yz = ball0_R_11 - ball0_R_4;
-    const real ball0_R_zy = ball0_R_4 + ball0_R_11;
+    const real twice_ball0_x = 2.0 * ball0_x;
+    const real twice_ball0_y = 2.0 * ball0_y;
+    const real twice_ball0_z = 2.0 * ball0_z;
+    const real ball0_w_times_twice_ball0_x = ball0_w * twice_ball0_x;
+    const real one_minus_ball0_x_times_twice_ball0_x = 1.0 - ball0_x * twice_ball0_x;
+    const real ball0_w_times_twice_ball0_y = ball0_w * twice_ball0_y;
+    const real ball0_w_times_twice_ball0_z = ball0_w * twice_ball0_z;
+    const real ball0_x_times_twice_ball0_y = ball0_x * twice_ball0_y;
+    const real ball0_y_times_twice_ball0_y = ball0_y * twice_ball0_y;
+    const real ball0_x_times_twice_ball0_z = ball0_x * twice_ball0_z;
+    const real ball0_y_times_twice_ball0_z = ball0_y * twice_ball0_z;
+    const real ball0_z_times_twice_ball0_z = ball0_z * twice_ball0_z;
+    const real ball0_R_xx = 1.0 - ball0_y_times_twice_ball0_y - ball0_z_times_twice_ball0_z;
+    const real ball0_R_yy = one_minus_ball0_x_times_twice_ball0_x - ball0_z_times_twice_ball0_z;
+    const real ball0_R_zz = one_minus_ball0_x_times_twice_ball0_x - ball0_y_times_twice_ball0_y;
+    const real ball0_R_xy = ball0_x_times_twice_ball0_y - ball0_w_times_twice_ball0_z;
+    const real ball0_R_yx = ball0_w_times_twice_ball0_z + ball0_x_times_twice_ball0_y;
+    const real ball0_R_xz = ball0_w_times_twice_ball0_y + ball0_x_times_twice_ball0_z;
+    const real ball0_R_zx = ball0_x_times_twice_ball0_z - ball0_w_times_twice_ball0_y;
+    const real ball0_R_yz = ball0_y_times_twice_ball0_z - ball0_w_times_twice_ball0_x;
+    const real ball0_R_zy = ball0_w_times_twice_ball0_x + ball0_y_times_twice_ball0_z;
 
     /* shared by several: inertia */
     const wreal platform_base_second_moment_xy = w[4];
-    const wreal platform_inertia_xz = w[6];
-    const wreal platform_inertia_yz = w[7];
-    const wreal platform_inertia_xx_2 = w[8];
-    const wreal platform_inertia_yy_2 = w[9];
-    const wreal platform_inertia_zz_2 = w[10];
-    const real rod0_inertia = platform_inertia_xz * ball0_R_xz
-        - platform_base_second_moment_xy * ball0_R_xy + platform_inertia_xx_2 * ball0_R_xx;
-    const real rod0_inertia_2 = platform_inertia_yy_2 * ball0_R_xy
-        + platform_inertia_yz * ball0_R_xz - platform_base_second_moment_xy * ball0_R_xx;
-    const real rod0_inertia_3 = platform_inertia_yz * ball0_R_xy
-        + platform_inertia_zz_2 * ball0_R_xz + platform_inertia_xz * ball0_R_xx;
-    const real rod0_inertia_4 = platform_inertia_xx_2 * ball0_R_yx
-        + platform_inertia_xz * ball0_R_yz - platform_base_second_moment_xy * ball0_R_yy;
-    const real rod0_inertia_5 = platform_inertia_yz * ball0_R_yz
-        - platform_base_second_moment_xy * ball0_R_yx + platform_inertia_yy_2 * ball0_R_yy;
-    const real rod0_inertia_6 = platform_inertia_xz * ball0_R_yx
-        + platform_inertia_zz_2 * ball0_R_yz + platform_inertia_yz * ball0_R_yy;
-    const real rod0_inertia_7 = platform_inertia_xx_2 * ball0_R_zx
-        - platform_base_second_moment_xy * ball0_R_zy + platform_inertia_xz * ball0_R_zz;
-    const real rod0_inertia_8 = platform_inertia_yy_2 * ball0_R_zy
-        - platform_base_second_moment_xy * ball0_R_zx + platform_inertia_yz * ball0_R_zz;
-    const real rod0_inertia_9 = platform_inertia_xz * ball0_R_zx
-        + platform_inertia_yz * ball0_R_zy + platform_inertia_zz_2 * ball0_R_zz;
+    const wreal platform_origin_inertia_xz = w[6];
+    const wreal platform_origin_inertia_yz = w[7];
+    const wreal platform_origin_inertia_xx = w[8];
+    const wreal platform_origin_inertia_yy = w[9];
+    const wreal platform_origin_inertia_zz = w[10];
+    const real rod0_inertia_half_turned_xx = platform_origin_inertia_xz * ball0_R_xz
+        - platform_base_second_moment_xy * ball0_R_xy + platform_origin_inertia_xx * ball0_R_xx;
+    const real rod0_inertia_half_turned_xy = platform_origin_inertia_yy * ball0_R_xy
+        + platform_origin_inertia_yz * ball0_R_xz - platform_base_second_moment_xy * ball0_R_xx;
+    const real rod0_inertia_half_turned_xz = platform_origin_inertia_yz * ball0_R_xy
+        + platform_origin_inertia_zz * ball0_R_xz + platform_origin_inertia_xz * ball0_R_xx;
+    const real rod0_inertia_half_turned_yx = platform_origin_inertia_xx * ball0_R_yx
+        + platform_origin_inertia_xz * ball0_R_yz - platform_base_second_moment_xy * ball0_R_yy;
+    const real rod0_inertia_half_turned_yy = platform_origin_inertia_yz * ball0_R_yz
+        - platform_base_second_moment_xy * ball0_R_yx + platform_origin_inertia_yy * ball0_R_yy;
+    const real rod0_inertia_half_turned_yz = platform_origin_inertia_xz * ball0_R_yx
+        + platform_origin_inertia_zz * ball0_R_yz + platform_origin_inertia_yz * ball0_R_yy;
+    const real rod0_inertia_half_turned_zx = platform_origin_inertia_xx * ball0_R_zx
+        - platform_base_second_moment_xy * ball0_R_zy + platform_origin_inertia_xz * ball0_R_zz;
+    const real rod0_inertia_half_turned_zy = platform_origin_inertia_yy * ball0_R_zy
+        - platform_base_second_moment_xy * ball0_R_zx + platform_origin_inertia_yz * ball0_R_zz;
+    const real rod0_inertia_half_turned_zz = platform_origin_inertia_xz * ball0_R_zx
+        + platform_origin_inertia_yz * ball0_R_zy + platform_origin_inertia_zz * ball0_R_zz;
 
-    /* rod0: composite inertia, inertia, composite moment */
+    /* rod0: composite inertia, composite moment, inertia */
     const wreal slide0_position_z = w[0]; /* m */
-    const wreal ball0_momentum_fz = w[1];
-    const wreal ball0_momentum_fx = w[2];
+    const wreal momentum_ball0_y_fz = w[1];
+    const wreal momentum_ball0_z_fx = w[2];
     const wreal platform_first_moment_z = w[3];
     const wreal rod0_base_moment_z = w[42];
-    const real rod0_composite_inertia_xy = ball0_R_yx * rod0_inertia
-        + ball0_R_yy * rod0_inertia_2 + ball0_R_yz * rod0_inertia_3;
-    const real rod0_inertia_10 = ball0_R_zx * rod0_inertia_4 + ball0_R_zy * rod0_inertia_5
-        + ball0_R_zz * rod0_inertia_6;
-    const real rod0_composite_inertia_zz = ball0_R_zx * rod0_inertia_7
-        + ball0_R_zy * rod0_inertia_8 + ball0_R_zz * rod0_inertia_9;
+    const real rod0_composite_inertia_xy = ball0_R_yx * rod0_inertia_half_turned_xx
+        + ball0_R_yy * rod0_inertia_half_turned_xy + ball0_R_yz * rod0_inertia_half_turned_xz;
+    const real rod0_composite_inertia_zz = ball0_R_zx * rod0_inertia_half_turned_zx
+        + ball0_R_zy * rod0_inertia_half_turned_zy + ball0_R_zz * rod0_inertia_half_turned_zz;
     const real rod0_composite_moment_x = platform_first_moment_z * ball0_R_xz
-        - ball0_momentum_fx * ball0_R_xy - ball0_momentum_fz * ball0_R_xx;
+        - momentum_ball0_z_fx * ball0_R_xy - momentum_ball0_y_fz * ball0_R_xx;
     const real rod0_composite_moment_y = platform_first_moment_z * ball0_R_yz
-        - ball0_momentum_fz * ball0_R_yx - ball0_momentum_fx * ball0_R_yy;
-    const real rod0_inertia_11 = platform_first_moment_z * ball0_R_zz
-        - (ball0_momentum_fz * ball0_R_zx + ball0_momentum_fx * ball0_R_zy);
-    const real rod0_inertia_12 = slide0_position_z * rod0_inertia_11 * 2.0;
-    const real rod0_composite_inertia_xx = ball0_R_xx * rod0_inertia
-        + ball0_R_xy * rod0_inertia_2 + (ball0_R_xz * rod0_inertia_3 + rod0_inertia_12);
-    const real rod0_composite_inertia_yy = ball0_R_yx * rod0_inertia_4
-        + ball0_R_yy * rod0_inertia_5 + (ball0_R_yz * rod0_inertia_6 + rod0_inertia_12);
-    const real rod0_composite_moment_z = rod0_base_moment_z + rod0_inertia_11;
-    const real rod0_inertia_13 = ball0_R_zz * rod0_inertia_3
-        - slide0_position_z * rod0_composite_moment_x;
-    const real rod0_composite_inertia_xz = ball0_R_zx * rod0_inertia
-        + ball0_R_zy * rod0_inertia_2 + rod0_inertia_13;
-    const real rod0_composite_inertia_yz = rod0_inertia_10
+        - momentum_ball0_y_fz * ball0_R_yx - momentum_ball0_z_fx * ball0_R_yy;
+    const real rod0_inertia_mean_moment_z = platform_first_moment_z * ball0_R_zz
+        - (momentum_ball0_y_fz * ball0_R_zx + momentum_ball0_z_fx * ball0_R_zy);
+    const real rod0_inertia_shift = slide0_position_z * rod0_inertia_mean_moment_z * 2.0;
+    const real rod0_composite_inertia_xx = ball0_R_xx * rod0_inertia_half_turned_xx
+        + ball0_R_xy * rod0_inertia_half_turned_xy + (ball0_R_xz * rod0_inertia_half_turned_xz
+        + rod0_inertia_shift);
+    const real rod0_composite_inertia_yy = ball0_R_yx * rod0_inertia_half_turned_yx
+        + ball0_R_yy * rod0_inertia_half_turned_yy + (ball0_R_yz * rod0_inertia_half_turned_yz
+        + rod0_inertia_shift);
+    const real rod0_composite_moment_z = rod0_base_moment_z + rod0_inertia_mean_moment_z;
+    const real rod0_composite_inertia_xz = ball0_R_zx * rod0_inertia_half_turned_xx
+        + ball0_R_zy * rod0_inertia_half_turned_xy + (ball0_R_zz * rod0_inertia_half_turned_xz
+        - slide0_position_z * rod0_composite_moment_x);
+    const real rod0_composite_inertia_yz = ball0_R_zx * rod0_inertia_half_turned_yx
+        + ball0_R_zy * rod0_inertia_half_turned_yy + ball0_R_zz * rod0_inertia_half_turned_yz
         - slide0_position_z * rod0_composite_moment_y;
 
     /* tube0: composite inertia, inertia */
@@ -465,135 +518,132 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal tube0_base_inertia_xx = w[43];
     const wreal tube0_base_inertia_yy = w[44];
     const wreal tube0_base_inertia_zz = w[45];
-    const wreal tube0_inertia = w[46];
+    const wreal half_rod0_base_mass = w[46];
     const real tube0_composite_inertia_zz = tube0_base_inertia_zz + rod0_composite_inertia_zz;
-    const real tube0_inertia_2 = rod0_composite_inertia_yz + rod0_composite_inertia_yz
-        - rod0_composite_inertia_yz;
-    const real tube0_inertia_3 = slide0_q * (rod0_composite_moment_z
-        + slide0_q * tube0_inertia) * 2.0;
+    const real tube0_inertia_shift = slide0_q * (rod0_composite_moment_z
+        + slide0_q * half_rod0_base_mass) * 2.0;
     const real tube0_composite_inertia_xx = tube0_base_inertia_xx + rod0_composite_inertia_xx
-        + tube0_inertia_3;
+        + tube0_inertia_shift;
     const real tube0_composite_inertia_xz = rod0_composite_inertia_xz
         - slide0_q * rod0_composite_moment_x;
-    const real tube0_composite_inertia_yz = tube0_inertia_2 - slide0_q * rod0_composite_moment_y;
+    const real tube0_composite_inertia_yz = rod0_composite_inertia_yz + rod0_composite_inertia_yz
+        - rod0_composite_inertia_yz - slide0_q * rod0_composite_moment_y;
     /* M: hooke0.u.angle2,hooke0.u.angle2 */
-    out[22] = tube0_base_inertia_yy + rod0_composite_inertia_yy + tube0_inertia_3;
+    out[22] = tube0_base_inertia_yy + rod0_composite_inertia_yy + tube0_inertia_shift;
 
-    /* slide0: momentum my */
-    const real slide0_momentum_my = -rod0_composite_moment_x;
-    out[23] = slide0_momentum_my; /* M: hooke0.u.angle2,slide0.u */
-    out[43] = slide0_momentum_my; /* M: slide0.u,hooke0.u.angle2 */
+    /* shared by several: M */
+    const real momentum_slide0_my = -rod0_composite_moment_x;
+    out[23] = momentum_slide0_my; /* M: hooke0.u.angle2,slide0.u */
+    out[43] = momentum_slide0_my; /* M: slide0.u,hooke0.u.angle2 */
 
-    /* hooke5: momentum mx, momentum mz */
+    /* momentum: hooke5 angle1 mx, hooke5 angle1 mz, hooke4 angle1 mx, hooke4 angle1 mz, ... */
     const wreal tube5_base_inertia_zz = w[28];
-    const real hooke5_momentum_mx = tube5_composite_inertia_xx * hooke5_cos;
-    const real hooke5_momentum_mz = tube5_base_inertia_zz * hooke5_sin;
-
-    /* M */
-    const real M_4_3 = -(platform_first_moment_z * ball0_R_zy + ball0_momentum_fx * ball0_R_zz);
-    const real M_5_3 = platform_first_moment_z * ball0_R_zx + ball0_momentum_fz * ball0_R_zz;
-    const real M_6_3 = ball0_momentum_fx * ball0_R_zx - ball0_momentum_fz * ball0_R_zy;
-    /* M: hooke5.u.angle1,hooke5.u.angle1 */
-    out[396] = hooke5_cos * hooke5_momentum_mx + hooke5_sin * hooke5_momentum_mz;
-    out[45] = M_4_3; /* M: slide0.u,ball0.u.x */
-    out[65] = M_4_3; /* M: ball0.u.x,slide0.u */
-    out[46] = M_5_3; /* M: slide0.u,ball0.u.y */
-    out[86] = M_5_3; /* M: ball0.u.y,slide0.u */
-    out[47] = M_6_3; /* M: slide0.u,ball0.u.z */
-    out[107] = M_6_3; /* M: ball0.u.z,slide0.u */
-
-    /* hooke4: momentum mx, momentum mz */
     const wreal tube4_base_inertia_zz = w[31];
-    const real hooke4_momentum_mx = tube4_composite_inertia_xx * hooke4_cos;
-    const real hooke4_momentum_mz = tube4_base_inertia_zz * hooke4_sin;
-
-    /* M */
-    /* M: hooke4.u.angle1,hooke4.u.angle1 */
-    out[330] = hooke4_cos * hooke4_momentum_mx + hooke4_sin * hooke4_momentum_mz;
-
-    /* hooke3: momentum mx, momentum mz */
     const wreal tube3_base_inertia_zz = w[34];
-    const real hooke3_momentum_mx = tube3_composite_inertia_xx * hooke3_cos;
-    const real hooke3_momentum_mz = tube3_base_inertia_zz * hooke3_sin;
-
-    /* M */
-    /* M: hooke3.u.angle1,hooke3.u.angle1 */
-    out[264] = hooke3_cos * hooke3_momentum_mx + hooke3_sin * hooke3_momentum_mz;
-
-    /* hooke2: momentum mx, momentum mz */
     const wreal tube2_base_inertia_zz = w[37];
-    const real hooke2_momentum_mx = tube2_composite_inertia_xx * hooke2_cos;
-    const real hooke2_momentum_mz = tube2_base_inertia_zz * hooke2_sin;
-
-    /* M */
-    /* M: hooke2.u.angle1,hooke2.u.angle1 */
-    out[198] = hooke2_cos * hooke2_momentum_mx + hooke2_sin * hooke2_momentum_mz;
-
-    /* hooke1: momentum mx, momentum mz */
     const wreal tube1_base_inertia_zz = w[40];
-    const real hooke1_momentum_mx = tube1_composite_inertia_xx * hooke1_cos;
-    const real hooke1_momentum_mz = tube1_base_inertia_zz * hooke1_sin;
+    const real momentum_hooke5_angle1_mx = tube5_composite_inertia_xx * hooke5_angle2_cos;
+    const real momentum_hooke5_angle1_mz = tube5_base_inertia_zz * hooke5_angle2_sin;
+    const real momentum_hooke4_angle1_mx = tube4_composite_inertia_xx * hooke4_angle2_cos;
+    const real momentum_hooke4_angle1_mz = tube4_base_inertia_zz * hooke4_angle2_sin;
+    const real momentum_hooke3_angle1_mx = tube3_composite_inertia_xx * hooke3_angle2_cos;
+    const real momentum_hooke3_angle1_mz = tube3_base_inertia_zz * hooke3_angle2_sin;
+    const real momentum_hooke2_angle1_mx = tube2_composite_inertia_xx * hooke2_angle2_cos;
+    const real momentum_hooke2_angle1_mz = tube2_base_inertia_zz * hooke2_angle2_sin;
+    const real momentum_hooke1_angle1_mx = tube1_composite_inertia_xx * hooke1_angle2_cos;
+    const real momentum_hooke1_angle1_mz = tube1_base_inertia_zz * hooke1_angle2_sin;
+    const real momentum_hooke0_angle1_fz = rod0_composite_moment_y * hooke0_angle2_cos;
+    const real momentum_hooke0_angle1_my = rod0_composite_inertia_xy * hooke0_angle2_cos
+        + tube0_composite_inertia_yz * hooke0_angle2_sin;
+    const real momentum_hooke0_angle1_mx = tube0_composite_inertia_xx * hooke0_angle2_cos
+        + tube0_composite_inertia_xz * hooke0_angle2_sin;
+    const real momentum_hooke0_angle1_mz = tube0_composite_inertia_xz * hooke0_angle2_cos
+        + tube0_composite_inertia_zz * hooke0_angle2_sin;
+    out[2] = momentum_hooke0_angle1_fz; /* M: hooke0.u.angle1,slide0.u */
+    out[42] = momentum_hooke0_angle1_fz; /* M: slide0.u,hooke0.u.angle1 */
+    out[1] = momentum_hooke0_angle1_my; /* M: hooke0.u.angle1,hooke0.u.angle2 */
+    out[21] = momentum_hooke0_angle1_my; /* M: hooke0.u.angle2,hooke0.u.angle1 */
 
-    /* M */
+    /* M: hooke5 angle1 hooke5 angle, hooke4 angle1 hooke4 angle, ... */
+    const real M_ball0_y_slide0 = platform_first_moment_z * ball0_R_zx
+        + momentum_ball0_y_fz * ball0_R_zz;
+    const real M_ball0_z_slide0 = momentum_ball0_z_fx * ball0_R_zx
+        - momentum_ball0_y_fz * ball0_R_zy;
+    /* M: hooke5.u.angle1,hooke5.u.angle1 */
+    out[396] = hooke5_angle2_cos * momentum_hooke5_angle1_mx
+        + hooke5_angle2_sin * momentum_hooke5_angle1_mz;
+    /* M: hooke4.u.angle1,hooke4.u.angle1 */
+    out[330] = hooke4_angle2_cos * momentum_hooke4_angle1_mx
+        + hooke4_angle2_sin * momentum_hooke4_angle1_mz;
+    /* M: hooke3.u.angle1,hooke3.u.angle1 */
+    out[264] = hooke3_angle2_cos * momentum_hooke3_angle1_mx
+        + hooke3_angle2_sin * momentum_hooke3_angle1_mz;
+    /* M: hooke2.u.angle1,hooke2.u.angle1 */
+    out[198] = hooke2_angle2_cos * momentum_hooke2_angle1_mx
+        + hooke2_angle2_sin * momentum_hooke2_angle1_mz;
     /* M: hooke1.u.angle1,hooke1.u.angle1 */
-    out[132] = hooke1_cos * hooke1_momentum_mx + hooke1_sin * hooke1_momentum_mz;
+    out[132] = hooke1_angle2_cos * momentum_hooke1_angle1_mx
+        + hooke1_angle2_sin * momentum_hooke1_angle1_mz;
+    out[46] = M_ball0_y_slide0; /* M: slide0.u,ball0.u.y */
+    out[86] = M_ball0_y_slide0; /* M: ball0.u.y,slide0.u */
+    out[47] = M_ball0_z_slide0; /* M: slide0.u,ball0.u.z */
+    out[107] = M_ball0_z_slide0; /* M: ball0.u.z,slide0.u */
+    /* M: hooke0.u.angle1,hooke0.u.angle1 */
+    out[0] = hooke0_angle2_cos * momentum_hooke0_angle1_mx
+        + hooke0_angle2_sin * momentum_hooke0_angle1_mz;
 
     /* platform: momentum */
-    const real platform_momentum = platform_first_moment_z * ball0_R_xy
-        + ball0_momentum_fx * ball0_R_xz;
-    const real platform_momentum_2 = platform_first_moment_z * ball0_R_yy
-        + ball0_momentum_fx * ball0_R_yz;
-    const real platform_momentum_3 = platform_first_moment_z * ball0_R_xx
-        + ball0_momentum_fz * ball0_R_xz;
-    const real platform_momentum_4 = ball0_momentum_fx * ball0_R_xx
-        - ball0_momentum_fz * ball0_R_xy;
-    const real platform_momentum_5 = platform_first_moment_z * ball0_R_yx
-        + ball0_momentum_fz * ball0_R_yz;
-    const real platform_momentum_6 = ball0_momentum_fx * ball0_R_yx
-        - ball0_momentum_fz * ball0_R_yy;
+    const real momentum_minus_ball0_x_about_rod0_fx = platform_first_moment_z * ball0_R_xy
+        + momentum_ball0_z_fx * ball0_R_xz;
+    const real momentum_minus_ball0_x_about_rod0_fy = platform_first_moment_z * ball0_R_yy
+        + momentum_ball0_z_fx * ball0_R_yz;
+    const real momentum_ball0_x_about_rod0_fz = -(platform_first_moment_z * ball0_R_zy
+        + momentum_ball0_z_fx * ball0_R_zz);
+    const real momentum_ball0_y_about_rod0_fx = platform_first_moment_z * ball0_R_xx
+        + momentum_ball0_y_fz * ball0_R_xz;
+    const real momentum_ball0_z_about_rod0_fx = momentum_ball0_z_fx * ball0_R_xx
+        - momentum_ball0_y_fz * ball0_R_xy;
+    const real momentum_ball0_y_about_rod0_fy = platform_first_moment_z * ball0_R_yx
+        + momentum_ball0_y_fz * ball0_R_yz;
+    const real momentum_ball0_z_about_rod0_fy = momentum_ball0_z_fx * ball0_R_yx
+        - momentum_ball0_y_fz * ball0_R_yy;
+    out[45] = momentum_ball0_x_about_rod0_fz; /* M: slide0.u,ball0.u.x */
+    out[65] = momentum_ball0_x_about_rod0_fz; /* M: ball0.u.x,slide0.u */
 
-    /* M */
-    const real M_4_2 = rod0_inertia_4 - slide0_position_z * platform_momentum
-        - slide0_q * platform_momentum;
-    const real M_4_1 = (rod0_inertia + slide0_position_z * platform_momentum_2
-        + slide0_q * platform_momentum_2) * hooke0_cos + rod0_inertia_7 * hooke0_sin;
-    const real M_5_1 = hooke0_cos * (rod0_inertia_2 - slide0_position_z * platform_momentum_5
-        - slide0_q * platform_momentum_5) + rod0_inertia_8 * hooke0_sin;
-    const real M_5_2 = rod0_inertia_5 + slide0_position_z * platform_momentum_3
-        + slide0_q * platform_momentum_3;
-    const real M_6_1 = hooke0_cos * (rod0_inertia_3 - slide0_position_z * platform_momentum_6
-        - slide0_q * platform_momentum_6) + rod0_inertia_9 * hooke0_sin;
-    const real M_6_2 = rod0_inertia_6 + slide0_position_z * platform_momentum_4
-        + slide0_q * platform_momentum_4;
-    out[24] = M_4_2; /* M: hooke0.u.angle2,ball0.u.x */
-    out[64] = M_4_2; /* M: ball0.u.x,hooke0.u.angle2 */
-    out[3] = M_4_1; /* M: hooke0.u.angle1,ball0.u.x */
-    out[63] = M_4_1; /* M: ball0.u.x,hooke0.u.angle1 */
-    out[4] = M_5_1; /* M: hooke0.u.angle1,ball0.u.y */
-    out[84] = M_5_1; /* M: ball0.u.y,hooke0.u.angle1 */
-    out[25] = M_5_2; /* M: hooke0.u.angle2,ball0.u.y */
-    out[85] = M_5_2; /* M: ball0.u.y,hooke0.u.angle2 */
-    out[5] = M_6_1; /* M: hooke0.u.angle1,ball0.u.z */
-    out[105] = M_6_1; /* M: ball0.u.z,hooke0.u.angle1 */
-    out[26] = M_6_2; /* M: hooke0.u.angle2,ball0.u.z */
-    out[106] = M_6_2; /* M: ball0.u.z,hooke0.u.angle2 */
-
-    /* hooke0: momentum fz, momentum my, momentum mx, momentum mz */
-    const real hooke0_momentum_fz = rod0_composite_moment_y * hooke0_cos;
-    const real hooke0_momentum_my = rod0_composite_inertia_xy * hooke0_cos
-        + tube0_composite_inertia_yz * hooke0_sin;
-    const real hooke0_momentum_mx = tube0_composite_inertia_xx * hooke0_cos
-        + tube0_composite_inertia_xz * hooke0_sin;
-    const real hooke0_momentum_mz = tube0_composite_inertia_xz * hooke0_cos
-        + tube0_composite_inertia_zz * hooke0_sin;
-    out[2] = hooke0_momentum_fz; /* M: hooke0.u.angle1,slide0.u */
-    out[42] = hooke0_momentum_fz; /* M: slide0.u,hooke0.u.angle1 */
-    out[1] = hooke0_momentum_my; /* M: hooke0.u.angle1,hooke0.u.angle2 */
-    out[21] = hooke0_momentum_my; /* M: hooke0.u.angle2,hooke0.u.angle1 */
-
-    /* M */
-    /* M: hooke0.u.angle1,hooke0.u.angle1 */
-    out[0] = hooke0_cos * hooke0_momentum_mx + hooke0_sin * hooke0_momentum_mz;
+    /* M: ball0 x hooke0 angle, ball0 y hooke0 angle, ball0 z hooke0 angle */
+    const real M_ball0_x_hooke0_angle2 = rod0_inertia_half_turned_yx
+        - slide0_position_z * momentum_minus_ball0_x_about_rod0_fx
+        - slide0_q * momentum_minus_ball0_x_about_rod0_fx;
+    const real M_ball0_x_hooke0_angle1 = (rod0_inertia_half_turned_xx
+        + slide0_position_z * momentum_minus_ball0_x_about_rod0_fy
+        + slide0_q * momentum_minus_ball0_x_about_rod0_fy) * hooke0_angle2_cos
+        + rod0_inertia_half_turned_zx * hooke0_angle2_sin;
+    const real M_ball0_y_hooke0_angle1 = hooke0_angle2_cos * (rod0_inertia_half_turned_xy
+        - slide0_position_z * momentum_ball0_y_about_rod0_fy
+        - slide0_q * momentum_ball0_y_about_rod0_fy)
+        + rod0_inertia_half_turned_zy * hooke0_angle2_sin;
+    const real M_ball0_y_hooke0_angle2 = rod0_inertia_half_turned_yy
+        + slide0_position_z * momentum_ball0_y_about_rod0_fx
+        + slide0_q * momentum_ball0_y_about_rod0_fx;
+    const real M_ball0_z_hooke0_angle1 = hooke0_angle2_cos * (rod0_inertia_half_turned_xz
+        - slide0_position_z * momentum_ball0_z_about_rod0_fy
+        - slide0_q * momentum_ball0_z_about_rod0_fy)
+        + rod0_inertia_half_turned_zz * hooke0_angle2_sin;
+    const real M_ball0_z_hooke0_angle2 = rod0_inertia_half_turned_yz
+        + slide0_position_z * momentum_ball0_z_about_rod0_fx
+        + slide0_q * momentum_ball0_z_about_rod0_fx;
+    out[24] = M_ball0_x_hooke0_angle2; /* M: hooke0.u.angle2,ball0.u.x */
+    out[64] = M_ball0_x_hooke0_angle2; /* M: ball0.u.x,hooke0.u.angle2 */
+    out[3] = M_ball0_x_hooke0_angle1; /* M: hooke0.u.angle1,ball0.u.x */
+    out[63] = M_ball0_x_hooke0_angle1; /* M: ball0.u.x,hooke0.u.angle1 */
+    out[4] = M_ball0_y_hooke0_angle1; /* M: hooke0.u.angle1,ball0.u.y */
+    out[84] = M_ball0_y_hooke0_angle1; /* M: ball0.u.y,hooke0.u.angle1 */
+    out[25] = M_ball0_y_hooke0_angle2; /* M: hooke0.u.angle2,ball0.u.y */
+    out[85] = M_ball0_y_hooke0_angle2; /* M: ball0.u.y,hooke0.u.angle2 */
+    out[5] = M_ball0_z_hooke0_angle1; /* M: hooke0.u.angle1,ball0.u.z */
+    out[105] = M_ball0_z_hooke0_angle1; /* M: ball0.u.z,hooke0.u.angle1 */
+    out[26] = M_ball0_z_hooke0_angle2; /* M: hooke0.u.angle2,ball0.u.z */
+    out[106] = M_ball0_z_hooke0_angle2; /* M: ball0.u.z,hooke0.u.angle2 */
 
     /* results that are numbers or inputs */
     out[6] = CARDAN_REAL(0.0); /* M: hooke0.u.angle1,hooke1.u.angle1 */

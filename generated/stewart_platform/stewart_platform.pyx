@@ -194,7 +194,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
     """
     return _call(
         c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        21, 847, 107, (21,),
+        21, 829, 107, (21,),
     )
 
 

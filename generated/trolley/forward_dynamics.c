@@ -59,63 +59,70 @@ static const double table_0_forward_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, inertia */
+    /* left.bucket: mass, origin inertia, base, base second moment */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
-    const wreal left_bucket_mass_2 = left_size * left_size;
-    const wreal left_bucket_inertia_zz = 0.5 * left_load * left_bucket_mass_2;
-    const wreal left_bucket_mass = left_load * left_rope;
-    const wreal left_bucket_inertia_xx = 0.3333333333333333 * left_load * left_bucket_mass_2
-        + left_rope * left_bucket_mass;
-    w[3] = left_bucket_inertia_zz; /* left_bucket_inertia_zz */
-    w[4] = left_bucket_mass; /* left_bucket_mass */
-    w[5] = left_bucket_inertia_xx; /* left_bucket_inertia_xx */
+    const wreal left_size_squared = left_size * left_size;
+    const wreal left_bucket_origin_inertia_zz = 0.5 * left_load * left_size_squared;
+    const wreal left_bucket_minus_first_moment_z = left_load * left_rope;
+    const wreal left_bucket_origin_inertia_xx = 0.3333333333333333 * left_load * left_size_squared +
+        left_rope * left_bucket_minus_first_moment_z;
+    const wreal left_bucket_base_half_trace = 0.5 * (left_bucket_origin_inertia_zz
+        + left_bucket_origin_inertia_xx + left_bucket_origin_inertia_xx);
+    const wreal left_bucket_base_second_moment_xx = left_bucket_base_half_trace
+        - left_bucket_origin_inertia_xx;
+    const wreal left_bucket_base_second_moment_zz = left_bucket_base_half_trace
+        - left_bucket_origin_inertia_zz;
+    w[3] = left_bucket_origin_inertia_zz;
+    w[4] = left_bucket_minus_first_moment_z;
+    w[5] = left_bucket_origin_inertia_xx;
+    w[11] = left_bucket_base_second_moment_xx;
+    w[12] = left_bucket_base_second_moment_zz;
 
-    /* right.bucket: mass, inertia */
+    /* right.bucket: mass, origin inertia, base, base second moment */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
-    const wreal right_bucket_mass_2 = right_size * right_size;
-    const wreal right_bucket_inertia_zz = 0.5 * right_load * right_bucket_mass_2;
-    const wreal right_bucket_mass = right_load * right_rope;
-    const wreal right_bucket_inertia_xx = 0.3333333333333333 * right_load * right_bucket_mass_2
-        + right_rope * right_bucket_mass;
-    w[6] = right_bucket_inertia_zz; /* right_bucket_inertia_zz */
-    w[7] = right_bucket_mass; /* right_bucket_mass */
-    w[8] = right_bucket_inertia_xx; /* right_bucket_inertia_xx */
+    const wreal right_size_squared = right_size * right_size;
+    const wreal right_bucket_origin_inertia_zz = 0.5 * right_load * right_size_squared;
+    const wreal right_bucket_minus_first_moment_z = right_load * right_rope;
+    const wreal right_bucket_origin_inertia_xx = 0.3333333333333333 * right_load *
+        right_size_squared + right_rope * right_bucket_minus_first_moment_z;
+    const wreal right_bucket_base_half_trace = 0.5 * (right_bucket_origin_inertia_zz
+        + right_bucket_origin_inertia_xx + right_bucket_origin_inertia_xx);
+    const wreal right_bucket_base_second_moment_xx = right_bucket_base_half_trace
+        - right_bucket_origin_inertia_xx;
+    const wreal right_bucket_base_second_moment_zz = right_bucket_base_half_trace
+        - right_bucket_origin_inertia_zz;
+    w[6] = right_bucket_origin_inertia_zz;
+    w[7] = right_bucket_minus_first_moment_z;
+    w[8] = right_bucket_origin_inertia_xx;
+    w[13] = right_bucket_base_second_moment_xx;
+    w[14] = right_bucket_base_second_moment_zz;
 
-    /* wheel: inertia */
+    /* wheel: origin inertia */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
-    const wreal wheel_inertia_yy = radius * radius * (0.5 * wheel);
+    const wreal wheel_origin_inertia_yy = radius * radius * (0.5 * wheel);
 
-    /* axle: coupling, momentum my */
-    const wreal axle_coupling = 1.0 / radius;
-    const wreal axle_momentum_my = wheel_inertia_yy * axle_coupling;
+    /* axle: coupling */
+    const wreal radius_inverse = 1.0 / radius;
 
     /* trolley: base mass */
     const wreal trolley_mass = p[10]; /* kg */
     const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
 
-    /* common */
-    const wreal mul_1 = 0.5 * (left_bucket_inertia_zz + left_bucket_inertia_xx
-        + left_bucket_inertia_xx);
-    const wreal mul_1_2 = 0.5 * (right_bucket_inertia_zz + right_bucket_inertia_xx
-        + right_bucket_inertia_xx);
+    /* momentum: track my */
+    const wreal momentum_track_my = wheel_origin_inertia_yy * radius_inverse;
 
-    /* left.bucket: base second moment */
-    w[11] = mul_1 - left_bucket_inertia_xx; /* left_bucket_base_second_moment_xx */
-    w[12] = mul_1 - left_bucket_inertia_zz; /* left_bucket_base_second_moment_zz */
-
-    /* right.bucket: base second moment */
-    w[13] = mul_1_2 - right_bucket_inertia_xx; /* right_bucket_base_second_moment_xx */
-    w[14] = mul_1_2 - right_bucket_inertia_zz; /* right_bucket_base_second_moment_zz */
-
-    /* M: D inverse */
-    w[15] = trolley_base_mass + axle_coupling * axle_momentum_my; /* M_1_1 */
-    w[16] = 1.0 / right_bucket_inertia_xx; /* M_D_inverse_5 */
-    w[17] = 1.0 / left_bucket_inertia_xx; /* M_D_inverse_3 */
+    /* M: track track, factor */
+    const wreal M_track_track = trolley_base_mass + radius_inverse * momentum_track_my;
+    const wreal M_factor_D_inverse_right_hang_angle2 = 1.0 / right_bucket_origin_inertia_xx;
+    const wreal M_factor_D_inverse_left_hang_angle2 = 1.0 / left_bucket_origin_inertia_xx;
+    w[15] = M_track_track;
+    w[16] = M_factor_D_inverse_right_hang_angle2;
+    w[17] = M_factor_D_inverse_left_hang_angle2;
 
     /* parameters as they are */
     w[0] = p[4]; /* left.rope [m] */
@@ -139,7 +146,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const tau = in->tau;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
@@ -148,199 +155,230 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         right_hang_angle2};
     real sine[CARDAN_PADDED(4)], cosine[CARDAN_PADDED(4)];
     cardan_sincos(4, angle, sine, cosine);
-    const real left_hang_cos = cosine[0];
-    const real left_hang_sin = sine[0];
-    const real left_hang_cos_2 = cosine[1];
-    const real left_hang_sin_2 = sine[1];
-    const real right_hang_cos = cosine[2];
-    const real right_hang_sin = sine[2];
-    const real right_hang_cos_2 = cosine[3];
-    const real right_hang_sin_2 = sine[3];
+    const real left_hang_angle1_cos = cosine[0];
+    const real left_hang_angle1_sin = sine[0];
+    const real left_hang_angle2_cos = cosine[1];
+    const real left_hang_angle2_sin = sine[1];
+    const real right_hang_angle1_cos = cosine[2];
+    const real right_hang_angle1_sin = sine[2];
+    const real right_hang_angle2_cos = cosine[3];
+    const real right_hang_angle2_sin = sine[3];
 
-    /* left.hang: R, drift, momentum mx, momentum mz, momentum fy */
+    /* left.hang: R, drift */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
-    const wreal left_bucket_inertia_zz = w[3];
-    const wreal left_bucket_mass = w[4];
-    const wreal left_bucket_inertia_xx = w[5];
-    const real left_hang_R_yx = left_hang_sin * left_hang_sin_2;
-    const real left_hang_R = left_hang_sin * left_hang_cos_2;
-    const real left_hang_drift = left_hang_u_angle1 * left_hang_u_angle2;
-    const real left_hang_drift_2 = left_hang_sin_2 * left_hang_drift;
-    const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos_2;
-    const real left_hang_momentum_mz = left_bucket_inertia_zz * left_hang_sin_2;
-    const real left_hang_momentum_fy = left_bucket_mass * left_hang_cos_2;
+    const real left_hang_R_yx = left_hang_angle1_sin * left_hang_angle2_sin;
+    const real left_hang_minus_R_yz = left_hang_angle1_sin * left_hang_angle2_cos;
+    const real left_hang_u_angle1_times_hang_u_angle2 = left_hang_u_angle1 * left_hang_u_angle2;
+    const real left_hang_minus_drift_relative_wx = left_hang_angle2_sin *
+        left_hang_u_angle1_times_hang_u_angle2;
 
-    /* left.bucket: omega, alpha, v, a, U, n, inertia force, f */
+    /* left.bucket: omega, alpha, v, a, U, n */
     const real track_u = u[0]; /* m/s */
     const wreal gravity_z = w[2]; /* m/s^2 */
     const wreal left_bucket_base_second_moment_xx = w[11];
-    const wreal left_bucket_base_second_moment_zz = w[12];
-    const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_cos_2;
-    const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_sin_2;
-    const real left_bucket_alpha_z = left_hang_cos_2 * left_hang_drift;
-    const real left_bucket_v_x = track_u * left_hang_cos_2;
-    const real left_bucket_v_z = track_u * left_hang_sin_2;
-    const real left_bucket_a_x = left_hang_cos * left_hang_sin_2 * gravity_z;
-    const real left_bucket_U = left_hang_u_angle2 * left_bucket_omega_x;
+    const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_angle2_cos;
+    const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_angle2_sin;
+    const real left_bucket_alpha_z = left_hang_angle2_cos * left_hang_u_angle1_times_hang_u_angle2;
+    const real left_bucket_v_x = track_u * left_hang_angle2_cos;
+    const real left_bucket_v_z = track_u * left_hang_angle2_sin;
+    const real left_bucket_a_x = left_hang_angle1_cos * left_hang_angle2_sin * gravity_z;
+    const real left_hang_u_angle2_times_left_bucket_omega_x = left_hang_u_angle2 *
+        left_bucket_omega_x;
     const real left_bucket_U_xz = left_bucket_omega_x * left_bucket_omega_z;
-    const real left_bucket_U_2 = left_hang_u_angle2 * left_bucket_omega_z;
-    const real left_bucket_U_xy = left_bucket_U - left_bucket_alpha_z;
-    const real left_bucket_U_yx = left_bucket_alpha_z + left_bucket_U;
-    const real left_bucket_U_yz = left_hang_drift_2 + left_bucket_U_2;
-    const real left_bucket_U_zy = left_bucket_U_2 - left_hang_drift_2;
+    const real left_hang_u_angle2_times_left_bucket_omega_z = left_hang_u_angle2 *
+        left_bucket_omega_z;
+    const real left_bucket_U_xy = left_hang_u_angle2_times_left_bucket_omega_x
+        - left_bucket_alpha_z;
+    const real left_bucket_U_yx = left_bucket_alpha_z
+        + left_hang_u_angle2_times_left_bucket_omega_x;
+    const real left_bucket_U_yz = left_hang_minus_drift_relative_wx
+        + left_hang_u_angle2_times_left_bucket_omega_z;
+    const real left_bucket_U_zy = left_hang_u_angle2_times_left_bucket_omega_z
+        - left_hang_minus_drift_relative_wx;
     const real left_bucket_n_z = left_bucket_base_second_moment_xx * left_bucket_U_yx
         - left_bucket_base_second_moment_xx * left_bucket_U_xy;
-    const real left_bucket_inertia_force = left_bucket_mass * (left_bucket_omega_x *
-        left_bucket_omega_x + left_hang_u_angle2 * left_hang_u_angle2);
-    const real left_bucket_f = left_bucket_base_second_moment_xx * left_bucket_U_zy
-        - gravity_z * left_hang_sin * left_bucket_mass;
-    const real left_bucket_f_2 = left_bucket_base_second_moment_zz * left_bucket_U_xz
-        - left_bucket_base_second_moment_xx * left_bucket_U_xz;
 
-    /* right.hang: R, drift, momentum mx, momentum mz, momentum fy */
+    /* right.hang: R, drift */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
-    const wreal right_bucket_inertia_zz = w[6];
-    const wreal right_bucket_mass = w[7];
-    const wreal right_bucket_inertia_xx = w[8];
-    const real right_hang_R_yx = right_hang_sin * right_hang_sin_2;
-    const real right_hang_R = right_hang_sin * right_hang_cos_2;
-    const real right_hang_drift = right_hang_u_angle1 * right_hang_u_angle2;
-    const real right_hang_drift_2 = right_hang_sin_2 * right_hang_drift;
-    const real right_hang_momentum_mx = right_bucket_inertia_xx * right_hang_cos_2;
-    const real right_hang_momentum_mz = right_bucket_inertia_zz * right_hang_sin_2;
-    const real right_hang_momentum_fy = right_bucket_mass * right_hang_cos_2;
+    const real right_hang_R_yx = right_hang_angle1_sin * right_hang_angle2_sin;
+    const real right_hang_minus_R_yz = right_hang_angle1_sin * right_hang_angle2_cos;
+    const real right_hang_u_angle1_times_hang_u_angle2 = right_hang_u_angle1 * right_hang_u_angle2;
+    const real right_hang_minus_drift_relative_wx = right_hang_angle2_sin *
+        right_hang_u_angle1_times_hang_u_angle2;
 
-    /* right.bucket: omega, alpha, v, a, U, n, inertia force, f */
+    /* right.bucket: omega, alpha, v, a, U, n */
     const wreal right_bucket_base_second_moment_xx = w[13];
-    const wreal right_bucket_base_second_moment_zz = w[14];
-    const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_cos_2;
-    const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_sin_2;
-    const real right_bucket_alpha_z = right_hang_cos_2 * right_hang_drift;
-    const real right_bucket_v_x = track_u * right_hang_cos_2;
-    const real right_bucket_v_z = track_u * right_hang_sin_2;
-    const real right_bucket_a_x = right_hang_cos * right_hang_sin_2 * gravity_z;
-    const real right_bucket_U = right_hang_u_angle2 * right_bucket_omega_x;
+    const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_angle2_cos;
+    const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_angle2_sin;
+    const real right_bucket_alpha_z = right_hang_angle2_cos *
+        right_hang_u_angle1_times_hang_u_angle2;
+    const real right_bucket_v_x = track_u * right_hang_angle2_cos;
+    const real right_bucket_v_z = track_u * right_hang_angle2_sin;
+    const real right_bucket_a_x = right_hang_angle1_cos * right_hang_angle2_sin * gravity_z;
+    const real right_hang_u_angle2_times_right_bucket_omega_x = right_hang_u_angle2 *
+        right_bucket_omega_x;
     const real right_bucket_U_xz = right_bucket_omega_x * right_bucket_omega_z;
-    const real right_bucket_U_2 = right_hang_u_angle2 * right_bucket_omega_z;
-    const real right_bucket_U_xy = right_bucket_U - right_bucket_alpha_z;
-    const real right_bucket_U_yx = right_bucket_alpha_z + right_bucket_U;
-    const real right_bucket_U_yz = right_hang_drift_2 + right_bucket_U_2;
-    const real right_bucket_U_zy = right_bucket_U_2 - right_hang_drift_2;
+    const real right_hang_u_angle2_times_right_bucket_omega_z = right_hang_u_angle2 *
+        right_bucket_omega_z;
+    const real right_bucket_U_xy = right_hang_u_angle2_times_right_bucket_omega_x
+        - right_bucket_alpha_z;
+    const real right_bucket_U_yx = right_bucket_alpha_z
+        + right_hang_u_angle2_times_right_bucket_omega_x;
+    const real right_bucket_U_yz = right_hang_minus_drift_relative_wx
+        + right_hang_u_angle2_times_right_bucket_omega_z;
+    const real right_bucket_U_zy = right_hang_u_angle2_times_right_bucket_omega_z
+        - right_hang_minus_drift_relative_wx;
     const real right_bucket_n_z = right_bucket_base_second_moment_xx * right_bucket_U_yx
         - right_bucket_base_second_moment_xx * right_bucket_U_xy;
-    const real right_bucket_inertia_force = right_bucket_mass * (right_bucket_omega_x *
-        right_bucket_omega_x + right_hang_u_angle2 * right_hang_u_angle2);
-    const real right_bucket_f = right_bucket_base_second_moment_xx * right_bucket_U_zy
-        - gravity_z * right_hang_sin * right_bucket_mass;
-    const real right_bucket_f_2 = right_bucket_base_second_moment_zz * right_bucket_U_xz
-        - right_bucket_base_second_moment_xx * right_bucket_U_xz;
 
     /* left.air: force, data */
     const wreal left_rope = w[0]; /* m */
-    const real left_air_force = left_bucket_v_x - left_rope * left_hang_u_angle2;
-    const real left_air_force_2 = left_hang_R_yx * left_air_force - left_hang_R * left_bucket_v_z
-        + left_rope * left_bucket_omega_x * left_hang_cos;
-    const real left_air_data = 2.0 * (left_hang_cos_2 * left_air_force
-        + left_hang_sin_2 * left_bucket_v_z);
-    const real left_air_data_2 = 2.0 * left_air_force_2;
-    const real left_air_force_3 = left_hang_cos_2 * left_air_data
-        + left_hang_R_yx * left_air_data_2;
+    const real left_bucket_v_x_minus_left_rope_times_hang_u_angle2 = left_bucket_v_x
+        - left_rope * left_hang_u_angle2;
+    const real left_air_minus_force_on_left_middle_x = 2.0 * (left_hang_angle2_cos *
+        left_bucket_v_x_minus_left_rope_times_hang_u_angle2
+        + left_hang_angle2_sin * left_bucket_v_z);
+    const real left_air_minus_force_on_left_middle_y = 2.0 * (left_hang_R_yx *
+        left_bucket_v_x_minus_left_rope_times_hang_u_angle2
+        - left_hang_minus_R_yz * left_bucket_v_z
+        + left_rope * left_bucket_omega_x * left_hang_angle1_cos);
+    const real left_bucket_n_y_part = left_hang_angle2_cos * left_air_minus_force_on_left_middle_x +
+        left_hang_R_yx * left_air_minus_force_on_left_middle_y;
 
-    /* right.air: force, rotor, data */
+    /* right.air: force, data */
     const wreal right_rope = w[1]; /* m */
-    const real right_air_force = right_bucket_v_x - right_rope * right_hang_u_angle2;
-    const real right_air_rotor = right_hang_R_yx * right_air_force
-        - right_hang_R * right_bucket_v_z;
-    const real right_air_data = 2.0 * (right_hang_cos_2 * right_air_force
-        + right_hang_sin_2 * right_bucket_v_z);
-    const real right_air_data_2 = 2.0 * (right_rope * right_bucket_omega_x * right_hang_cos
-        + right_air_rotor);
-    const real right_air_force_2 = right_hang_cos_2 * right_air_data
-        + right_hang_R_yx * right_air_data_2;
+    const real right_bucket_v_x_minus_right_rope_times_hang_u_angle2 = right_bucket_v_x
+        - right_rope * right_hang_u_angle2;
+    const real right_air_minus_force_on_right_middle_x = 2.0 * (right_hang_angle2_cos *
+        right_bucket_v_x_minus_right_rope_times_hang_u_angle2
+        + right_hang_angle2_sin * right_bucket_v_z);
+    const real right_air_minus_force_on_right_middle_y = 2.0 * (right_hang_R_yx *
+        right_bucket_v_x_minus_right_rope_times_hang_u_angle2
+        - right_hang_minus_R_yz * right_bucket_v_z
+        + right_rope * right_bucket_omega_x * right_hang_angle1_cos);
+    const real right_bucket_n_y_part = right_hang_angle2_cos *
+        right_air_minus_force_on_right_middle_x
+        + right_hang_R_yx * right_air_minus_force_on_right_middle_y;
 
-    /* M: factor, D inverse */
-    const wreal M_1_1 = w[15];
-    const wreal M_D_inverse_5 = w[16];
-    const wreal M_D_inverse_3 = w[17];
-    const real M_4_4 = right_hang_cos_2 * right_hang_momentum_mx
-        + right_hang_sin_2 * right_hang_momentum_mz;
-    const real M_2_2 = left_hang_cos_2 * left_hang_momentum_mx
-        + left_hang_sin_2 * left_hang_momentum_mz;
-    const real M_factor = right_hang_momentum_fy * M_D_inverse_5;
-    const real M_D_inverse_4 = 1.0 / M_4_4;
-    const real M_factor_2 = left_hang_momentum_fy * M_D_inverse_3;
-    const real M_D_inverse_2 = 1.0 / M_2_2;
-    const real M_D_inverse_1 = 1.0 / (M_1_1 - right_hang_momentum_fy * M_factor
-        - left_hang_momentum_fy * M_factor_2);
+    /* momentum: right.hang angle1 mx, right.hang angle1 mz, left.hang angle1 mx, ... */
+    const wreal left_bucket_origin_inertia_zz = w[3];
+    const wreal left_bucket_minus_first_moment_z = w[4];
+    const wreal left_bucket_origin_inertia_xx = w[5];
+    const wreal right_bucket_origin_inertia_zz = w[6];
+    const wreal right_bucket_minus_first_moment_z = w[7];
+    const wreal right_bucket_origin_inertia_xx = w[8];
+    const real momentum_right_hang_angle1_mx = right_bucket_origin_inertia_xx *
+        right_hang_angle2_cos;
+    const real momentum_right_hang_angle1_mz = right_bucket_origin_inertia_zz *
+        right_hang_angle2_sin;
+    const real momentum_left_hang_angle1_mx = left_bucket_origin_inertia_xx * left_hang_angle2_cos;
+    const real momentum_left_hang_angle1_mz = left_bucket_origin_inertia_zz * left_hang_angle2_sin;
+    const real momentum_right_hang_angle1_fy = right_bucket_minus_first_moment_z *
+        right_hang_angle2_cos;
+    const real momentum_left_hang_angle1_fy = left_bucket_minus_first_moment_z *
+        left_hang_angle2_cos;
+
+    /* M: right.hang angle1 right.hang angle, left.hang angle1 left.hang angle, factor */
+    const wreal M_track_track = w[15];
+    const wreal M_factor_D_inverse_right_hang_angle2 = w[16];
+    const wreal M_factor_D_inverse_left_hang_angle2 = w[17];
+    const real M_right_hang_angle1_right_hang_angle1 = right_hang_angle2_cos *
+        momentum_right_hang_angle1_mx + right_hang_angle2_sin * momentum_right_hang_angle1_mz;
+    const real M_left_hang_angle1_left_hang_angle1 = left_hang_angle2_cos *
+        momentum_left_hang_angle1_mx + left_hang_angle2_sin * momentum_left_hang_angle1_mz;
+    const real M_minus_factor_L_right_hang_angle2_track = momentum_right_hang_angle1_fy *
+        M_factor_D_inverse_right_hang_angle2;
+    const real M_minus_factor_L_left_hang_angle2_track = momentum_left_hang_angle1_fy *
+        M_factor_D_inverse_left_hang_angle2;
+    const real M_factor_D_inverse_track = 1.0 / (M_track_track
+        - momentum_right_hang_angle1_fy * M_minus_factor_L_right_hang_angle2_track
+        - momentum_left_hang_angle1_fy * M_minus_factor_L_left_hang_angle2_track);
 
     /* left.bucket: n, f */
-    const real left_bucket_n_x = left_bucket_f
+    const wreal left_bucket_base_second_moment_zz = w[12];
+    const real left_bucket_n_x = left_bucket_base_second_moment_xx * left_bucket_U_zy
+        - gravity_z * left_hang_angle1_sin * left_bucket_minus_first_moment_z
         - left_bucket_base_second_moment_zz * left_bucket_U_yz
-        + left_hang_cos * left_air_data_2 * left_rope;
-    const real left_bucket_n_y = left_bucket_f_2 - left_bucket_mass * left_bucket_a_x
-        - left_rope * left_air_force_3;
-    const real left_bucket_f_x = left_air_force_3 - left_bucket_mass * left_bucket_U_xz;
-    const real left_bucket_f_z = left_hang_sin_2 * left_air_data + left_bucket_inertia_force
-        - left_hang_R * left_air_data_2;
+        + left_hang_angle1_cos * left_air_minus_force_on_left_middle_y * left_rope;
+    const real left_bucket_n_y = left_bucket_base_second_moment_zz * left_bucket_U_xz
+        - left_bucket_base_second_moment_xx * left_bucket_U_xz
+        - left_bucket_minus_first_moment_z * left_bucket_a_x - left_rope * left_bucket_n_y_part;
+    const real left_bucket_f_x = left_bucket_n_y_part
+        - left_bucket_minus_first_moment_z * left_bucket_U_xz;
+    const real left_bucket_f_z = left_hang_angle2_sin * left_air_minus_force_on_left_middle_x
+        + left_bucket_minus_first_moment_z * (left_bucket_omega_x * left_bucket_omega_x
+        + left_hang_u_angle2 * left_hang_u_angle2)
+        - left_hang_minus_R_yz * left_air_minus_force_on_left_middle_y;
 
     /* right.bucket: n, f */
-    const real right_bucket_n_x = right_bucket_f
+    const wreal right_bucket_base_second_moment_zz = w[14];
+    const real right_bucket_n_x = right_bucket_base_second_moment_xx * right_bucket_U_zy
+        - gravity_z * right_hang_angle1_sin * right_bucket_minus_first_moment_z
         - right_bucket_base_second_moment_zz * right_bucket_U_yz
-        + right_hang_cos * right_air_data_2 * right_rope;
-    const real right_bucket_n_y = right_bucket_f_2 - right_bucket_mass * right_bucket_a_x
-        - right_rope * right_air_force_2;
-    const real right_bucket_f_x = right_air_force_2 - right_bucket_mass * right_bucket_U_xz;
-    const real right_bucket_f_z = right_hang_sin_2 * right_air_data + right_bucket_inertia_force
-        - right_hang_R * right_air_data_2;
+        + right_hang_angle1_cos * right_air_minus_force_on_right_middle_y * right_rope;
+    const real right_bucket_n_y = right_bucket_base_second_moment_zz * right_bucket_U_xz
+        - right_bucket_base_second_moment_xx * right_bucket_U_xz
+        - right_bucket_minus_first_moment_z * right_bucket_a_x - right_rope * right_bucket_n_y_part;
+    const real right_bucket_f_x = right_bucket_n_y_part
+        - right_bucket_minus_first_moment_z * right_bucket_U_xz;
+    const real right_bucket_f_z = right_hang_angle2_sin * right_air_minus_force_on_right_middle_x
+        + right_bucket_minus_first_moment_z * (right_bucket_omega_x * right_bucket_omega_x
+        + right_hang_u_angle2 * right_hang_u_angle2)
+        - right_hang_minus_R_yz * right_air_minus_force_on_right_middle_y;
 
     /* right.hang: tau angle, drive angle, udot angle */
     const real right_hang_u_angle1_tau = tau[3]; /* N*m */
     const real right_hang_u_angle2_tau = tau[4]; /* N*m */
-    const real right_hang_tau_angle1 = right_hang_cos_2 * right_bucket_n_x
-        + right_hang_sin_2 * right_bucket_n_z;
+    const real right_hang_tau_angle1 = right_hang_angle2_cos * right_bucket_n_x
+        + right_hang_angle2_sin * right_bucket_n_z;
     const real right_hang_drive_angle1 = right_hang_u_angle1_tau - right_hang_tau_angle1;
     const real right_hang_drive_angle2 = right_hang_u_angle2_tau - right_bucket_n_y;
-    out[3] = right_hang_drive_angle1 * M_D_inverse_4; /* udot: right.hang.u.angle1dot [rad/s^2] */
+    /* udot: right.hang.u.angle1dot [rad/s^2] */
+    out[3] = 1.0 / M_right_hang_angle1_right_hang_angle1 * right_hang_drive_angle1;
 
     /* left.hang: tau angle, drive angle, udot angle */
     const real left_hang_u_angle1_tau = tau[1]; /* N*m */
     const real left_hang_u_angle2_tau = tau[2]; /* N*m */
-    const real left_hang_tau_angle1 = left_hang_cos_2 * left_bucket_n_x
-        + left_hang_sin_2 * left_bucket_n_z;
+    const real left_hang_tau_angle1 = left_hang_angle2_cos * left_bucket_n_x
+        + left_hang_angle2_sin * left_bucket_n_z;
     const real left_hang_drive_angle1 = left_hang_u_angle1_tau - left_hang_tau_angle1;
     const real left_hang_drive_angle2 = left_hang_u_angle2_tau - left_bucket_n_y;
-    out[1] = left_hang_drive_angle1 * M_D_inverse_2; /* udot: left.hang.u.angle1dot [rad/s^2] */
+    /* udot: left.hang.u.angle1dot [rad/s^2] */
+    out[1] = 1.0 / M_left_hang_angle1_left_hang_angle1 * left_hang_drive_angle1;
 
     /* trolley: f */
-    const real trolley_f = right_hang_sin_2 * right_bucket_f_z + left_hang_sin_2 * left_bucket_f_z;
-    const real trolley_f_x = right_hang_cos_2 * right_bucket_f_x
-        + left_hang_cos_2 * left_bucket_f_x + trolley_f;
+    const real trolley_f_x = right_hang_angle2_sin * right_bucket_f_z
+        + left_hang_angle2_sin * left_bucket_f_z + (right_hang_angle2_cos * right_bucket_f_x
+        + left_hang_angle2_cos * left_bucket_f_x);
 
     /* track: tau, drive, udot */
     const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
-    const real t_1 = t[0]; /* s */
+    const real t_value = t[0]; /* s */
     const real track_u_tau = tau[0]; /* N */
     const wreal buffer_stiffness = w[9]; /* N/m */
     const wreal buffer_rest = w[10]; /* m */
     const real track_tau = buffer_stiffness * (track_q - buffer_rest)
         - cardan_piecewise(4, 4, table_0_forward_dynamics_breaks,
-        table_0_forward_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_1)
+        table_0_forward_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_value)
         + trolley_f_x;
     const real track_drive = track_u_tau - track_tau;
-    const real track_udot = M_D_inverse_1 * (right_hang_drive_angle2 * M_factor
-        + left_hang_drive_angle2 * M_factor_2 + track_drive);
+    const real track_udot = M_factor_D_inverse_track * (right_hang_drive_angle2 *
+        M_minus_factor_L_right_hang_angle2_track
+        + left_hang_drive_angle2 * M_minus_factor_L_left_hang_angle2_track + track_drive);
     out[0] = track_udot; /* udot: track.udot [m/s^2] */
 
     /* left.hang: udot angle */
     /* udot: left.hang.u.angle2dot [rad/s^2] */
-    out[2] = left_hang_drive_angle2 * M_D_inverse_3 + M_factor_2 * track_udot;
+    out[2] = left_hang_drive_angle2 * M_factor_D_inverse_left_hang_angle2
+        + M_minus_factor_L_left_hang_angle2_track * track_udot;
 
     /* right.hang: udot angle */
     /* udot: right.hang.u.angle2dot [rad/s^2] */
-    out[4] = right_hang_drive_angle2 * M_D_inverse_5 + M_factor * track_udot;
+    out[4] = right_hang_drive_angle2 * M_factor_D_inverse_right_hang_angle2
+        + M_minus_factor_L_right_hang_angle2_track * track_udot;
     return CARDAN_OK;
 }
 

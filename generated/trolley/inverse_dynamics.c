@@ -59,58 +59,64 @@ static const double table_0_inverse_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, inertia */
+    /* left.bucket: mass, origin inertia, base, base second moment */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
-    const wreal left_bucket_mass_2 = left_size * left_size;
-    const wreal left_bucket_inertia_zz = 0.5 * left_load * left_bucket_mass_2;
-    const wreal left_bucket_mass = left_load * left_rope;
-    const wreal left_bucket_inertia_xx = 0.3333333333333333 * left_load * left_bucket_mass_2
-        + left_rope * left_bucket_mass;
-    w[3] = left_bucket_mass; /* left_bucket_mass */
+    const wreal left_size_squared = left_size * left_size;
+    const wreal left_bucket_origin_inertia_zz = 0.5 * left_load * left_size_squared;
+    const wreal left_bucket_minus_first_moment_z = left_load * left_rope;
+    const wreal left_bucket_origin_inertia_xx = 0.3333333333333333 * left_load * left_size_squared +
+        left_rope * left_bucket_minus_first_moment_z;
+    const wreal left_bucket_base_half_trace = 0.5 * (left_bucket_origin_inertia_zz
+        + left_bucket_origin_inertia_xx + left_bucket_origin_inertia_xx);
+    const wreal left_bucket_base_second_moment_xx = left_bucket_base_half_trace
+        - left_bucket_origin_inertia_xx;
+    const wreal left_bucket_base_second_moment_zz = left_bucket_base_half_trace
+        - left_bucket_origin_inertia_zz;
+    w[3] = left_bucket_minus_first_moment_z;
+    w[9] = left_bucket_base_second_moment_xx;
+    w[10] = left_bucket_base_second_moment_zz;
 
-    /* right.bucket: mass, inertia */
+    /* right.bucket: mass, origin inertia, base, base second moment */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
-    const wreal right_bucket_mass_2 = right_size * right_size;
-    const wreal right_bucket_inertia_zz = 0.5 * right_load * right_bucket_mass_2;
-    const wreal right_bucket_mass = right_load * right_rope;
-    const wreal right_bucket_inertia_xx = 0.3333333333333333 * right_load * right_bucket_mass_2
-        + right_rope * right_bucket_mass;
-    w[4] = right_bucket_mass; /* right_bucket_mass */
+    const wreal right_size_squared = right_size * right_size;
+    const wreal right_bucket_origin_inertia_zz = 0.5 * right_load * right_size_squared;
+    const wreal right_bucket_minus_first_moment_z = right_load * right_rope;
+    const wreal right_bucket_origin_inertia_xx = 0.3333333333333333 * right_load *
+        right_size_squared + right_rope * right_bucket_minus_first_moment_z;
+    const wreal right_bucket_base_half_trace = 0.5 * (right_bucket_origin_inertia_zz
+        + right_bucket_origin_inertia_xx + right_bucket_origin_inertia_xx);
+    const wreal right_bucket_base_second_moment_xx = right_bucket_base_half_trace
+        - right_bucket_origin_inertia_xx;
+    const wreal right_bucket_base_second_moment_zz = right_bucket_base_half_trace
+        - right_bucket_origin_inertia_zz;
+    w[4] = right_bucket_minus_first_moment_z;
+    w[11] = right_bucket_base_second_moment_xx;
+    w[12] = right_bucket_base_second_moment_zz;
 
-    /* wheel: mass, inertia, base second moment, inertia force */
+    /* wheel: mass, origin inertia, base second moment, inertia force */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
-    const wreal wheel_mass = radius * radius;
-    const wreal wheel_inertia_xx = 0.2708333333333333 * wheel * wheel_mass;
-    const wreal wheel_inertia_yy = 0.5 * wheel * wheel_mass;
-    const wreal wheel_base_second_moment_xx = 0.5 * (wheel_inertia_xx + wheel_inertia_xx
-        + wheel_inertia_yy) - wheel_inertia_xx;
-    w[13] = wheel_base_second_moment_xx + wheel_base_second_moment_xx; /* wheel_inertia_force */
+    const wreal radius_squared = radius * radius;
+    const wreal wheel_origin_inertia_xx = 0.2708333333333333 * wheel * radius_squared;
+    const wreal wheel_origin_inertia_yy = 0.5 * wheel * radius_squared;
+    const wreal wheel_base_second_moment_xx = 0.5 * (wheel_origin_inertia_xx
+        + wheel_origin_inertia_xx + wheel_origin_inertia_yy) - wheel_origin_inertia_xx;
+    const wreal twice_wheel_base_second_moment_xx = wheel_base_second_moment_xx
+        + wheel_base_second_moment_xx;
+    w[13] = twice_wheel_base_second_moment_xx;
 
     /* axle: coupling */
-    w[5] = 1.0 / radius; /* axle_coupling */
+    const wreal radius_inverse = 1.0 / radius;
+    w[5] = radius_inverse;
 
     /* trolley: base mass */
     const wreal trolley_mass = p[10]; /* kg */
-    w[8] = left_load + right_load + (wheel + trolley_mass); /* trolley_base_mass */
-
-    /* common */
-    const wreal mul_1 = 0.5 * (left_bucket_inertia_zz + left_bucket_inertia_xx
-        + left_bucket_inertia_xx);
-    const wreal mul_1_2 = 0.5 * (right_bucket_inertia_zz + right_bucket_inertia_xx
-        + right_bucket_inertia_xx);
-
-    /* left.bucket: base second moment */
-    w[9] = mul_1 - left_bucket_inertia_xx; /* left_bucket_base_second_moment_xx */
-    w[10] = mul_1 - left_bucket_inertia_zz; /* left_bucket_base_second_moment_zz */
-
-    /* right.bucket: base second moment */
-    w[11] = mul_1_2 - right_bucket_inertia_xx; /* right_bucket_base_second_moment_xx */
-    w[12] = mul_1_2 - right_bucket_inertia_zz; /* right_bucket_base_second_moment_zz */
+    const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
+    w[8] = trolley_base_mass;
 
     /* parameters as they are */
     w[0] = p[4]; /* left.rope [m] */
@@ -134,7 +140,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const udot = in->udot;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
@@ -143,175 +149,192 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         right_hang_angle2};
     real sine[CARDAN_PADDED(4)], cosine[CARDAN_PADDED(4)];
     cardan_sincos(4, angle, sine, cosine);
-    const real left_hang_cos = cosine[0];
-    const real left_hang_sin = sine[0];
-    const real left_hang_cos_2 = cosine[1];
-    const real left_hang_sin_2 = sine[1];
-    const real right_hang_cos = cosine[2];
-    const real right_hang_sin = sine[2];
-    const real right_hang_cos_2 = cosine[3];
-    const real right_hang_sin_2 = sine[3];
+    const real left_hang_angle1_cos = cosine[0];
+    const real left_hang_angle1_sin = sine[0];
+    const real left_hang_angle2_cos = cosine[1];
+    const real left_hang_angle2_sin = sine[1];
+    const real right_hang_angle1_cos = cosine[2];
+    const real right_hang_angle1_sin = sine[2];
+    const real right_hang_angle2_cos = cosine[3];
+    const real right_hang_angle2_sin = sine[3];
 
     /* left.hang: R, drift */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
-    const real left_hang_R_yx = left_hang_sin * left_hang_sin_2;
-    const real left_hang_R = left_hang_sin * left_hang_cos_2;
-    const real left_hang_drift = left_hang_u_angle1 * left_hang_u_angle2;
+    const real left_hang_R_yx = left_hang_angle1_sin * left_hang_angle2_sin;
+    const real left_hang_minus_R_yz = left_hang_angle1_sin * left_hang_angle2_cos;
+    const real left_hang_u_angle1_times_hang_u_angle2 = left_hang_u_angle1 * left_hang_u_angle2;
 
-    /* left.bucket: omega, v, alpha, a, U, n, inertia force, f */
+    /* left.bucket: omega, v, alpha, a, U, n */
     const real track_u = u[0]; /* m/s */
     const real track_udot = udot[0]; /* m/s^2 */
     const real left_hang_u_angle1dot = udot[1]; /* rad/s^2 */
     const real left_hang_u_angle2dot = udot[2]; /* rad/s^2 */
     const wreal gravity_z = w[2]; /* m/s^2 */
-    const wreal left_bucket_mass = w[3];
     const wreal left_bucket_base_second_moment_xx = w[9];
-    const wreal left_bucket_base_second_moment_zz = w[10];
-    const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_cos_2;
-    const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_sin_2;
-    const real left_bucket_v_x = track_u * left_hang_cos_2;
-    const real left_bucket_v_z = track_u * left_hang_sin_2;
-    const real left_bucket_alpha_x = left_hang_u_angle1dot * left_hang_cos_2
-        - left_hang_sin_2 * left_hang_drift;
-    const real left_bucket_alpha_z = left_hang_cos_2 * left_hang_drift
-        + left_hang_u_angle1dot * left_hang_sin_2;
-    const real left_bucket_a_x = track_udot * left_hang_cos_2
-        + left_hang_cos * left_hang_sin_2 * gravity_z;
-    const real left_bucket_U = left_hang_u_angle2 * left_bucket_omega_x;
-    const real left_bucket_U_2 = left_bucket_omega_x * left_bucket_omega_z;
-    const real left_bucket_U_3 = left_hang_u_angle2 * left_bucket_omega_z;
-    const real left_bucket_U_xy = left_bucket_U - left_bucket_alpha_z;
-    const real left_bucket_U_xz = left_hang_u_angle2dot + left_bucket_U_2;
-    const real left_bucket_U_yx = left_bucket_alpha_z + left_bucket_U;
-    const real left_bucket_U_yz = left_bucket_U_3 - left_bucket_alpha_x;
-    const real left_bucket_U_zx = left_bucket_U_2 - left_hang_u_angle2dot;
-    const real left_bucket_U_zy = left_bucket_alpha_x + left_bucket_U_3;
+    const real left_bucket_omega_x = left_hang_u_angle1 * left_hang_angle2_cos;
+    const real left_bucket_omega_z = left_hang_u_angle1 * left_hang_angle2_sin;
+    const real left_bucket_v_x = track_u * left_hang_angle2_cos;
+    const real left_bucket_v_z = track_u * left_hang_angle2_sin;
+    const real left_bucket_alpha_x = left_hang_u_angle1dot * left_hang_angle2_cos
+        - left_hang_angle2_sin * left_hang_u_angle1_times_hang_u_angle2;
+    const real left_bucket_alpha_z = left_hang_angle2_cos * left_hang_u_angle1_times_hang_u_angle2 +
+        left_hang_u_angle1dot * left_hang_angle2_sin;
+    const real left_bucket_a_x = track_udot * left_hang_angle2_cos
+        + left_hang_angle1_cos * left_hang_angle2_sin * gravity_z;
+    const real left_hang_u_angle2_times_left_bucket_omega_x = left_hang_u_angle2 *
+        left_bucket_omega_x;
+    const real left_bucket_omega_x_times_omega_z = left_bucket_omega_x * left_bucket_omega_z;
+    const real left_hang_u_angle2_times_left_bucket_omega_z = left_hang_u_angle2 *
+        left_bucket_omega_z;
+    const real left_bucket_U_xy = left_hang_u_angle2_times_left_bucket_omega_x
+        - left_bucket_alpha_z;
+    const real left_bucket_U_xz = left_hang_u_angle2dot + left_bucket_omega_x_times_omega_z;
+    const real left_bucket_U_yx = left_bucket_alpha_z
+        + left_hang_u_angle2_times_left_bucket_omega_x;
+    const real left_bucket_U_yz = left_hang_u_angle2_times_left_bucket_omega_z
+        - left_bucket_alpha_x;
+    const real left_bucket_U_zx = left_bucket_omega_x_times_omega_z - left_hang_u_angle2dot;
+    const real left_bucket_U_zy = left_bucket_alpha_x
+        + left_hang_u_angle2_times_left_bucket_omega_z;
     const real left_bucket_n_z = left_bucket_base_second_moment_xx * left_bucket_U_yx
         - left_bucket_base_second_moment_xx * left_bucket_U_xy;
-    const real left_bucket_inertia_force = left_bucket_mass * (left_bucket_omega_x *
-        left_bucket_omega_x + left_hang_u_angle2 * left_hang_u_angle2);
-    const real left_bucket_f = left_bucket_base_second_moment_xx * left_bucket_U_zy
-        - gravity_z * left_hang_sin * left_bucket_mass;
-    const real left_bucket_f_2 = left_bucket_base_second_moment_zz * left_bucket_U_xz
-        - left_bucket_base_second_moment_xx * left_bucket_U_zx;
 
     /* right.hang: R, drift */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
-    const real right_hang_R_yx = right_hang_sin * right_hang_sin_2;
-    const real right_hang_R = right_hang_sin * right_hang_cos_2;
-    const real right_hang_drift = right_hang_u_angle1 * right_hang_u_angle2;
+    const real right_hang_R_yx = right_hang_angle1_sin * right_hang_angle2_sin;
+    const real right_hang_minus_R_yz = right_hang_angle1_sin * right_hang_angle2_cos;
+    const real right_hang_u_angle1_times_hang_u_angle2 = right_hang_u_angle1 * right_hang_u_angle2;
 
-    /* right.bucket: omega, v, alpha, a, U, n, inertia force, f */
+    /* right.bucket: omega, v, alpha, a, U, n */
     const real right_hang_u_angle1dot = udot[3]; /* rad/s^2 */
     const real right_hang_u_angle2dot = udot[4]; /* rad/s^2 */
-    const wreal right_bucket_mass = w[4];
     const wreal right_bucket_base_second_moment_xx = w[11];
-    const wreal right_bucket_base_second_moment_zz = w[12];
-    const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_cos_2;
-    const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_sin_2;
-    const real right_bucket_v_x = track_u * right_hang_cos_2;
-    const real right_bucket_v_z = track_u * right_hang_sin_2;
-    const real right_bucket_alpha_x = right_hang_u_angle1dot * right_hang_cos_2
-        - right_hang_sin_2 * right_hang_drift;
-    const real right_bucket_alpha_z = right_hang_cos_2 * right_hang_drift
-        + right_hang_u_angle1dot * right_hang_sin_2;
-    const real right_bucket_a_x = track_udot * right_hang_cos_2
-        + right_hang_cos * right_hang_sin_2 * gravity_z;
-    const real right_bucket_U = right_hang_u_angle2 * right_bucket_omega_x;
-    const real right_bucket_U_2 = right_bucket_omega_x * right_bucket_omega_z;
-    const real right_bucket_U_3 = right_hang_u_angle2 * right_bucket_omega_z;
-    const real right_bucket_U_xy = right_bucket_U - right_bucket_alpha_z;
-    const real right_bucket_U_xz = right_hang_u_angle2dot + right_bucket_U_2;
-    const real right_bucket_U_yx = right_bucket_alpha_z + right_bucket_U;
-    const real right_bucket_U_yz = right_bucket_U_3 - right_bucket_alpha_x;
-    const real right_bucket_U_zx = right_bucket_U_2 - right_hang_u_angle2dot;
-    const real right_bucket_U_zy = right_bucket_alpha_x + right_bucket_U_3;
+    const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_angle2_cos;
+    const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_angle2_sin;
+    const real right_bucket_v_x = track_u * right_hang_angle2_cos;
+    const real right_bucket_v_z = track_u * right_hang_angle2_sin;
+    const real right_bucket_alpha_x = right_hang_u_angle1dot * right_hang_angle2_cos
+        - right_hang_angle2_sin * right_hang_u_angle1_times_hang_u_angle2;
+    const real right_bucket_alpha_z = right_hang_angle2_cos *
+        right_hang_u_angle1_times_hang_u_angle2 + right_hang_u_angle1dot * right_hang_angle2_sin;
+    const real right_bucket_a_x = track_udot * right_hang_angle2_cos
+        + right_hang_angle1_cos * right_hang_angle2_sin * gravity_z;
+    const real right_hang_u_angle2_times_right_bucket_omega_x = right_hang_u_angle2 *
+        right_bucket_omega_x;
+    const real right_bucket_omega_x_times_omega_z = right_bucket_omega_x * right_bucket_omega_z;
+    const real right_hang_u_angle2_times_right_bucket_omega_z = right_hang_u_angle2 *
+        right_bucket_omega_z;
+    const real right_bucket_U_xy = right_hang_u_angle2_times_right_bucket_omega_x
+        - right_bucket_alpha_z;
+    const real right_bucket_U_xz = right_hang_u_angle2dot + right_bucket_omega_x_times_omega_z;
+    const real right_bucket_U_yx = right_bucket_alpha_z
+        + right_hang_u_angle2_times_right_bucket_omega_x;
+    const real right_bucket_U_yz = right_hang_u_angle2_times_right_bucket_omega_z
+        - right_bucket_alpha_x;
+    const real right_bucket_U_zx = right_bucket_omega_x_times_omega_z - right_hang_u_angle2dot;
+    const real right_bucket_U_zy = right_bucket_alpha_x
+        + right_hang_u_angle2_times_right_bucket_omega_z;
     const real right_bucket_n_z = right_bucket_base_second_moment_xx * right_bucket_U_yx
         - right_bucket_base_second_moment_xx * right_bucket_U_xy;
-    const real right_bucket_inertia_force = right_bucket_mass * (right_bucket_omega_x *
-        right_bucket_omega_x + right_hang_u_angle2 * right_hang_u_angle2);
-    const real right_bucket_f = right_bucket_base_second_moment_xx * right_bucket_U_zy
-        - gravity_z * right_hang_sin * right_bucket_mass;
-    const real right_bucket_f_2 = right_bucket_base_second_moment_zz * right_bucket_U_xz
-        - right_bucket_base_second_moment_xx * right_bucket_U_zx;
 
     /* left.air: force, data */
     const wreal left_rope = w[0]; /* m */
-    const real left_air_force = left_bucket_v_x - left_rope * left_hang_u_angle2;
-    const real left_air_force_2 = left_hang_R_yx * left_air_force - left_hang_R * left_bucket_v_z
-        + left_rope * left_bucket_omega_x * left_hang_cos;
-    const real left_air_data = 2.0 * (left_hang_cos_2 * left_air_force
-        + left_hang_sin_2 * left_bucket_v_z);
-    const real left_air_data_2 = 2.0 * left_air_force_2;
-    const real left_air_force_3 = left_hang_cos_2 * left_air_data
-        + left_hang_R_yx * left_air_data_2;
+    const real left_bucket_v_x_minus_left_rope_times_hang_u_angle2 = left_bucket_v_x
+        - left_rope * left_hang_u_angle2;
+    const real left_air_minus_force_on_left_middle_x = 2.0 * (left_hang_angle2_cos *
+        left_bucket_v_x_minus_left_rope_times_hang_u_angle2
+        + left_hang_angle2_sin * left_bucket_v_z);
+    const real left_air_minus_force_on_left_middle_y = 2.0 * (left_hang_R_yx *
+        left_bucket_v_x_minus_left_rope_times_hang_u_angle2
+        - left_hang_minus_R_yz * left_bucket_v_z
+        + left_rope * left_bucket_omega_x * left_hang_angle1_cos);
+    const real left_bucket_n_y_part = left_hang_angle2_cos * left_air_minus_force_on_left_middle_x +
+        left_hang_R_yx * left_air_minus_force_on_left_middle_y;
 
     /* right.air: force, data */
     const wreal right_rope = w[1]; /* m */
-    const real right_air_force = right_bucket_v_x - right_rope * right_hang_u_angle2;
-    const real right_air_force_2 = right_hang_R_yx * right_air_force
-        - right_hang_R * right_bucket_v_z;
-    const real right_air_data = 2.0 * (right_hang_cos_2 * right_air_force
-        + right_hang_sin_2 * right_bucket_v_z);
-    const real right_air_data_2 = 2.0 * (right_rope * right_bucket_omega_x * right_hang_cos
-        + right_air_force_2);
-    const real right_air_force_3 = right_hang_cos_2 * right_air_data
-        + right_hang_R_yx * right_air_data_2;
+    const real right_bucket_v_x_minus_right_rope_times_hang_u_angle2 = right_bucket_v_x
+        - right_rope * right_hang_u_angle2;
+    const real right_air_minus_force_on_right_middle_x = 2.0 * (right_hang_angle2_cos *
+        right_bucket_v_x_minus_right_rope_times_hang_u_angle2
+        + right_hang_angle2_sin * right_bucket_v_z);
+    const real right_air_minus_force_on_right_middle_y = 2.0 * (right_hang_R_yx *
+        right_bucket_v_x_minus_right_rope_times_hang_u_angle2
+        - right_hang_minus_R_yz * right_bucket_v_z
+        + right_rope * right_bucket_omega_x * right_hang_angle1_cos);
+    const real right_bucket_n_y_part = right_hang_angle2_cos *
+        right_air_minus_force_on_right_middle_x
+        + right_hang_R_yx * right_air_minus_force_on_right_middle_y;
 
     /* wheel: alpha, n */
-    const wreal axle_coupling = w[5];
-    const wreal wheel_inertia_force = w[13];
-    const real wheel_alpha_y = axle_coupling * track_udot;
-    const real wheel_n_y = wheel_alpha_y * wheel_inertia_force;
+    const wreal radius_inverse = w[5];
+    const wreal twice_wheel_base_second_moment_xx = w[13];
+    const real wheel_alpha_y = radius_inverse * track_udot;
+    const real wheel_n_y = wheel_alpha_y * twice_wheel_base_second_moment_xx;
 
     /* left.bucket: n, f */
-    const real left_bucket_n_x = left_bucket_f
+    const wreal left_bucket_minus_first_moment_z = w[3];
+    const wreal left_bucket_base_second_moment_zz = w[10];
+    const real left_bucket_n_x = left_bucket_base_second_moment_xx * left_bucket_U_zy
+        - gravity_z * left_hang_angle1_sin * left_bucket_minus_first_moment_z
         - left_bucket_base_second_moment_zz * left_bucket_U_yz
-        + left_hang_cos * left_air_data_2 * left_rope;
-    const real left_bucket_f_x = left_air_force_3 - left_bucket_mass * left_bucket_U_xz;
-    const real left_bucket_f_z = left_hang_sin_2 * left_air_data + left_bucket_inertia_force
-        - left_hang_R * left_air_data_2;
+        + left_hang_angle1_cos * left_air_minus_force_on_left_middle_y * left_rope;
+    const real left_bucket_f_x = left_bucket_n_y_part
+        - left_bucket_minus_first_moment_z * left_bucket_U_xz;
+    const real left_bucket_f_z = left_hang_angle2_sin * left_air_minus_force_on_left_middle_x
+        + left_bucket_minus_first_moment_z * (left_bucket_omega_x * left_bucket_omega_x
+        + left_hang_u_angle2 * left_hang_u_angle2)
+        - left_hang_minus_R_yz * left_air_minus_force_on_left_middle_y;
     /* tau: left.hang.u.angle2.tau [N*m] */
-    out[2] = left_bucket_f_2 - left_bucket_mass * left_bucket_a_x - left_rope * left_air_force_3;
+    out[2] = left_bucket_base_second_moment_zz * left_bucket_U_xz
+        - left_bucket_base_second_moment_xx * left_bucket_U_zx
+        - left_bucket_minus_first_moment_z * left_bucket_a_x - left_rope * left_bucket_n_y_part;
 
     /* right.bucket: n, f */
-    const real right_bucket_n_x = right_bucket_f
+    const wreal right_bucket_minus_first_moment_z = w[4];
+    const wreal right_bucket_base_second_moment_zz = w[12];
+    const real right_bucket_n_x = right_bucket_base_second_moment_xx * right_bucket_U_zy
+        - gravity_z * right_hang_angle1_sin * right_bucket_minus_first_moment_z
         - right_bucket_base_second_moment_zz * right_bucket_U_yz
-        + right_hang_cos * right_air_data_2 * right_rope;
-    const real right_bucket_f_x = right_air_force_3 - right_bucket_mass * right_bucket_U_xz;
-    const real right_bucket_f_z = right_hang_sin_2 * right_air_data + right_bucket_inertia_force
-        - right_hang_R * right_air_data_2;
+        + right_hang_angle1_cos * right_air_minus_force_on_right_middle_y * right_rope;
+    const real right_bucket_f_x = right_bucket_n_y_part
+        - right_bucket_minus_first_moment_z * right_bucket_U_xz;
+    const real right_bucket_f_z = right_hang_angle2_sin * right_air_minus_force_on_right_middle_x
+        + right_bucket_minus_first_moment_z * (right_bucket_omega_x * right_bucket_omega_x
+        + right_hang_u_angle2 * right_hang_u_angle2)
+        - right_hang_minus_R_yz * right_air_minus_force_on_right_middle_y;
     /* tau: right.hang.u.angle2.tau [N*m] */
-    out[4] = right_bucket_f_2 - right_bucket_mass * right_bucket_a_x
-        - right_rope * right_air_force_3;
+    out[4] = right_bucket_base_second_moment_zz * right_bucket_U_xz
+        - right_bucket_base_second_moment_xx * right_bucket_U_zx
+        - right_bucket_minus_first_moment_z * right_bucket_a_x - right_rope * right_bucket_n_y_part;
 
     /* right.hang: tau angle */
     /* tau: right.hang.u.angle1.tau [N*m] */
-    out[3] = right_hang_cos_2 * right_bucket_n_x + right_hang_sin_2 * right_bucket_n_z;
+    out[3] = right_hang_angle2_cos * right_bucket_n_x + right_hang_angle2_sin * right_bucket_n_z;
 
     /* left.hang: tau angle */
     /* tau: left.hang.u.angle1.tau [N*m] */
-    out[1] = left_hang_cos_2 * left_bucket_n_x + left_hang_sin_2 * left_bucket_n_z;
+    out[1] = left_hang_angle2_cos * left_bucket_n_x + left_hang_angle2_sin * left_bucket_n_z;
 
     /* trolley: f */
     const wreal trolley_base_mass = w[8];
-    const real trolley_f = trolley_base_mass * track_udot + left_hang_sin_2 * left_bucket_f_z
-        + right_hang_cos_2 * right_bucket_f_x;
-    const real trolley_f_x = right_hang_sin_2 * right_bucket_f_z
-        + left_hang_cos_2 * left_bucket_f_x + trolley_f;
+    const real trolley_f_x = right_hang_angle2_sin * right_bucket_f_z
+        + left_hang_angle2_cos * left_bucket_f_x + (trolley_base_mass * track_udot
+        + left_hang_angle2_sin * left_bucket_f_z + right_hang_angle2_cos * right_bucket_f_x);
 
     /* track: tau */
     const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
-    const real t_1 = t[0]; /* s */
+    const real t_value = t[0]; /* s */
     const wreal buffer_stiffness = w[6]; /* N/m */
     const wreal buffer_rest = w[7]; /* m */
-    const real track_tau = buffer_stiffness * (track_q - buffer_rest) + axle_coupling * wheel_n_y
+    /* tau: track.u.tau [N] */
+    out[0] = buffer_stiffness * (track_q - buffer_rest) + radius_inverse * wheel_n_y
         - cardan_piecewise(4, 4, table_0_inverse_dynamics_breaks,
-        table_0_inverse_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_1);
-    out[0] = trolley_f_x + track_tau; /* tau: track.u.tau [N] */
+        table_0_inverse_dynamics_coefficients, 0, track_u) - push * cardan_tanh(2.0 * t_value)
+        + trolley_f_x;
     return CARDAN_OK;
 }
 

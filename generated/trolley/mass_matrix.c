@@ -24,43 +24,50 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, inertia */
+    /* left.bucket: mass, origin inertia */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
-    const wreal left_bucket_mass_2 = left_size * left_size;
-    const wreal left_bucket_mass = left_load * left_rope;
-    w[0] = 0.5 * left_load * left_bucket_mass_2; /* left_bucket_inertia_zz */
-    w[1] = left_bucket_mass; /* left_bucket_mass */
-    /* left_bucket_inertia_xx */
-    w[2] = 0.3333333333333333 * left_load * left_bucket_mass_2 + left_rope * left_bucket_mass;
+    const wreal left_size_squared = left_size * left_size;
+    const wreal left_bucket_origin_inertia_zz = 0.5 * left_load * left_size_squared;
+    const wreal left_bucket_minus_first_moment_z = left_load * left_rope;
+    const wreal left_bucket_origin_inertia_xx = 0.3333333333333333 * left_load * left_size_squared +
+        left_rope * left_bucket_minus_first_moment_z;
+    w[0] = left_bucket_origin_inertia_zz;
+    w[1] = left_bucket_minus_first_moment_z;
+    w[2] = left_bucket_origin_inertia_xx;
 
-    /* right.bucket: mass, inertia */
+    /* right.bucket: mass, origin inertia */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
-    const wreal right_bucket_mass_2 = right_size * right_size;
-    const wreal right_bucket_mass = right_load * right_rope;
-    w[3] = 0.5 * right_load * right_bucket_mass_2; /* right_bucket_inertia_zz */
-    w[4] = right_bucket_mass; /* right_bucket_mass */
-    /* right_bucket_inertia_xx */
-    w[5] = 0.3333333333333333 * right_load * right_bucket_mass_2 + right_rope * right_bucket_mass;
+    const wreal right_size_squared = right_size * right_size;
+    const wreal right_bucket_origin_inertia_zz = 0.5 * right_load * right_size_squared;
+    const wreal right_bucket_minus_first_moment_z = right_load * right_rope;
+    const wreal right_bucket_origin_inertia_xx = 0.3333333333333333 * right_load *
+        right_size_squared + right_rope * right_bucket_minus_first_moment_z;
+    w[3] = right_bucket_origin_inertia_zz;
+    w[4] = right_bucket_minus_first_moment_z;
+    w[5] = right_bucket_origin_inertia_xx;
 
-    /* wheel: inertia */
+    /* wheel: origin inertia */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
-    const wreal wheel_inertia_yy = radius * radius * (0.5 * wheel);
+    const wreal wheel_origin_inertia_yy = radius * radius * (0.5 * wheel);
 
-    /* axle: coupling, momentum my */
-    const wreal axle_coupling = 1.0 / radius;
-    const wreal axle_momentum_my = wheel_inertia_yy * axle_coupling;
+    /* axle: coupling */
+    const wreal radius_inverse = 1.0 / radius;
 
     /* trolley: base mass */
     const wreal trolley_mass = p[10]; /* kg */
     const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
 
-    /* M */
-    w[6] = trolley_base_mass + axle_coupling * axle_momentum_my; /* M_1_1 */
+    /* momentum: track my */
+    const wreal momentum_track_my = wheel_origin_inertia_yy * radius_inverse;
+
+    /* M: track track */
+    const wreal M_track_track = trolley_base_mass + radius_inverse * momentum_track_my;
+    w[6] = M_track_track;
 }
 
 #include "lanes.h"
@@ -73,46 +80,50 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal *const w = in->w;
     (void)work;
 
-    /* shared by several: cos, sin */
+    /* shared by several: R */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle2 = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {left_hang_angle2, right_hang_angle2};
     real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
     cardan_sincos(2, angle, sine, cosine);
-    const real left_hang_cos = cosine[0];
-    const real left_hang_sin = sine[0];
-    const real right_hang_cos = cosine[1];
-    const real right_hang_sin = sine[1];
+    const real left_hang_angle2_cos = cosine[0];
+    const real left_hang_angle2_sin = sine[0];
+    const real right_hang_angle2_cos = cosine[1];
+    const real right_hang_angle2_sin = sine[1];
 
-    /* right.hang: momentum mx, momentum mz, momentum fy */
-    const wreal right_bucket_inertia_zz = w[3];
-    const wreal right_bucket_mass = w[4];
-    const wreal right_bucket_inertia_xx = w[5];
-    const real right_hang_momentum_mx = right_bucket_inertia_xx * right_hang_cos;
-    const real right_hang_momentum_mz = right_bucket_inertia_zz * right_hang_sin;
-    const real right_hang_momentum_fy = right_bucket_mass * right_hang_cos;
+    /* momentum: right.hang angle1 mx, right.hang angle1 mz, left.hang angle1 mx, ... */
+    const wreal left_bucket_origin_inertia_zz = w[0];
+    const wreal left_bucket_minus_first_moment_z = w[1];
+    const wreal left_bucket_origin_inertia_xx = w[2];
+    const wreal right_bucket_origin_inertia_zz = w[3];
+    const wreal right_bucket_minus_first_moment_z = w[4];
+    const wreal right_bucket_origin_inertia_xx = w[5];
+    const real momentum_right_hang_angle1_mx = right_bucket_origin_inertia_xx *
+        right_hang_angle2_cos;
+    const real momentum_right_hang_angle1_mz = right_bucket_origin_inertia_zz *
+        right_hang_angle2_sin;
+    const real momentum_left_hang_angle1_mx = left_bucket_origin_inertia_xx * left_hang_angle2_cos;
+    const real momentum_left_hang_angle1_mz = left_bucket_origin_inertia_zz * left_hang_angle2_sin;
+    const real momentum_right_hang_angle1_fy = right_bucket_minus_first_moment_z *
+        right_hang_angle2_cos;
+    const real momentum_left_hang_angle1_fy = left_bucket_minus_first_moment_z *
+        left_hang_angle2_cos;
 
-    /* M */
-    const real M_5_1 = -right_hang_momentum_fy;
+    /* M: right.hang angle1 right.hang angle, left.hang angle1 left.hang angle */
     /* M: right.hang.u.angle1,right.hang.u.angle1 */
-    out[18] = right_hang_cos * right_hang_momentum_mx + right_hang_sin * right_hang_momentum_mz;
-    out[4] = M_5_1; /* M: track.u,right.hang.u.angle2 */
-    out[20] = M_5_1; /* M: right.hang.u.angle2,track.u */
-
-    /* left.hang: momentum mx, momentum mz, momentum fy */
-    const wreal left_bucket_inertia_zz = w[0];
-    const wreal left_bucket_mass = w[1];
-    const wreal left_bucket_inertia_xx = w[2];
-    const real left_hang_momentum_mx = left_bucket_inertia_xx * left_hang_cos;
-    const real left_hang_momentum_mz = left_bucket_inertia_zz * left_hang_sin;
-    const real left_hang_momentum_fy = left_bucket_mass * left_hang_cos;
-
-    /* M */
-    const real M_3_1 = -left_hang_momentum_fy;
+    out[18] = right_hang_angle2_cos * momentum_right_hang_angle1_mx
+        + right_hang_angle2_sin * momentum_right_hang_angle1_mz;
     /* M: left.hang.u.angle1,left.hang.u.angle1 */
-    out[6] = left_hang_cos * left_hang_momentum_mx + left_hang_sin * left_hang_momentum_mz;
-    out[2] = M_3_1; /* M: track.u,left.hang.u.angle2 */
-    out[10] = M_3_1; /* M: left.hang.u.angle2,track.u */
+    out[6] = left_hang_angle2_cos * momentum_left_hang_angle1_mx
+        + left_hang_angle2_sin * momentum_left_hang_angle1_mz;
+
+    /* shared by several: M */
+    const real momentum_right_hang_angle2_about_trolley_fx = -momentum_right_hang_angle1_fy;
+    const real momentum_left_hang_angle2_about_trolley_fx = -momentum_left_hang_angle1_fy;
+    out[4] = momentum_right_hang_angle2_about_trolley_fx; /* M: track.u,right.hang.u.angle2 */
+    out[20] = momentum_right_hang_angle2_about_trolley_fx; /* M: right.hang.u.angle2,track.u */
+    out[2] = momentum_left_hang_angle2_about_trolley_fx; /* M: track.u,left.hang.u.angle2 */
+    out[10] = momentum_left_hang_angle2_about_trolley_fx; /* M: left.hang.u.angle2,track.u */
 
     /* results that are numbers or inputs */
     out[0] = CARDAN_REAL(w[6]); /* M: track.u,track.u */

@@ -22,7 +22,7 @@ def test_splitting_changes_no_bit(longest: int, compiler: str) -> None:
     function, given = random_function(11, 200), values(11)
     whole, pieces = generate(function), generate(function, longest=longest)
     assert "_part2(" in pieces.text
-    assert "_part" not in whole.text
+    assert "_part1(" not in whole.text
     answer = call(pieces, given, compiler)
     assert np.array_equal(answer.out, expected(function, given), equal_nan=True)
     assert np.array_equal(answer.out, call(whole, given, compiler).out, equal_nan=True)
@@ -74,7 +74,7 @@ def test_sections_keep_what_reads_what_and_gather_owners() -> None:
     function = random_function(3, 150)
     graph, order = function.graph, function.live()
     values = Values(function, order, ())
-    plan = make_plan(graph, order, function.roots, (), values.names, values.owners)
+    plan = make_plan(graph, order, function.roots, (), values)
     sections = arrange(plan)
     placed = [i for _, statements in sections for i in statements]
     assert sorted(placed) == sorted(plan.reads)
@@ -91,9 +91,7 @@ def test_sections_keep_what_reads_what_and_gather_owners() -> None:
 def test_statements_do_not_overtake_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
     function = random_function(3, 150)
     values = Values(function, function.live(), ())
-    plan = make_plan(
-        function.graph, function.live(), function.roots, (), values.names, values.owners
-    )
+    plan = make_plan(function.graph, function.live(), function.roots, (), values)
     monkeypatch.setattr(section_order, "WINDOW", 10)
     number = {i: n for n, i in enumerate(plan.reads)}
     placed = [number[i] for _, statements in arrange(plan) for i in statements]

@@ -187,7 +187,7 @@ def test_nodes_of_several_owners_stand_in_a_section_of_their_own() -> None:
     outputs = (Output("y", (3,), (left, right, shared_node)),)
     text = generate(Function("both", g, (block,), outputs, ("left", "right"))).text
     assert "/* shared by several: pull */" in text
-    assert "const real left_pull = a_q * b_q;" in text
+    assert "const real a_times_b = a_q * b_q;" in text
 
 
 def test_a_placeholder_is_an_error() -> None:

@@ -93,11 +93,11 @@ def test_powers(exponent: float) -> None:
 def test_a_fork_is_independent() -> None:
     g = Graph()
     with g.made_by("arm", "x"):
-        a = g.label(g.apply("sin", g.var("q", 0)), "arm", "sine")
+        a = g.label(g.apply("tanh", g.var("q", 0)), "arm", "bent")
     other = g.fork()
     b = other.apply("cos", other.var("q", 0))
     assert other.nodes[a] == g.nodes[a]
-    assert other.labels[a] == ("arm", "sine")
+    assert other.labels[a] == ("arm", "bent")
     assert len(other) == len(g) + 1 == b + 1
     assert g.apply("exp", a) == b, "the first graph numbers on by itself"
 
@@ -117,6 +117,27 @@ def test_origins() -> None:
     g.label(b, "upper", "first")
     assert g.label(b, "upper", "second") == b
     assert g.labels == {b: ("upper", "first")}, "leaves have names, the first label stays"
+    sine = g.label(g.apply("sin", q), "upper", "R_xx")
+    assert sine not in g.labels, "a sine is called after its angle"
+
+
+def test_a_changed_sign_leaves_the_name_to_what_it_changes() -> None:
+    g = Graph()
+    square = g.square(g.var("q", 0))
+    g.label(g.neg(square), "arm", "force_x")
+    assert not g.labels, "it may be a term of a sum"
+    assert g.hints[square] == ("arm", "minus_force_x")
+
+
+def test_notes_belong_to_what_is_made() -> None:
+    g = Graph()
+    with g.made_by("arm", "inertia"):
+        step = g.note(g.square(g.var("q", 0)), "trace")
+    assert g.hints == {step: ("arm", "inertia_trace")}
+    other = g.fork()
+    copy = other.square(other.var("q", 1))
+    other.adopt(copy, g, step)
+    assert other.hints[copy] == ("arm", "inertia_trace")
 
 
 def test_counts() -> None:

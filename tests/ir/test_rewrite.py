@@ -75,10 +75,10 @@ def test_origins_labels_and_tables_go_along() -> None:
     g = Graph()
     table = Table((0.0, 1.0), ((1.0, 0.0),))
     with g.made_by("upper", "velocity"):
-        a = g.label(g.apply("sin", g.var("q", 0)), "upper", "v_x")
+        a = g.label(g.apply("exp", g.var("q", 0)), "upper", "v_x")
         b = g.interpolate(table, a)
     with g.made_by("lower", "velocity"):
-        g.apply("sin", g.var("q", 0))
+        g.apply("exp", g.var("q", 0))
     target, roots = rebuild(g, [b])
     copy = target.nodes[roots[0]][3]
     assert target.tables == [table]
@@ -94,3 +94,13 @@ def test_a_function_keeps_its_names() -> None:
     copy = rebuild_function(f)
     assert (copy.name, copy.inputs, copy.owners) == ("rhs", f.inputs, f.owners)
     assert [(o.name, o.shape) for o in copy.outputs] == [("y", (2,))]
+
+
+def test_names_go_where_the_values_go() -> None:
+    g = Graph()
+    place, speed = g.atom("place"), g.var("u", 0)
+    node = g.label(g.mul(place, speed), "arm", "moment")
+    _, (placed,) = rebuild(g, [node], {place: g.var("q", 0)}, into=g)
+    _, (rest,) = rebuild(g, [node], {speed: g.var("p", 0)}, into=g)
+    assert g.labels[placed] == ("arm", "moment"), "a placeholder stands for what replaces it"
+    assert rest not in g.labels, "at another speed it is not the moment"

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from cardan.equations.record import Equations
 from cardan.ir.function import Function, cost
 from cardan.ir.grammar import check
-from cardan.ir.graph import Graph
+from cardan.ir.graph import Graph, SystemNames
 from cardan.ir.interpreter import evaluate
 from cardan.ir.matrix import Matrix
 from cardan.ir.solve import solve
@@ -130,16 +130,18 @@ def test_unroll_shares_the_factor_and_keeps_zeros() -> None:
     assert made.operations()["solve"] == 1, "kinds that pivot stay"
 
 
-def test_unroll_names_the_factor_after_who_asked() -> None:
+def test_unroll_names_the_factor_after_its_matrix() -> None:
     g = Graph()
     with g.made_by("M", "factor"):
         a = Matrix(g, 2, 2, [g.var("q", k) for k in (0, 1, 1, 2)])
-        x = solve("spd", a, Matrix(g, 2, 1, [g.var("u", 0), g.var("u", 1)]))
+        right = Matrix(g, 2, 1, [g.var("u", 0), g.var("u", 1)])
+        x = solve("spd", a, right, SystemNames("M", ("shoulder", "elbow"), ("drive",)))
     with g.made_by("elbow", "udot"):
         root = g.label(g.mul(x.nodes[1], x.nodes[1]), "elbow", "square")
         g.label(x.nodes[0], "shoulder", "udot")
     made = PASSES["unroll"](function(g, [root, x.nodes[0]])).graph
-    names = set(made.labels.values())
-    assert {("M", "D_inverse_1"), ("M", "D_inverse_2"), ("M", "L_2_1")} <= names
+    names = {*made.labels.values(), *made.hints.values()}
+    assert {("M", "factor_D_inverse_shoulder"), ("M", "factor_D_inverse_elbow")} <= names
+    assert {("M", "factor_L_elbow_shoulder"), ("drive", "y_shoulder")} <= names
     assert {("elbow", "square"), ("shoulder", "udot")} <= names
     assert {made.origins[i] for i, n in enumerate(made.nodes) if n[0] == "div"} == {("M", "factor")}

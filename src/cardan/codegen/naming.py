@@ -1,16 +1,21 @@
 """Names of users as C identifiers and as text in comments.
 
 Whatever a user calls a joint, the C file compiles: identifiers are ASCII, no reserved words and
-unique; comments cannot be left from inside.
+unique; comments cannot be left from inside. Values without a label are called after what they are
+made of: ``A_cos_times_B_position_x``. What would need a longer name is a part of the labeled value
+or of the result that it goes into.
 """
 
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
-LONGEST = 48
+from ..ir.function import Function, operands
+
+LONGEST = 63
 
 # C99, C11, C23 and C++; what the generated text uses; macros of compilers and of math.h
 _RESERVED = """
@@ -88,17 +93,157 @@ class Names:
         self._next: dict[str, int] = {}
 
     def new(self, base: str) -> str:
-        """``base``, or ``base_2``, ``base_3`` ... where that is taken or reserved."""
+        """``base``, ``base_value`` where that is reserved, with ``_2``, ``_3`` ... where taken."""
+        base = f"{base}_value" if base in RESERVED else base
         number = self._next.get(base)
         if number is None:
-            self._next[base] = 2
-            if base not in self._taken and base not in RESERVED:
+            self._next[base] = number = 2
+            if base not in self._taken:
                 self._taken.add(base)
                 return base
-            number = 1 if base in RESERVED else 2
         while f"{base}_{number}" in self._taken:
             number += 1
         self._next[base] = number + 1
         name = f"{base}_{number}"
         self._taken.add(name)
         return name
+
+
+# how tightly the words of a name hold together
+SUM, PRODUCT, WORD = 0, 1, 2
+FACTORS = {"c0p5": "half", "c2": "twice"}
+OPAQUE = frozenset({"atom", "solve", "item", "select", "table"})
+# letters of a name that is made of several
+MAX_LETTERS = 60
+
+
+class Phrase(NamedTuple):
+    """Words for a value, with whose name they begin and how tightly they hold together."""
+
+    text: str
+    owner: str
+    level: int
+
+
+class ValueNames:
+    """Names of the live nodes of a function; ``inputs`` tells words and owner of an entry."""
+
+    def __init__(
+        self, function: Function, order: Sequence[int], inputs: Callable[[int], tuple[str, str]]
+    ) -> None:
+        self._function = function
+        self._graph = function.graph
+        self._inputs = inputs
+        self._phrases: dict[int, Phrase] = {}
+        for i in order:
+            phrase = self._label(i) or self._composed(i)
+            if phrase is not None and (i in self._graph.labels or len(phrase.text) <= MAX_LETTERS):
+                self._phrases[i] = phrase
+        self._parents = self._find_parents(order)
+
+    def of(self, i: int) -> str:
+        """The name of a node: what it is, or what it is a part of."""
+        if i in self._phrases:
+            return self._phrases[i].text
+        return mangle(self._parents.get(i) or mangle(*self._graph.origins[i]), "part")
+
+    def _label(self, i: int) -> Phrase | None:
+        name = self._graph.labels.get(i) or self._graph.hints.get(i)
+        return None if name is None else Phrase(mangle(*name), mangle(name[0]), WORD)
+
+    def _composed(self, i: int) -> Phrase | None:
+        """Phrase for an operator on things that have one."""
+        node = self._graph.nodes[i]
+        op = node[0]
+        if op == "var":
+            return Phrase(*self._inputs(i), WORD)
+        if op == "const":
+            return Phrase(_number(node[1]), "", WORD)
+        if op in OPAQUE:
+            return None
+        read = [self._phrases.get(k) for k in node[1:]]
+        if op == "mul":
+            read.sort(key=lambda phrase: phrase is None or phrase.text not in FACTORS)
+        named = [phrase for phrase in read if phrase is not None]
+        return _COMPOSERS.get(op, _function)(op, named) if len(named) == len(read) else None
+
+    def _find_parents(self, order: Sequence[int]) -> dict[int, str]:
+        """Node -> name of the first labeled node or result that it goes into."""
+        parents: dict[int, str] = {}
+        for output in self._function.outputs:
+            for k, root in enumerate(output.nodes):
+                parents.setdefault(root, mangle(output.name, *output.entries[k : k + 1]))
+        for i in reversed(order):
+            name = self._label(i)
+            parent = name.text if name else parents.get(i, "")
+            if parent:
+                parents.update(dict.fromkeys(operands(self._graph.nodes[i]), parent))
+        return parents
+
+
+def _number(value: float) -> str:
+    """Phrase for a number: ``one``, ``c0p75``."""
+    text = repr(value).removesuffix(".0").replace("-", "m").replace(".", "p").replace("+", "")
+    return "one" if value == 1.0 else f"c{text}"
+
+
+def _joined(a: Phrase, word: str, b: Phrase, level: int) -> Phrase:
+    """``arm_u_x_times_cos``: the name of the owner stands once."""
+    text = b.text
+    if a.owner and a.owner == b.owner and text.startswith(f"{a.owner}_"):
+        text = text[len(a.owner) + 1 :]
+    return Phrase(f"{a.text}_{word}_{text}", a.owner, level)
+
+
+def _tight(phrase: Phrase, level: int, word: str) -> Phrase:
+    """The phrase as it stands where at least ``level`` is needed."""
+    return phrase if phrase.level >= level else Phrase(f"{word}_{phrase.text}", "", WORD)
+
+
+def _product(_: str, read: Sequence[Phrase]) -> Phrase:
+    a, b = (_tight(phrase, PRODUCT, "sum") for phrase in read)
+    if a.text in FACTORS:
+        return Phrase(f"{FACTORS[a.text]}_{b.text}", "", PRODUCT)
+    if a.text == b.text:
+        return Phrase(f"{_tight(a, WORD, 'product').text}_squared", a.owner, WORD)
+    return _joined(a, "times", b, PRODUCT)
+
+
+def _quotient(_: str, read: Sequence[Phrase]) -> Phrase:
+    a, b = _tight(read[0], PRODUCT, "sum"), read[1]
+    b = _tight(b, WORD, "product" if b.level == PRODUCT else "sum")
+    inverse = Phrase(f"{b.text}_inverse", b.owner, WORD)
+    return inverse if a.text == "one" else _joined(a, "per", b, PRODUCT)
+
+
+def _sum(_: str, read: Sequence[Phrase]) -> Phrase:
+    a, b = read
+    if a.text == b.text:
+        return Phrase(f"twice_{_tight(a, PRODUCT, 'sum').text}", "", PRODUCT)
+    return _joined(a, "plus", b, SUM)
+
+
+def _difference(_: str, read: Sequence[Phrase]) -> Phrase:
+    return _joined(read[0], "minus", _tight(read[1], PRODUCT, "sum"), SUM)
+
+
+def _negative(_: str, read: Sequence[Phrase]) -> Phrase:
+    return Phrase(f"minus_{_tight(read[0], PRODUCT, 'sum').text}", "", PRODUCT)
+
+
+def _function(op: str, read: Sequence[Phrase]) -> Phrase:
+    """``lean_cos``, ``cos_of_A_plus_B``: of one value."""
+    a = read[0]
+    if len(read) > 1:
+        return Phrase(f"{op}_of_{'_and_'.join(phrase.text for phrase in read)}", "", WORD)
+    text = f"{a.text}_{op}" if a.level == WORD else f"{op}_of_{a.text}"
+    return Phrase(text, a.owner if a.level == WORD else "", WORD)
+
+
+_COMPOSERS: Mapping[str, Callable[[str, Sequence[Phrase]], Phrase]] = {
+    "mul": _product,
+    "div": _quotient,
+    "add": _sum,
+    "sub": _difference,
+    "neg": _negative,
+}

@@ -1,4 +1,4 @@
-"""Whose the values are: the section they stand in, and the words of their names."""
+"""Whose the values are: the section they stand in, and what they were made for."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..ir.graph import Graph, Origin
-from .naming import mangle
 
 SHARED = "shared"
 
@@ -16,14 +15,11 @@ class Owner(NamedTuple):
 
     Attributes:
         section: Owner whose section it stands in; "shared" where there are several.
-        name, quantity: Words of its name.
-        base: Its name before it is made unique, ``<owner>_<quantity>``; "" without words.
+        quantity: What it is, or what it was made for.
     """
 
     section: str
-    name: str
     quantity: str
-    base: str
 
 
 class Owners:
@@ -52,9 +48,8 @@ class Owners:
         found = made.get(origin)
         if found is None:
             name, quantity = origin
-            base = mangle(name, quantity) if name or quantity else ""
             section = name if made is self._alone else SHARED
-            found = made[origin] = Owner(section, name, quantity, base)
+            found = made[origin] = Owner(section, quantity)
         return found
 
     def _first(self, i: int) -> tuple[Origin, bool]:

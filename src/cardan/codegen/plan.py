@@ -12,12 +12,14 @@ from dataclasses import dataclass
 from ..errors import CodegenError
 from ..ir.graph import Graph, Node
 from ..ir.ops import LEAVES, OPERATORS
-from .owners import Owner, Owners
+from .naming import ValueNames
+from .owners import Owner
+from .values import Values
 
 # the widest expression, with its name: a line of 100 columns and most of a second one
-WIDEST = 150
+WIDEST = 320
 # the least width that can be too much; "_12" behind a name that is not unique
-NARROW, NUMBER = 110, 3
+NARROW, NUMBER = 260, 3
 
 INFIX = frozenset({"add", "sub", "mul", "div"})
 SEPARATE = frozenset({"sin", "cos", "solve", "item"})
@@ -54,8 +56,7 @@ def make_plan(
     order: Sequence[int],
     roots: Sequence[int],
     given: Collection[int],
-    names: Mapping[int, str],
-    owners: Owners,
+    values: Values,
 ) -> Plan:
     """Decide which nodes become statements.
 
@@ -64,21 +65,20 @@ def make_plan(
         order: All nodes, operands first.
         roots: Results, once per place where they are wanted.
         given: Nodes that are read from outside instead of being computed.
-        names: Names of what is outside.
-        owners: Whose the nodes are.
+        values: Names and owners of the nodes.
 
     Raises:
         CodegenError: a placeholder was left in the graph.
     """
     found, uses = _needed(graph, order, roots, given)
     outside = frozenset([i for i in found if graph.nodes[i][0] == "var" or i in given])
-    planner = _Planner(graph, uses, frozenset(roots))
-    planner.plan(found, outside, names)
+    planner = _Planner(graph, uses, frozenset(roots), values.namer)
+    planner.plan(found, outside, values.names)
     reads = {i: planner.reads[i] for i in found if i in planner.reads}
     direct = frozenset(
         i for i in roots if i in reads and uses[i] == 1 and graph.nodes[i][0] != "item"
     )
-    return Plan(graph, found, reads, {i: owners.of(i) for i in reads}, direct, outside)
+    return Plan(graph, found, reads, {i: values.owners.of(i) for i in reads}, direct, outside)
 
 
 def _needed(
@@ -107,7 +107,10 @@ def _needed(
 class _Planner:
     """One pass over the nodes; ``sees`` is what an expression that contains a node reads."""
 
-    def __init__(self, graph: Graph, uses: list[int], roots: frozenset[int]) -> None:
+    def __init__(
+        self, graph: Graph, uses: list[int], roots: frozenset[int], namer: ValueNames
+    ) -> None:
+        self.namer = namer
         self.graph = graph
         self.uses = uses
         self.roots = roots
@@ -156,8 +159,7 @@ class _Planner:
         self.width[i] = self._name_width(i)
 
     def _name_width(self, i: int) -> int:
-        owner, quantity = self.graph.labels.get(i) or self.graph.origins[i]
-        return len(owner) + len(quantity) + 1 + NUMBER
+        return len(self.namer.of(i)) + NUMBER
 
     def _shorten(
         self, i: int, node: Node, total: int, seen: tuple[int, ...]

@@ -107,7 +107,7 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     after = not stage.kind.startswith("prepare")
     given = values.w if after else {}
     wanted = [r.node for r in stage.results]
-    plan = make_plan(graph, stage.order, wanted, given, values.names, values.owners)
+    plan = make_plan(graph, stage.order, wanted, given, values)
     builder = _Builder(stage, plan, values)
     pieces = parts.split(arrange(plan), longest)
     builder.crossing, length = parts.crossing(pieces, builder.reads, builder.length)
@@ -269,7 +269,8 @@ class _Builder:
         """Add a statement to the lines, and the results it serves to the results."""
         node = self.graph.nodes[i]
         value: int | Place = self.turned.get(i, i)
-        if i in self.plan.direct:
+        # prepared values have names: they are read elsewhere
+        if i in self.plan.direct and self.after:
             result = self.results[i][0]
             results.append(Assign(result.place, value, result.comment))
             return
@@ -277,13 +278,14 @@ class _Builder:
             kind, n, m = node[1:4]
             lines.append(Solve(kind, n, m, self.left[i], self.stage.array, self.systems[i]))
             return
-        name = self.names[i] = self.values.named(i, self.plan.owners[i])
+        name = self.names[i] = self.values.named(i)
         if node[0] == "item":
             n = self.graph.nodes[node[1]][2]
             value = Place(self.stage.array, self.systems[node[1]] + n * n + node[2])
         lines.append(Declare(name, value, "", not self.after))
         if i in self.results:
-            results.extend([Assign(r.place, i, r.comment) for r in self.results[i]])
+            for r in self.results[i]:
+                results.append(Assign(r.place, i, r.comment if self.after else ""))
 
     def _title(self, owner: str, statements: Iterable[int]) -> str:
         """Whose section it is and what it computes."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ..ir.function import Function
-from .naming import Names, comment, mangle
-from .owners import Owner, Owners
+from .naming import Names, ValueNames, comment, mangle
+from .owners import Owners
 from .program import Declare, Place
 
 
@@ -36,14 +36,15 @@ class Values:
         self.function = function
         self.where = where
         self.owners = Owners(function.graph, function.owners)
-        self.w = {node: k for k, node in enumerate(prepared)}
-        self._unique = Names((function.name, f"prepare_{function.name}"))
-        self.names: dict[int, str] = {}
         self._entries = {
             (block.name, k): entry
             for block in function.inputs
             for k, entry in enumerate(zip(block.entries, block.units, strict=True))
         }
+        self.namer = ValueNames(function, order, self._input_phrase)
+        self.w = {node: k for k, node in enumerate(prepared)}
+        self._unique = Names((function.name, f"prepare_{function.name}"))
+        self.names: dict[int, str] = {}
         # names of the user first; prepared values have one name in both stages
         nodes = function.graph.nodes
         for i in (*(i for i in order if nodes[i][0] == "var"), *prepared):
@@ -53,21 +54,24 @@ class Values:
         """The identifier of a node, made when it is first asked for."""
         node = self.function.graph.nodes[i]
         if node[0] != "var":
-            return self.named(i, self.owners.of(i))
+            return self.named(i)
         if i not in self.names:
-            block, k = node[1:]
-            entry = self.entry(i)[0] or f"{block}_{k}"
             # a coordinate is called like its joint: keep them apart
-            suffix = "q" if block == "q" and "." not in entry else ""
-            self.names[i] = self._unique.new(mangle(entry, suffix))
+            suffix = "q" if node[1] == "q" and "." not in self.entry(i)[0] else ""
+            self.names[i] = self._unique.new(mangle(self._input_phrase(i)[0], suffix))
         return self.names[i]
 
-    def named(self, i: int, owner: Owner) -> str:
-        """The identifier of a computed node whose owner is known."""
+    def _input_phrase(self, i: int) -> tuple[str, str]:
+        """Words for an input entry, and whose it is."""
+        _, block, k = self.function.graph.nodes[i]
+        text = self.entry(i)[0] or f"{block}_{k}"
+        return mangle(text), mangle(text.partition(".")[0])
+
+    def named(self, i: int) -> str:
+        """The identifier of a computed node."""
         found = self.names.get(i)
         if found is None:
-            base = owner.base or f"{self.function.graph.nodes[i][0]}_1"
-            found = self.names[i] = self._unique.new(base)
+            found = self.names[i] = self._unique.new(self.namer.of(i))
         return found
 
     def local(self, base: str) -> str:

@@ -66,8 +66,10 @@ class Central(Field):
 
     def on_inertia(self, r: Matrix, inertia: Matrix) -> Pull:
         distance, e, strength = _scaled(r, self.mu, 3)
-        leaning = inertia @ e
+        leaning = (inertia @ e).note("leaning")
         along, trace = e.dot(leaning), _trace(inertia)
+        r.graph.note(along.node, "along")
+        r.graph.note(trace.node, "trace")
         force = (e * (along * 5 - trace) - leaning * 2) * (strength * 1.5 / distance)
         torque = e.cross(leaning) * (strength * 3)
         return Pull(force, torque, (along * 3 - trace) * (strength * 0.5))
@@ -110,8 +112,11 @@ class Oblate(Field):
 
 def _scaled(r: Matrix, strength: Scalar, power: int) -> tuple[Scalar, Matrix, Scalar]:
     """Distance, unit vector, and strength over a power of the distance."""
-    distance = norm(*r)
-    return distance, r / distance, strength / distance**power
+    distance, graph = norm(*r.note("r")), r.graph
+    graph.note(distance.node, "distance")
+    strength = strength / distance**power
+    graph.note(strength.node, "strength")
+    return distance, (r / distance).note("direction"), strength
 
 
 def _trace(x: Matrix) -> Scalar:

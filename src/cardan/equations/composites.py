@@ -50,13 +50,13 @@ def projected(k: Kinematics, inertias: Sequence[Inertia], loads: Loads) -> Matri
         for row, column in k.joints[i].columns:
             with g.made_by(k.system.joints[i].name, "M"):
                 momentum = inertias[i].momentum(column)
-                momentum.label(k.system.joints[i].name, "momentum", COMPONENTS)
+                momentum.label("momentum", k.speed_names[row], COMPONENTS)
                 _add(k, entries, row, i, momentum)
         _add_rotor(k, entries, i, loads)
     lower = [[entries[max(i, j)][min(i, j)] for j in range(nu)] for i in range(nu)]
     for i in range(nu):
         for j in range(i + 1):
-            g.label(lower[i][j], "M", f"{i + 1}_{j + 1}")
+            g.label(lower[i][j], "M", f"{k.speed_names[i]}_{k.speed_names[j]}")
     return Matrix(g, nu, nu, [x for row in lower for x in row])
 
 
@@ -71,6 +71,8 @@ def _add(k: Kinematics, entries: list[list[int]], row: int, i: int, momentum: Ma
             _enter(k, entries, row, column, s.dot(momentum).node, here)
         momentum = inward(k, body, momentum)
         body, here = k.system.bodies[body].parent, False
+        about = k.owner(body) if body >= 0 else "ground"
+        momentum.hint("momentum", f"{k.speed_names[row]}_about_{about}", COMPONENTS)
 
 
 def _enter(

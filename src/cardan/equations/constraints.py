@@ -22,7 +22,7 @@ from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.function import live
 from ..ir.graph import ONE, ZERO
-from ..ir.matrix import Matrix
+from ..ir.matrix import Matrix, Name
 from ..ir.rewrite import rebuild
 from ..topology.internals import slides
 from ..topology.system import Cut, System
@@ -50,6 +50,15 @@ class Row:
     owner: str
     level: str
     switched: bool = False
+
+    @property
+    def component(self) -> str:
+        """Of its owner: ``px``; "" where that has no other."""
+        return self.name[len(self.owner) + 1 :]
+
+    def word(self, quantity: str) -> str:
+        """A quantity of this row of its owner: ``gamma_px``."""
+        return f"{quantity}_{self.component}" if self.component else quantity
 
     @property
     def force_unit(self) -> str:
@@ -197,7 +206,7 @@ class Constraints:
                     held += forward(g, [node], self.k.time_seeds)
                 else:
                     slipping.append(node)
-        return self._column([*held, *slipping])
+        return self._named([*held, *slipping], g.hint, "rate")
 
     @cached_property
     def jacobian(self) -> Matrix:
@@ -211,7 +220,7 @@ class Constraints:
             # the columns of the joints belong to their own speeds
             nodes = self.rates.nodes
             columns = [forward(g, nodes, {g.var("u", s): ONE}) for s in range(nu)]
-            return Matrix(g, len(nodes), nu, [c[i] for i in range(len(nodes)) for c in columns])
+            return self._labeled([[c[i] for c in columns] for i in range(len(nodes))])
         held, slipping = list[list[int]](), list[list[int]]()
         for n, cut in enumerate(self.k.system.cuts):
             with g.made_by(cut.name, "G"):
@@ -219,7 +228,10 @@ class Constraints:
                 for i in cut.rows:
                     entries = {s: _times(gradient, i, c) for s, c in ends.columns.items()}
                     held.append([entries.get(s, ZERO) for s in range(nu)])
-                slips = {s: self._slip(n, c) for s, c in ends.columns.items()}
+                slips = dict[int, list[int]]()
+                for s, c in ends.columns.items():
+                    with g.made_by(cut.name, f"slip_{self.k.speed_names[s]}"):
+                        slips[s] = self._slip(n, c)
                 for i in range(len(cut.element.slips)):
                     slipping.append([slips[s][i] if s in slips else ZERO for s in range(nu)])
         for i, joint in enumerate(self.k.system.joints):
@@ -236,12 +248,27 @@ class Constraints:
             with g.made_by(name, "G"):
                 row = self.gradient(name, node, level)
                 (held if level == POSITION else slipping).append(row)
-        return Matrix(g, len(self.rows), nu, [x for row in (*held, *slipping) for x in row])
+        return self._labeled([*held, *slipping])
+
+    def _labeled(self, entries: Sequence[Sequence[int]]) -> Matrix:
+        """G of its rows, whose entries are called after row and speed."""
+        g, speeds = self.k.graph, self.k.speed_names
+        for row, nodes in zip(self.rows, entries, strict=True):
+            for speed, node in zip(speeds, nodes, strict=True):
+                g.label(node, row.owner, f"{row.word('G')}_{speed}")
+        return Matrix(g, len(self.rows), len(speeds), [x for nodes in entries for x in nodes])
 
     @cached_property
     def gamma(self) -> Matrix:
         """G udot = gamma (m, 1)."""
-        return -self.k.derivative(self.rates)
+        nodes = (-self.k.derivative(self.rates)).nodes
+        return self._named(nodes, self.k.graph.label, "gamma")
+
+    def _named(self, nodes: Sequence[int], name: Name, quantity: str) -> Matrix:
+        """A column with an entry per constraint, named row by row."""
+        for row, node in zip(self.rows, nodes, strict=True):
+            name(node, row.owner, row.word(quantity))
+        return self._column(nodes)
 
     def _slip(self, n: int, twist: Matrix) -> list[int]:
         cut, ends = self.k.system.cuts[n], self._ends[n]

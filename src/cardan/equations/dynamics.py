@@ -6,7 +6,7 @@ from functools import cached_property
 
 from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
-from ..ir.graph import ONE, ZERO
+from ..ir.graph import ONE, ZERO, SystemNames
 from ..ir.matrix import Matrix
 from ..ir.solve import solve
 from .constraints import Constraints
@@ -14,7 +14,7 @@ from .kinematics import Kinematics
 from .loads import Loads, applied, none
 from .pressing import Pressed, pressed, solved, with_values
 from .relative import FORMALISMS
-from .treatments import Bound, Multipliers, Treatment
+from .treatments import Bound, Labels, Multipliers, Treatment
 
 DEFAULT_TREATMENT = Multipliers()
 
@@ -106,7 +106,8 @@ class Dynamics:
         self._refuse_massless()
         drive = self._drive(tau)
         with self.k.graph.made_by("M", "factor"):
-            udot = solve("spd", self.mass_matrix, drive) if drive.rows else drive
+            names = SystemNames("M", self.k.speed_names, ("",))
+            udot = solve("spd", self.mass_matrix, drive, names) if drive.rows else drive
         return self._label(udot, "udot")
 
     def _drive(self, tau: Matrix) -> Matrix:
@@ -142,11 +143,14 @@ class Dynamics:
             return Matrix.zeros(self.k.graph, 0), none
         c = self.constraints
         mass, drive = self._regular(self.mass_matrix, self._drive(tau))
+        # what is made here first would belong to the multipliers
+        rows = tuple(row.word(row.owner) for row in c.rows)
+        labels = Labels(self.k.speed_names, rows)
+        problem = Bound(mass, drive, c.jacobian, c.gamma, c.position, c.rates, labels)
         with self.k.graph.made_by("constraints", "multipliers"):
-            problem = Bound(mass, drive, c.jacobian, c.gamma, c.position, c.rates)
             udot, lam = self.treatment.accelerations(problem)
             for row, node in zip(c.rows, lam.nodes, strict=True):
-                self.k.graph.label(node, row.owner, f"multiplier_{row.name.rpartition('.')[2]}")
+                self.k.graph.label(node, row.owner, row.word("multiplier"))
         if isinstance(self.treatment, Multipliers) and mass is self.mass_matrix:
             self.solutions.append((tau, udot, lam))
         return self._label(udot, "udot"), lam

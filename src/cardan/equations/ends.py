@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING
 
 from ..ir.matrix import Matrix
 from ..topology.system import Cut
+from .carried import CELLS
 
 if TYPE_CHECKING:
     from .kinematics import Kinematics
+
+TWIST = ("wx", "wy", "wz", "vx", "vy", "vz")
 
 
 @dataclass(frozen=True)
@@ -49,30 +52,47 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool =
     with g.made_by(cut.name, "pose"):
         for i, _ in cut.path:
             inner, pose = at[k.system.bodies[i].parent], k.pose_of(i)
-            at[i] = inner[0] @ pose.rotation, inner[1] + inner[0] @ pose.position
+            at[i] = _hinted(
+                (inner[0] @ pose.rotation, inner[1] + inner[0] @ pose.position),
+                cut.name,
+                f"{k.owner(i)}_",
+            )
         (r_p, x_p), (r_c, x_c) = (
-            placed(k, f, at[k.system.frames[f].body]) for f in (cut.parent_frame, cut.child_frame)
+            _hinted(placed(k, f, at[k.system.frames[f].body]), cut.name, word)
+            for f, word in ((cut.parent_frame, "parent_"), (cut.child_frame, "child_"))
         )
-        rotation, position = r_p.T @ r_c, r_p.T @ (x_c - x_p)
+        rotation, position = _hinted((r_p.T @ r_c, r_p.T @ (x_c - x_p)), cut.name, "")
     columns, free = dict[int, Matrix](), dict[tuple[int, int], Matrix]()
     twist = Matrix.zeros(g, 6)
     with g.made_by(cut.name, "twist"):
         for i, sign in cut.path:
+            joint = k.system.joints[i].name
             arm = (x_p if meeting and sign < 0 else x_c) - at[i][1]
+            arm.hint(cut.name, f"arm_{joint}")
             if i in unknown:
                 modes = k.pose_of(i).S
                 for n in range(modes.columns):
                     free[i, n] = _carried(at[i][0], arm, modes.column(n)) * sign
                 continue
             for slot, column in k.joints[i].columns:
-                own = _carried(at[i][0], arm, column) * sign
-                columns[slot] = columns[slot] + own if slot in columns else own
-            twist = twist + _carried(at[i][0], arm, k.joints[i].velocity) * sign
+                share = _carried(at[i][0], arm, column) * sign
+                columns[slot] = columns[slot] + share if slot in columns else share
+            share = _carried(at[i][0], arm, k.joints[i].velocity) * sign
+            twist = twist + share.hint(cut.name, f"base_twist_by_{joint}", TWIST)
+        twist.hint(cut.name, "base_twist", TWIST)
         to_child = r_c.T
-        columns = {slot: _turned(to_child, column) for slot, column in columns.items()}
+        for slot, column in columns.items():
+            word = k.speed_names[slot]
+            column.hint(cut.name, f"base_twist_{word}", TWIST)
+            columns[slot] = _turned(to_child, column).hint(cut.name, f"twist_{word}", TWIST)
         free = {key: _turned(to_child, column) for key, column in free.items()}
-        twist = _turned(to_child, twist)
+        twist = _turned(to_child, twist).hint(cut.name, "twist", TWIST)
     return Ends(rotation, position, columns, twist, free, r_p)
+
+
+def _hinted(pose: tuple[Matrix, Matrix], owner: str, word: str) -> tuple[Matrix, Matrix]:
+    """A pose whose entries have names."""
+    return pose[0].hint(owner, f"{word}R", CELLS), pose[1].hint(owner, f"{word}p")
 
 
 def placed(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:

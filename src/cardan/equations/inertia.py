@@ -13,9 +13,9 @@ def of_body(k: Kinematics, i: int) -> Inertia:
     """Inertia of a body about its origin; depends on p alone where it has axes of its own."""
     body, name = k.system.bodies[i], k.owner(i)
     mass = Scalar(k.graph, k.resolve([body.mass])[0])
-    k.graph.label(mass.node, name, "mass")
+    k.graph.label(mass.node, name, "whole_mass")
     moment = k.vector(body.first_moment).label(name, "first_moment")
-    tensor = k.matrix(3, 3, body.inertia).label(name, "inertia", CELLS)
+    tensor = k.matrix(3, 3, body.inertia).label(name, "origin_inertia", CELLS)
     turn = k.turns[i]
     if turn is None:
         return Inertia(mass, moment, tensor)

@@ -71,7 +71,6 @@ def joint_pose(k: Kinematics, i: int) -> JointPose:
     fixed, at = k.matrix(3, 3, joint.rotation), k.vector(joint.position)
     with g.made_by(name, "R"):
         inner, shift = (k.settled(i, x) for x in joint.element.pose(_with_offset(k, i), **data))
-        _label_angles(k, name, inner)
         turns = _turns(k, i, fixed, k.carry(i, "inner", inner, (), name))
         product = Matrix.identity(g, 3)
         for r in turns:
@@ -90,12 +89,13 @@ def joint_motion(k: Kinematics, i: int) -> JointMotion:
     joint, g, at = k.system.joints[i], k.graph, k.pose_of(i)
     u = k.joint_speeds(i)
     with g.made_by(joint.name, "velocity"):
-        velocity = k.carry(i, "relative", at.S @ u, (), joint.name)
+        velocity = k.carry(i, "relative", (at.S @ u).note("relative"), (), joint.name)
     with g.made_by(joint.name, "drift"):
         drift = _drift(k, i, at.modes, u, velocity)
         given = k.given_acceleration(i)
         if given is not None:
             drift = drift + at.S @ given
+        drift.note("relative")
     columns = _columns(k, i, at.S)
     return JointMotion(at.q, u, at.turns, at.rotation, at.position, at.S, columns, velocity, drift)
 
@@ -115,9 +115,8 @@ def _about(k: Kinematics, axis: int, joints: tuple[tuple[int, int], ...]) -> Mat
         angle = k.system.joints[j].element.angle
         assert angle is not None
         total = total + _with_offset(k, j)[angle] * sign
-    rotation = elementary(axis, cos(total), sin(total))
-    _label_angles(k, k.system.joints[joints[-1][0]].name, rotation)
-    return rotation
+    k.graph.hint(total.node, k.system.joints[joints[-1][0]].name, "turn")
+    return elementary(axis, cos(total), sin(total))
 
 
 def _turns(k: Kinematics, i: int, fixed: Matrix, inner: Matrix) -> tuple[Matrix, ...]:
@@ -147,15 +146,9 @@ def _with_offset(k: Kinematics, i: int) -> Matrix:
     assert joint.element.angle is not None
     at = joint.element.angle
     nodes[at] = k.graph.add(nodes[at], joint.offset)
+    k.graph.hint(joint.offset, joint.name, "offset")
+    k.graph.hint(nodes[at], joint.name, "angle")
     return Matrix(k.graph, len(nodes), 1, nodes)
-
-
-def _label_angles(k: Kinematics, name: str, rotation: Matrix) -> None:
-    """Call cosines and sines of joint angles what they are."""
-    for node in rotation.nodes:
-        op = k.graph.nodes[node][0]
-        if op in ("cos", "sin"):
-            k.graph.label(node, name, op)
 
 
 def _drift(k: Kinematics, i: int, s: Matrix, u: Matrix, velocity: Matrix) -> Matrix:

@@ -20,7 +20,7 @@ from ..ir.rewrite import rebuild
 from ..topology.motion import input_rates
 from ..topology.system import Joint, Named, System
 from . import paths
-from .carried import XYZ, Cuts
+from .carried import CELLS, XYZ, Cuts
 from .chosen_speeds import by_speeds, speeds_of_joints
 from .closures import Closures
 from .following import Following
@@ -51,6 +51,7 @@ class Kinematics:
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
         self.chosen = tuple(speeds)
+        self.speed_names = tuple(speed.name for speed in speeds) or system.speed_names
         # derivatives of the chosen speeds by those of the joints
         self.chosen_by_joints = Matrix.identity(self.graph, 0)
         self._replace: dict[int, int] = {}
@@ -227,10 +228,10 @@ class Kinematics:
 
     def derivative(self, x: Matrix) -> Matrix:
         """Entry by entry time derivative at udot = 0."""
-        return self._changing(x, self.time_seeds)
+        return self._changing(x, self.time_seeds, "rate")
 
-    def _changing(self, x: Matrix, seeds: dict[int, int]) -> Matrix:
-        return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, seeds))
+    def _changing(self, x: Matrix, seeds: dict[int, int], word: str = "") -> Matrix:
+        return Matrix(self.graph, x.rows, x.columns, forward(self.graph, x.nodes, seeds, word))
 
     @cached_property
     def joints(self) -> Memo[JointMotion]:
@@ -291,6 +292,7 @@ class Kinematics:
                 r = joint.rotation
                 if body.parent >= 0:
                     r = result[body.parent] @ r
+                r.hint(self.owner(i), "orientation", CELLS)
                 result.append(self.carry(i, "orientation", r, ()))
         return result
 
@@ -303,6 +305,7 @@ class Kinematics:
                 p = joint.position
                 if body.parent >= 0:
                     p = result[body.parent] + self.ground_rotation[body.parent] @ p
+                p.hint(self.owner(i), "position")
                 result.append(self.carry(i, "position", p, ()))
         return result
 
@@ -317,7 +320,7 @@ class Kinematics:
         if parent < 0:
             return joint.drift
         w_rel, v_rel = joint.velocity.block(slice(0, 3)), joint.velocity.block(slice(3, 6))
-        carried = joint.rotation.T @ self.omega[parent]
+        carried = (joint.rotation.T @ self.omega[parent]).note("parent_omega")
         return joint.drift + Matrix.vstack(carried.cross(w_rel), carried.cross(v_rel) * 2)
 
     # what is fixed to a body

@@ -93,7 +93,10 @@ def summed(
             for action in _actions(k, force, given):
                 counted = stored or action.potential is None
                 for load in action.loads if counted else ():
-                    moves = k.system.frames[load.frame].body >= 0
+                    frame = k.system.frames[load.frame]
+                    load.force.hint(force.name, f"force_on_{frame.name}")
+                    load.torque.hint(force.name, f"torque_on_{frame.name}")
+                    moves = frame.body >= 0
                     if moves if keep is None else load.frame in keep:
                         _add_wrench(k, wrenches, load)
                 for joint_load in action.joint_loads if counted else ():

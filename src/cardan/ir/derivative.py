@@ -19,7 +19,9 @@ CHOICES = frozenset({"select", "min", "max"})
 UNSYMMETRIC = frozenset({"rank_revealing", "basic"})
 
 
-def forward(graph: Graph, roots: Sequence[int], seeds: Mapping[int, int]) -> list[int]:
+def forward(
+    graph: Graph, roots: Sequence[int], seeds: Mapping[int, int], word: str = ""
+) -> list[int]:
     """Derivatives of the roots along a direction.
 
     Args:
@@ -27,6 +29,7 @@ def forward(graph: Graph, roots: Sequence[int], seeds: Mapping[int, int]) -> lis
         roots: Nodes to differentiate.
         seeds: Node -> node of its derivative. These are the independent variables; all other
             leaves have derivative 0.
+        word: Added to the name of what is differentiated, names the derivative.
 
     Returns:
         One node per root.
@@ -42,6 +45,9 @@ def forward(graph: Graph, roots: Sequence[int], seeds: Mapping[int, int]) -> lis
             dot = _dot(graph, i, dots, solutions)
             if dot != ZERO:
                 dots[i] = dot
+                name = graph.labels.get(i) or graph.hints.get(i) if word else None
+                if name is not None:
+                    graph.hint(dot, name[0], f"{name[1]}_{word}")
     return [dots.get(i, ZERO) for i in roots]
 
 

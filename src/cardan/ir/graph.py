@@ -11,7 +11,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import DerivationError, StructuralZero
 from .ops import COMMUTATIVE, OPERATORS
@@ -20,6 +20,8 @@ Node = tuple[Any, ...]
 Origin = tuple[str, str]
 
 ZERO, ONE, MINUS_ONE = 0, 1, 2
+# sines and cosines are called after their angles
+NAMED_ALREADY = frozenset({"const", "var", "atom", "sin", "cos"})
 MADE_BY_NOBODY: Origin = ("", "")
 
 
@@ -49,6 +51,14 @@ class Table:
         return [math.perm(j, derivative) for j in range(self.order - 1, derivative - 1, -1)]
 
 
+class SystemNames(NamedTuple):
+    """What a linear system is about: its matrix, its unknowns and its right sides."""
+
+    name: str
+    rows: tuple[str, ...]
+    columns: tuple[str, ...]
+
+
 class Graph:
     """Hash-consed scalar expressions.
 
@@ -57,10 +67,14 @@ class Graph:
         origins: ``origins[i]`` is the (owner, quantity) that made node i first.
         shared: further origins of a node, where several owners use it.
         labels: readable names given to nodes, (owner, quantity) with the component in quantity.
+        hints: the same for nodes that need not be shown; those that are have these names.
+        systems: names of the rows and columns of ``solve`` nodes.
         tables: the interpolation tables that ``table`` nodes refer to.
     """
 
-    __slots__ = ("_index", "labels", "nodes", "origin", "origins", "shared", "tables")
+    __slots__ = (
+        *("_index", "hints", "labels", "nodes", "origin", "origins", "shared", "systems", "tables"),
+    )
 
     def __init__(self) -> None:
         self.nodes: list[Node] = [("const", 0.0), ("const", 1.0), ("const", -1.0)]
@@ -69,6 +83,8 @@ class Graph:
         self.origins: list[Origin] = [MADE_BY_NOBODY] * 3
         self.shared: dict[int, set[Origin]] = {}
         self.labels: dict[int, Origin] = {}
+        self.hints: dict[int, Origin] = {}
+        self.systems: dict[int, SystemNames] = {}
         self.tables: list[Table] = []
 
     def __len__(self) -> int:
@@ -86,6 +102,8 @@ class Graph:
         other.origins = self.origins.copy()
         other.shared = {k: set(v) for k, v in self.shared.items()}
         other.labels = self.labels.copy()
+        other.hints = self.hints.copy()
+        other.systems = self.systems.copy()
         other.tables = self.tables.copy()
         return other
 
@@ -101,9 +119,34 @@ class Graph:
 
     def label(self, node: int, owner: str, quantity: str) -> int:
         """Give a node a readable name; the first name stays. Leaves need none."""
-        if self.nodes[node][0] not in ("const", "var", "atom"):
+        if self.nodes[node][0] == "neg":
+            return self.hint(node, owner, quantity)
+        if self.nodes[node][0] not in NAMED_ALREADY:
             self.labels.setdefault(node, (owner, quantity))
         return node
+
+    def hint(self, node: int, owner: str, quantity: str) -> int:
+        """Give a node the name that it has where it is shown; the first name stays."""
+        if self.nodes[node][0] not in NAMED_ALREADY:
+            self.hints.setdefault(node, (owner, quantity))
+        # a changed sign is written where it is read: what has the name is shown
+        if self.nodes[node][0] == "neg":
+            self.hint(self.nodes[node][1], owner, f"minus_{quantity}")
+        return node
+
+    def note(self, node: int, word: str) -> int:
+        """Give a node the name of a step to what is made here, see :meth:`made_by`."""
+        owner, quantity = self.origin
+        return self.hint(node, owner, "_".join(filter(None, (quantity, word))))
+
+    def adopt(self, copy: int, other: Graph, i: int) -> None:
+        """Give a node the names that node i of another graph has, whose value it has."""
+        if i in other.labels:
+            self.label(copy, *other.labels[i])
+        if i in other.hints:
+            self.hint(copy, *other.hints[i])
+        if i in other.systems:
+            self.systems.setdefault(copy, other.systems[i])
 
     # leaves
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from .arithmetic import Number, Scalar
 from .graph import ONE, ZERO, Graph
 
+Name = Callable[[int, str, str], int]
+
 
 class Matrix:
     """A rows x columns matrix of nodes of one graph, stored row by row.
@@ -182,15 +184,37 @@ class Matrix:
 
     def congruence(self, symmetric: Matrix) -> Matrix:
         """A X Aᵀ for symmetric X: the lower triangle is mirrored, not computed."""
-        g, half = self.graph, self @ symmetric
+        g, half = self.graph, (self @ symmetric).note("half_turned")
         n = self.rows
         upper = {(i, j): inner(g, half.row(i), self.row(j)) for i in range(n) for j in range(i, n)}
         return Matrix(g, n, n, [upper[min(i, j), max(i, j)] for i in range(n) for j in range(n)])
 
     def label(self, owner: str, quantity: str, components: Sequence[str] = "xyz") -> Matrix:
         """Name the entries ``quantity_<component>`` of an owner; returns the matrix."""
+        return self._name(self.graph.label, owner, quantity, components)
+
+    def hint(self, owner: str, quantity: str, components: Sequence[str] = "xyz") -> Matrix:
+        """The same for entries that need no line of their own, see :meth:`Graph.hint`."""
+        return self._name(self.graph.hint, owner, quantity, components)
+
+    def note(self, word: str) -> Matrix:
+        """Name the entries as a step to what is made here, see :meth:`Graph.note`."""
+        for k, node in enumerate(self.nodes):
+            self.graph.note(node, "_".join([word, *self._place(k)]))
+        return self
+
+    def _place(self, k: int) -> tuple[str, ...]:
+        """Words for entry k: axes of vectors and tensors of space, else numbers."""
+        i, j = divmod(k, self.columns)
+        if self.columns == 1 and self.rows == 6:
+            return (("w" if i < 3 else "v") + "xyz"[i % 3],)
+        if self.rows <= 3 and self.columns <= 3:
+            return (("xyz"[i] if self.rows > 1 else "") + ("xyz"[j] if self.columns > 1 else ""),)
+        return str(i + 1), str(j + 1)
+
+    def _name(self, name: Name, owner: str, quantity: str, components: Sequence[str]) -> Matrix:
         for node, component in zip(self.nodes, components, strict=False):
-            self.graph.label(node, owner, f"{quantity}_{component}" if component else quantity)
+            name(node, owner, "_".join(filter(None, (quantity, component))))
         return self
 
 

@@ -83,8 +83,10 @@ def copy(
     thorough: bool = False,
 ) -> None:
     """Copy nodes in topological order, filling ``copies``; see :func:`rebuild`."""
-    nodes, origins, labels = graph.nodes, graph.origins, graph.labels
+    nodes, origins = graph.nodes, graph.origins
     intern, here = target.intern, graph is target
+    # what replaces a placeholder is what it stands for
+    faithful = all(nodes[i][0] == "atom" for i in copies)
     # nodes whose copy is not the same operator on copies of the same operands
     changed = set(copies)
     for i in order:
@@ -112,8 +114,9 @@ def copy(
             changed.add(i)
         else:
             copies[i] = intern(key)
-        if i in labels:
-            target.label(copies[i], *labels[i])
+        # with other values in place of inputs a node is not what its name says
+        if faithful or not (here and touched):
+            target.adopt(copies[i], graph, i)
         if i in graph.shared and not here:
             _share(target, copies[i], graph, i)
 

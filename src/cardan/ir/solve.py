@@ -6,9 +6,9 @@ row by row. Entries of A that are structural zeros are its sparsity pattern.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from .graph import ZERO, Graph
+from .graph import ZERO, Graph, SystemNames
 from .matrix import Matrix, inner
 
 KINDS = ("spd", "symmetric_indefinite", "rank_revealing", "semidefinite", "basic")
@@ -20,7 +20,7 @@ VANISHED = 1e-15
 LEAST = 1e-3
 
 
-def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
+def solve(kind: str, a: Matrix, b: Matrix, names: SystemNames | None = None) -> Matrix:
     """X with A X = B.
 
     Args:
@@ -33,6 +33,7 @@ def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
             gives unknowns that are free the solution 0.
         a: (n, n).
         b: (n, m).
+        names: Of matrix, rows and columns, for the reader.
     """
     if kind not in KINDS:
         raise ValueError(f"kind of solve must be one of {', '.join(KINDS)}, not {kind!r}")
@@ -42,10 +43,46 @@ def solve(kind: str, a: Matrix, b: Matrix) -> Matrix:
     if b.is_zero:
         return Matrix.zeros(graph, n, m)
     node = graph.intern(("solve", kind, n, m, *a.nodes, *b.nodes))
+    if names is not None:
+        graph.systems.setdefault(node, names)
     return Matrix(graph, n, m, [graph.intern(("item", node, k)) for k in range(n * m)])
 
 
-def ltl(a: Matrix) -> tuple[list[list[int]], list[int]]:
+class _Namer:
+    """Names the steps of an elimination after rows and columns of its system."""
+
+    def __init__(self, graph: Graph, n: int, m: int, names: SystemNames | None) -> None:
+        names = names or SystemNames(graph.origin[0], (), ())
+        self.graph, self.name = graph, names.name
+        self.rows, self.columns = (
+            labels if len(labels) == size else tuple(str(k + 1) for k in range(size))
+            for labels, size in ((names.rows, n), (names.columns, m))
+        )
+
+    def factor(self, node: int, letter: str, *rows: int) -> None:
+        """An entry of a factor."""
+        quantity = "_".join(["factor", letter, *(self.rows[k] for k in rows)])
+        self.graph.hint(node, self.name, quantity)
+
+    def column(self, j: int) -> Name:
+        """Names the entries of a right side on its way to the solution."""
+        owner = self.columns[j] or self.name
+
+        def name(node: int, letter: str, row: int) -> None:
+            self.graph.hint(node, owner, f"{letter}_{self.rows[row]}")
+
+        return name
+
+
+Rows = list[list[int]]
+Name = Callable[..., None]
+
+
+def _nameless(*_: object) -> None:
+    """Steps need no names where nobody reads them."""
+
+
+def ltl(a: Matrix, name: Name = _nameless) -> tuple[list[list[int]], list[int]]:
     """Factor A = Lᵀ D L from the last row up, symbolically, keeping structural zeros.
 
     Returns:
@@ -58,10 +95,12 @@ def ltl(a: Matrix) -> tuple[list[list[int]], list[int]]:
     lower = [[ZERO] * n for _ in range(n)]
     inverse = [ZERO] * n
     for k in range(n - 1, -1, -1):
+        name(work[k][k], "D", k)
         inverse[k] = g.div(1, work[k][k])
         for i in range(k - 1, -1, -1):
             if work[k][i] == ZERO:
                 continue
+            name(work[k][i], "DL", k, i)
             lower[k][i] = g.mul(work[k][i], inverse[k])
             # row i loses its share of row k, only where row k has entries
             for j in range(i + 1):
@@ -70,14 +109,20 @@ def ltl(a: Matrix) -> tuple[list[list[int]], list[int]]:
     return lower, inverse
 
 
-def substitute(lower: list[list[int]], inverse: list[int], graph: Graph, b: list[int]) -> list[int]:
-    """Solve Lᵀ D L x = b."""
+def substitute(
+    lower: Rows, inverse: list[int], graph: Graph, b: list[int], name: Name = _nameless
+) -> list[int]:
+    """Solve Lᵀ D L x = b: Lᵀ y = b, D z = y, L x = z."""
     n, x = len(b), list(b)
     for k in range(n - 1, -1, -1):
         for j in range(k):
             if lower[k][j] != ZERO:
                 x[j] = graph.sub(x[j], graph.mul(lower[k][j], x[k]))
-    x = [graph.mul(inverse[k], x[k]) for k in range(n)]
+    for k in range(n):
+        name(x[k], "y", k)
+        x[k] = graph.mul(inverse[k], x[k])
+        if any(lower[k][:k]):
+            name(x[k], "z", k)
     for k in range(n):
         for j in range(k):
             if lower[k][j] != ZERO:
@@ -96,19 +141,30 @@ def inverted(lower: list[list[int]], graph: Graph) -> list[list[int]]:
     return strict
 
 
-def multiply(strict: list[list[int]], d: list[int], graph: Graph, b: list[int]) -> list[int]:
-    """x = L⁻¹ D⁻¹ L⁻ᵀ b, with S of :func:`inverted` and the reciprocals of D."""
+def multiply(
+    lower: Rows, inverse: list[int], graph: Graph, b: list[int], name: Name = _nameless
+) -> list[int]:
+    """x = L⁻¹ D⁻¹ L⁻ᵀ b, with S of :func:`inverted` for ``lower``."""
     n = len(b)
-    z = [graph.sub(b[j], inner(graph, [strict[k][j] for k in range(n)], b)) for j in range(n)]
-    z = [graph.mul(d[j], z[j]) for j in range(n)]
-    return [graph.sub(z[i], inner(graph, strict[i], z)) for i in range(n)]
+    z = [graph.sub(b[j], inner(graph, [lower[k][j] for k in range(n)], b)) for j in range(n)]
+    for j in range(n):
+        name(z[j], "y", j)
+        z[j] = graph.mul(inverse[j], z[j])
+        if any(lower[j][:j]):
+            name(z[j], "z", j)
+    return [graph.sub(z[i], inner(graph, lower[i], z)) for i in range(n)]
 
 
 Factor = tuple[list[list[int]], list[int]]
 
 
 def unrolled(
-    graph: Graph, n: int, m: int, entries: Sequence[int], factors: dict[tuple[int, ...], Factor]
+    graph: Graph,
+    n: int,
+    m: int,
+    entries: Sequence[int],
+    factors: dict[tuple[int, ...], Factor],
+    names: SystemNames | None = None,
 ) -> list[int]:
     """A positive definite system as straight-line expressions.
 
@@ -117,24 +173,28 @@ def unrolled(
         n, m: Rows of A, columns of B.
         entries: A and B, row by row.
         factors: Factors by the entries of their matrix; a known A is not factored again.
+        names: Of matrix, rows and columns.
 
     Returns:
         X, row by row.
     """
     a, b = tuple(entries[: n * n]), entries[n * n :]
+    namer = _Namer(graph, n, m, names)
     if a not in factors:
-        lower, inverse = factors[a] = ltl(Matrix(graph, n, n, a))
-        owner = graph.origin[0]
-        # names for the reader: rows of L and reciprocals of D
+        lower, inverse = factors[a] = ltl(Matrix(graph, n, n, a), namer.factor)
         for k in range(n):
-            graph.label(inverse[k], owner, f"D_inverse_{k + 1}")
+            namer.factor(inverse[k], "D_inverse", k)
             for j in range(k):
-                graph.label(lower[k][j], owner, f"L_{k + 1}_{j + 1}")
+                namer.factor(lower[k][j], "L", k, j)
     lower, inverse = factors[a]
     if m > n and any(lower[k][j] == ZERO for k in range(n) for j in range(k)):
         # what is 0 in a column stays 0 in branches that it does not reach
         strict = inverted(lower, graph)
-        columns = [multiply(strict, inverse, graph, list(b[j::m])) for j in range(m)]
+        for k in range(n):
+            for j in range(k):
+                namer.factor(strict[k][j], "S", k, j)
+        solve_for, left = multiply, strict
     else:
-        columns = [substitute(lower, inverse, graph, list(b[j::m])) for j in range(m)]
+        solve_for, left = substitute, lower
+    columns = [solve_for(left, inverse, graph, list(b[j::m]), namer.column(j)) for j in range(m)]
     return [columns[j][i] for i in range(n) for j in range(m)]

@@ -124,6 +124,9 @@ class Leaves:
 
         def symbol(i: int) -> Any:
             owner, quantity = self.graph.labels.get(i, ("", "")) if named else ("", "")
+            op, *read = nodes[i]
+            if named and op in ("sin", "cos") and nodes[read[0]][0] == "var":
+                owner, quantity = self.symbol(read[0]).name, op
             words = ".".join(filter(None, (owner, quantity)))
             forms = (f"{words}_{n}" for n in count(2)) if words else (f"x{n}" for n in count())
             name = next(name for name in chain([words], forms) if name and name not in taken)

@@ -88,7 +88,8 @@ class _Copier:
         graph, target = self.graph, self.target
         copies, known, inner, plain = self.copies, self.known, self.inner, self.plain
         intern, latency = target.intern, LATENCY
-        nodes, origins, labels, shared = graph.nodes, graph.origins, graph.labels, graph.shared
+        nodes, origins, shared = graph.nodes, graph.origins, graph.shared
+        named = graph.labels.keys() | graph.hints.keys() | graph.systems.keys()
         self._learn()
         for i in order:
             if inner[i]:
@@ -110,8 +111,8 @@ class _Copier:
                         last = known[a] if known[a] > known[b] else known[b]
                         known.append(last if last < 0 else last + latency[op])
             copies[i] = copy
-            if i in labels:
-                target.label(copy, *labels[i])
+            if i in named:
+                target.adopt(copy, graph, i)
             if i in shared:
                 target.shared.setdefault(copy, set()).update(shared[i])
         target.origin = MADE_BY_NOBODY

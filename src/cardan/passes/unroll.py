@@ -40,14 +40,13 @@ def _appended(function: Function, i: int) -> Function:
     """The function with its only solve node written out at the end of a copy of its graph."""
     graph, node = function.graph.fork(), function.graph.nodes[i]
     with graph.made_by(*graph.origins[i]):
-        solution = unrolled(graph, node[2], node[3], node[4:], {})
+        solution = unrolled(graph, node[2], node[3], node[4:], {}, graph.systems.get(i))
     roots = []
     for root in function.roots:
         entry = graph.nodes[root]
         if entry[:2] == ("item", i):
             root, item = solution[entry[2]], root
-            if item in graph.labels:
-                graph.label(root, *graph.labels[item])
+            graph.adopt(root, graph, item)
         roots.append(root)
     return with_roots(function, graph, roots)
 
@@ -62,12 +61,12 @@ def _rebuilt(function: Function, found: set[int]) -> Function:
         node = nodes[i]
         if i in found:
             entries = [copies[k] for k in node[4:]]
-            solutions[i] = unrolled(target, node[2], node[3], entries, factors)
+            names = function.graph.systems.get(i)
+            solutions[i] = unrolled(target, node[2], node[3], entries, factors, names)
             return ZERO
         if node[0] == "item" and node[1] in solutions:
             solved = solutions[node[1]][node[2]]
-            if i in function.graph.labels:
-                target.label(solved, *function.graph.labels[i])
+            target.adopt(solved, function.graph, i)
             return solved
         return None
 

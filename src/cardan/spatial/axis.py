@@ -45,6 +45,8 @@ def complement(n: Matrix) -> tuple[Matrix, Matrix]:
     sign_z = select(z.apply("lt", 0.0), -1.0, 1.0)
     a = -1.0 / (sign_z + z)
     b = x * y * a
+    for name, step in (("side", sign_z), ("scale", a), ("xy", b)):
+        graph.note(step.node, name)
     first = Matrix.vector(graph, [1 + sign_z * x * x * a, sign_z * b, -(sign_z * x)])
     return first, Matrix.vector(graph, [b, sign_z + y * y * a, -y])
 

@@ -42,6 +42,7 @@ def second_moment(tensor: Matrix) -> Matrix:
     """Integral of x xᵀ dm from the inertia tensor: J = tr(I)/2 - I."""
     g = tensor.graph
     half = (tensor[0, 0] + tensor[1, 1] + tensor[2, 2]) * 0.5
+    g.note(half.node, "half_trace")
     diagonal = [half.node if i == j else ZERO for i in range(3) for j in range(3)]
     return Matrix(g, 3, 3, diagonal) - tensor
 
@@ -84,6 +85,7 @@ def turn_symmetric(r: Matrix, x: Matrix) -> Matrix:
     a, b = (axis + 1) % 3, (axis + 2) % 3
     c, s = r[a, a], r[b, a]
     t = s * (x[a, a] - x[b, b]) + c * (x[a, b] + x[a, b])
+    x.graph.note(t.node, "shear")
     entries = {
         (axis, axis): x[axis, axis],
         (a, a): x[a, a] - s * t,
@@ -123,9 +125,10 @@ def turn_general(r: Matrix, x: Matrix) -> Matrix:
 def moved(inertia: Inertia, p: Matrix) -> Inertia:
     """The same body about a point from which its origin is seen at p."""
     m = inertia.mass
-    s = inertia.moment + p * (m * 0.5)
+    s = (inertia.moment + p * (m * 0.5)).note("mean_moment")
     g = p.graph
     twice = s.dot(p) * 2
+    g.note(twice.node, "shift")
     rows = [
         [(twice - s[i] * p[i] * 2) if i == j else -(s[i] * p[j] + s[j] * p[i]) for j in range(3)]
         for i in range(3)
@@ -135,7 +138,7 @@ def moved(inertia: Inertia, p: Matrix) -> Inertia:
 
 def moved_second(mass: Scalar, moment: Matrix, second: Matrix, p: Matrix) -> Matrix:
     """Second moment about a point from which the origin is seen at p."""
-    s = moment + p * (mass * 0.5)
+    s = (moment + p * (mass * 0.5)).note("mean_moment")
     upper = {(i, j): s[i] * p[j] + s[j] * p[i] for i in range(3) for j in range(i, 3)}
     rows = [[upper[min(i, j), max(i, j)] for j in range(3)] for i in range(3)]
     return second + Matrix.of(p.graph, rows)

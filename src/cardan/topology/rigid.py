@@ -38,9 +38,9 @@ class Rigid:
                 mass = g.add(mass, part.mass)
                 moment = tuple(map(g.add, moment, part.first_moment))
                 inertia = tuple(map(g.add, inertia, part.inertia))
-        g.label(mass, self.name, "mass")
+        g.label(mass, self.name, "whole_mass")
         for axis, node in zip("xyz", moment, strict=True):
             g.label(node, self.name, f"first_moment_{axis}")
         for key, node in zip(ENTRIES, (inertia[k] for k in (0, 1, 2, 4, 5, 8)), strict=True):
-            g.label(node, self.name, f"inertia_{key}")
+            g.label(node, self.name, f"origin_inertia_{key}")
         return Body(self.name, self.parent, mass, moment, inertia, tuple(self.parts))

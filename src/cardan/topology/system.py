@@ -345,6 +345,16 @@ class System:
         return (*(closure.cut for closure in self.closures), *self.cuts)
 
     @property
+    def speed_names(self) -> tuple[str, ...]:
+        """Names of the speeds u: of the joint, with the component where it has several."""
+        names = [""] * self.nu
+        for joint in self.joints:
+            speeds = joint.element.speeds if joint.u >= 0 else ()
+            for k, speed in enumerate(speeds, joint.u):
+                names[k] = f"{joint.name}_{speed.name}" if len(speeds) > 1 else joint.name
+        return tuple(names)
+
+    @property
     def closed(self) -> bool:
         """Whether its speeds are bound by anything beyond the tree."""
         rolling = any(joint.element.slips for joint in self.joints)

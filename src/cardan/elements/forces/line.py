@@ -10,7 +10,10 @@ from .force import Action, Load, Motion
 def direction(span: Matrix, distance: Scalar) -> Matrix:
     """Unit vector along a span, zero where it has no direction."""
     apart = (distance * 0).apply("lt", distance)
-    return span * (select(apart, 1, 0) / select(apart, distance, 1))
+    inverse = select(apart, 1, 0) / select(apart, distance, 1)
+    for name, step in (("distance", distance), ("apart", apart), ("inverse_distance", inverse)):
+        span.graph.note(step.node, name)
+    return (span.note("span") * inverse).note("direction")
 
 
 def between(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:

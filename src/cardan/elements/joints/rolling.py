@@ -109,13 +109,15 @@ class Rolling(Joint):
         axle = R @ second
         along, across = first.dot(axle), second.dot(axle)
         upright = sqrt(along * along + across * across)
-        heading = (first * across - second * along) / upright
-        sideways = (first * along + second * across) / upright
+        R.graph.note(upright.node, "upright")
+        heading = ((first * across - second * along) / upright).note("heading")
+        sideways = ((first * along + second * across) / upright).note("sideways")
         # velocity of the wheel's point at the contact
         up = (n - axle * n.dot(axle)) / upright
-        arm = -(up * large) - n * small
-        turning, sliding = twist.block(slice(0, 3)), twist.block(slice(3, 6))
-        velocity = R @ sliding + (R @ turning).cross(arm)
+        arm = (-(up.note("up") * large) - n * small).note("arm")
+        turning, sliding = R @ twist.block(slice(0, 3)), R @ twist.block(slice(3, 6))
+        velocity = sliding.note("sliding") + turning.note("turning").cross(arm)
+        velocity.note("velocity")
         return self._rows(heading.dot(velocity), sideways.dot(velocity))
 
     def sliding(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:

@@ -8,7 +8,7 @@ from .multipliers import Multipliers
 from .null_space import NullSpace
 from .penalty import Penalty
 from .perturbed import Perturbed
-from .treatment import Bound, Treatment
+from .treatment import Bound, Labels, Treatment
 
 TREATMENTS: dict[str, type[Treatment]] = {
     treatment.name: treatment
@@ -46,6 +46,7 @@ __all__ = [
     "Baumgarte",
     "Bound",
     "Elimination",
+    "Labels",
     "Multipliers",
     "NullSpace",
     "Penalty",

@@ -8,12 +8,20 @@ from typing import Any, ClassVar, cast
 
 from ...arguments import check_fields
 from ...errors import ArgumentError
-from ...ir.graph import ZERO
+from ...ir.graph import ZERO, SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
 
 # of a number whose square is a constant of an expression
 LARGEST = 1e100
+
+
+@dataclass(frozen=True)
+class Labels:
+    """Names for what is about speeds and about constraints, for the reader."""
+
+    speeds: tuple[str, ...] = ()
+    rows: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -27,6 +35,7 @@ class Bound:
         gamma: (m, 1).
         position: g (mp, 1), of the first mp rows.
         rates: G u + g_t (m, 1).
+        labels: Names of speeds and rows.
     """
 
     mass: Matrix
@@ -35,6 +44,7 @@ class Bound:
     gamma: Matrix
     position: Matrix
     rates: Matrix
+    labels: Labels = Labels()
 
 
 class Treatment(ABC):
@@ -65,16 +75,24 @@ def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tupl
 
     M is eliminated in static order; what is left for the multipliers is factored with pivoting.
     """
-    G, count = bound.jacobian, bound.drive.columns
-    both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T))
+    G, count, labels = bound.jacobian, bound.drive.columns, bound.labels
+    names = SystemNames("M", labels.speeds, ("free",) * (count == 1) + labels.rows)
+    both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T), names)
     rows = slice(0, both.rows)
     free, answers = both.block(rows, slice(0, count)), both.block(rows, slice(count, both.columns))
     circuit, right = (G @ answers).mirrored, gamma - G @ free
+    for row, name in enumerate(labels.rows):
+        answers.column(row).hint(name, "response", labels.speeds)
+        circuit.block(slice(row, row + 1)).hint("circuit", name, labels.rows[: row + 1])
+    if count == 1:
+        free.hint("free_udot", "", labels.speeds)
+        right.hint("free_gamma", "", labels.rows)
+    names = SystemNames("circuit", labels.rows, ("lam",))
     if compliance:
         circuit = circuit + Matrix.identity(G.graph, G.rows) * compliance
-        lam = solve("spd", circuit, right)
+        lam = solve("spd", circuit, right, names)
     else:
-        lam = solve("semidefinite", circuit, right)
+        lam = solve("semidefinite", circuit, right, names)
     return free + answers @ lam, lam
 
 

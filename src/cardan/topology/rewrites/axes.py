@@ -163,8 +163,12 @@ def _normal(a: Matrix, b: Matrix, otherwise: Matrix) -> Matrix:
     size = across.dot(across)
     parallel = size.apply("lt", PARALLEL**2)
     scale = 1 / sqrt(select(parallel, 1.0, size))
+    for name, step in (("size", size), ("parallel", parallel), ("scale", scale)):
+        a.graph.note(step.node, name)
     rows = [select(parallel, o, x * scale) for o, x in zip(otherwise, across, strict=True)]
     # rounding leaves a part along a where lines are nearly parallel: it must go
-    found = Matrix.vector(a.graph, rows)
-    found = found - a * a.dot(found)
-    return found / sqrt(found.dot(found))
+    found = Matrix.vector(a.graph, rows).note("across")
+    found = (found - a * a.dot(found)).note("normal")
+    length = sqrt(found.dot(found))
+    a.graph.note(length.node, "length")
+    return (found / length).note("unit")

@@ -91,7 +91,10 @@ class Ten:
             tensor = moved_second(self.mass, moment, tensor, at)
         else:
             tensor = moved(Inertia(self.mass, moment, tensor), at).tensor
-        return Ten(self.mass, moment + at * self.mass, tensor, self.second)
+        word = "second" if self.second else "inertia"
+        return Ten(
+            self.mass, (moment + at * self.mass).note("moment"), tensor.note(word), self.second
+        )
 
     def __add__(self, other: Ten) -> Ten:
         mass, moment = self.mass + other.mass, self.moment + other.moment
@@ -134,7 +137,8 @@ def _regrouped(graph: Graph, system: System, modes: Sequence[Modes], second: boo
 def _of_body(graph: Graph, body: Body, second: bool) -> Ten:
     tensor = Matrix(graph, 3, 3, body.inertia)
     if second:
-        tensor = second_moment(tensor)
+        with graph.made_by(body.name, "base"):
+            tensor = second_moment(tensor)
     return Ten(Scalar(graph, body.mass), Matrix(graph, 3, 1, body.first_moment), tensor, second)
 
 
