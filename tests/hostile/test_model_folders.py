@@ -42,11 +42,17 @@ CHANGES: dict[str, dict[str, Callable[[dict[str, Any]], object]]] = {
         "a coordinate without unit": lambda parts: parts["coordinates"][1].pop("unit"),
         "a parameter less": lambda parts: parts["parameters"].pop(0),
     },
+    "servo": {
+        "ticks at one time": lambda parts: parts["ticks"][0].update(period=1e-320),
+    },
     "shaft": {
         "modes beyond all memory": lambda parts: parts["mesh"]["kinds"][4].update(ns=2**62),
         "rows below none": lambda parts: parts["mesh"]["kinds"][2].update(mp=-1),
         "more coordinates than nodes have": lambda parts: parts["mesh"]["kinds"][1].update(nq=8),
         "a tangent elsewhere": lambda parts: parts["mesh"]["kinds"][1]["parts"].update(K=10**6),
+        "a tangent that ends elsewhere": lambda parts: parts["mesh"]["kinds"][2]["parts"].update(
+            K=2
+        ),
         "no such function": lambda parts: parts["mesh"]["kinds"][1]["functions"].update(mixed="t"),
         "no such place": lambda parts: parts["mesh"].update(loose=[3]),
         "no places": lambda parts: parts["mesh"].update(loose=None),

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -161,6 +162,10 @@ def test_builds_that_differ_are_not_used(equations, monkeypatch, cache_directory
     changed = whole.replace("return CARDAN_OK;\n", "out[0] = 2.0 * out[0];\nreturn CARDAN_OK;\n")
     ways = model._function("forward_dynamics").caller.batch
     text.write_text(changed)
+    with pytest.raises(BuildError, match="is not the text its manifest speaks of"):
+        model.prepare("forward_dynamics", batch=True)
+    # as if a compiler had made other code of the same text
+    monkeypatch.setattr(ways, "recipe", replace(ways.recipe, check=lambda: None))
     with pytest.raises(BuildError, match="different code of one text"):
         model.prepare("forward_dynamics", batch=True)
     assert model.lanes("forward_dynamics") == 1

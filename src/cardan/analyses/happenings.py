@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -101,6 +102,24 @@ class Happenings:
             value = float(watch.value(t, x))
             values += [sign * value for sign in DIRECTIONS[watch.direction]]
         return values
+
+    def distinguish_ticks(self, farthest: float) -> None:
+        """Refuse events so frequent that their times are not different numbers.
+
+        Args:
+            farthest: The largest size that time has in the run [s].
+
+        Raises:
+            ModelError: such an event.
+        """
+        for tick in self.ticks:
+            resolved = 4 * sys.float_info.epsilon * max(farthest, abs(tick["phase"]))
+            if tick["period"] < resolved:
+                raise ModelError(
+                    f"'{self.rows[tick['event']]['name']}' happens every {tick['period']:g} s; in "
+                    f"a run to {farthest:g} s such times cannot be told from each other. Give it a "
+                    f"period above {resolved:.2g} s"
+                )
 
     def forward(self, start: float, end: float) -> None:
         """Refuse to go backward over what changes something.

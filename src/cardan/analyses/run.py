@@ -258,6 +258,7 @@ class Runner:
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
         self._stops = np.array(stops, dtype=np.float64)
+        self.may.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
         self.record.stops = self._stops.ctypes.data
         self.record.stop_count, self.record.next_stop = len(self._stops), 0
 

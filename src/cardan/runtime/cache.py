@@ -34,6 +34,7 @@ VERSION = "4"
 NEW = ".new-"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
 LOCK = "lock"  # file in a folder that a living process compiles in
+LARGEST, PIECE = 1 << 30, 1 << 20  # bytes of an object, and of what is read of it at once
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 
 
@@ -363,9 +364,14 @@ def intact(path: Path) -> bool:
         # no link: what it leads to lies somewhere else
         handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
         with open(handle, "rb") as file:
-            if not own(os.fstat(handle)):
+            status, total = os.fstat(handle), hashlib.sha256()
+            left = status.st_size - DIGEST
+            if not own(status) or not 0 <= left <= LARGEST:
                 return False
-            content = file.read()
+            # in pieces: a damaged file may be larger than memory
+            while left > 0 and (piece := file.read(min(left, PIECE))):
+                total.update(piece)
+                left -= len(piece)
+            return file.read(DIGEST + 1) == total.digest()
     except OSError:
         return False
-    return hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:]

@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import regular_file
 from ...errors import ModelError
+from ...schema.records import PARTS
 from ..calling import Array
 from ..motion_rows import count, listed, number, text
 from ..number_file import unpacked
@@ -116,8 +117,10 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
         raise ValueError(f"functions of elements are not there: {missing!r:.80}")
     for kind in kinds:
         most = available[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
-        if not all(type(at) is int and 0 <= at < most for at in kind.parts.values()):
-            raise ValueError(f"matrices of '{kind.name}' begin outside of its tangent")
+        for name, at in kind.parts.items():
+            size = (kind.m if name in "RG" else kind.nu) * kind.nu
+            if not (type(at) is int and name in PARTS and 0 <= at <= most - size):
+                raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
     inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
     names = [mesh["frames"], mesh["states"], *elements.powers, *(g.common for g in elements.groups)]
     for right, what in (
