@@ -34,7 +34,7 @@ VERSION = "4"
 NEW = ".new-"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
 LOCK = "lock"  # file in a folder that a living process compiles in
-LARGEST, PIECE = 1 << 30, 1 << 20  # bytes of an object, and of what is read of it at once
+LARGEST, CHUNK = 1 << 30, 1 << 20  # bytes of an object, and of what is read of it at once
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 
 
@@ -368,10 +368,10 @@ def intact(path: Path) -> bool:
             left = status.st_size - DIGEST
             if not own(status) or not 0 <= left <= LARGEST:
                 return False
-            # in pieces: a damaged file may be larger than memory
-            while left > 0 and (piece := file.read(min(left, PIECE))):
-                total.update(piece)
-                left -= len(piece)
+            # in chunks: a damaged file may be larger than memory
+            while left > 0 and (chunk := file.read(min(left, CHUNK))):
+                total.update(chunk)
+                left -= len(chunk)
             return file.read(DIGEST + 1) == total.digest()
     except OSError:
         return False

@@ -117,9 +117,9 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
         raise ValueError(f"functions of elements are not there: {missing!r:.80}")
     for kind in kinds:
         most = available[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
-        for name, at in kind.parts.items():
+        for name, start in kind.parts.items():
             size = (kind.m if name in "RG" else kind.nu) * kind.nu
-            if not (type(at) is int and name in PARTS and 0 <= at <= most - size):
+            if not (type(start) is int and name in PARTS and 0 <= start <= most - size):
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
     inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
     names = [mesh["frames"], mesh["states"], *elements.powers, *(g.common for g in elements.groups)]
