@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 import cardan as cd
-from cardan.analyses.record import FIELDS, POINTER
 from cardan.analyses.saved_record import GIVEN, PASSING, record_of
 from cardan.ir.seal import sealed
 from cardan.runtime import cache, folder, trust
+from cardan.schema.records import POINTER, Run
 from hostile.harness import campaign
 from hostile.kinds import RUNS, double, run, stepper
 from hostile.mutations import Mutant
@@ -58,7 +58,7 @@ def test_e2_a_steppers_file_holds_no_sizes(tmp_path: Path) -> None:
 
 def test_e2_every_number_of_the_record_is_saved_or_follows_from_the_model() -> None:
     """A new field of the record must be told apart: state that is saved, or a size that is not."""
-    numbers = [n for kind, names in FIELDS if kind is not POINTER for n in names.split()]
+    numbers = [field[0] for field in Run._fields_ if field[1] is not POINTER]
     runner = double().stepper()._runner
     saved = record_of(runner)
     assert sorted([*saved, *GIVEN, *PASSING]) == sorted(numbers)
