@@ -38,7 +38,8 @@ WORKING = {
     "doctor": (),
 }
 READING = [name for name in WORKING if name != "doctor"]
-HELP = [cli.EPILOG, *(import_module(f"cardan.cli.{name}").EPILOG for name in COMMANDS)]
+MODULES = [cli, *(import_module(f"cardan.cli.{name}") for name in COMMANDS)]
+HELP = [cli.help_of(module.__doc__)[1] for module in MODULES]
 # a comment stands behind two blanks or more, what the shell does with the output behind >
 SHOWN = [
     line

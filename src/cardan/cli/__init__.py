@@ -1,49 +1,8 @@
 """The command line: one command per file, loaded when it is called.
 
-Exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use, 130 interrupted.
-Messages go to standard error, results to standard output.
-"""
-
-from __future__ import annotations
-
-import argparse
-import os
-import signal
-import sys
-import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from importlib import import_module
-from typing import Any, NoReturn, cast
-
-from ..errors import BuildWarning, CardanError, ModelWarning, SolveWarning
-from ..version import VERSION
-
-INTERRUPTED = 128 + signal.SIGINT
-# command -> module of this package and what it does, in one line
-COMMANDS = {
-    "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
-    "check": (".check", "complaints about a scene, each with its cure"),
-    "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
-    "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
-    "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
-    "statics": (".statics", "equilibria under loads that change, and where stability ends"),
-    "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
-    "linearize": (".linearize", "the linear model, root loci, Campbell diagrams"),
-    "trim": (".trim", "what a wanted steady motion takes, and whether it is stable"),
-    "identify": (".identify", "masses, inertias and friction from measured motions and forces"),
-    "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
-    "report": (".report", "speed against error of every integrator on a scene"),
-    "bench": (".bench", "speed, error and agreement beside other programs"),
-    "export": (".export", "C that needs no cardan, with a package for NumPy"),
-    "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
-}
-
-DESCRIPTION = """\
 cardan compiles multibody mechanics: bodies and joints become equations of motion, the equations
-become C, the C becomes fast functions and simulations."""
+become C, the C becomes fast functions and simulations.
 
-EPILOG = """\
 start here:
   cardan demo                                a small arm, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
@@ -62,7 +21,46 @@ start here:
 completion of commands and options:  eval "$(cardan --completion bash)"   (or zsh, fish)
 
 exit status: 0 done, 1 the scene or the numbers are at fault, 2 wrong use,
-130 interrupted (what was computed until then is told)"""
+130 interrupted (what was computed until then is told)
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import signal
+import sys
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from typing import Any, NoReturn, cast
+
+from ..errors import BuildWarning, CardanError, ModelWarning, SolveWarning
+from ..version import VERSION
+
+INTERRUPTED = 128 + signal.SIGINT
+# where the examples begin in the docstring of a command
+EXAMPLES = re.compile(r"\n\n(?=(?:examples|start here):\n)")
+# command -> module of this package and what it does, in one line
+COMMANDS = {
+    "demo": (".demo", "derive, compile and simulate a robot, and show every step"),
+    "check": (".check", "complaints about a scene, each with its cure"),
+    "inspect": (".inspect", "graph, coordinates, equations and counts of a scene"),
+    "simulate": (".simulate", "simulate a mechanism from its scene file, a robot from its URDF"),
+    "equilibrium": (".equilibrium", "where a mechanism rests, and whether stably"),
+    "statics": (".statics", "equilibria under loads that change, and where stability ends"),
+    "modes": (".modes", "frequencies and shapes of vibration, at rest or whirling"),
+    "linearize": (".linearize", "the linear model, root loci, Campbell diagrams"),
+    "trim": (".trim", "what a wanted steady motion takes, and whether it is stable"),
+    "identify": (".identify", "masses, inertias and friction from measured motions and forces"),
+    "ensemble": (".ensemble", "simulate many runs that differ, and keep what is asked for"),
+    "report": (".report", "speed against error of every integrator on a scene"),
+    "bench": (".bench", "speed, error and agreement beside other programs"),
+    "export": (".export", "C that needs no cardan, with a package for NumPy"),
+    "doctor": (".doctor", "what works on this machine, and what to do about the rest"),
+}
 
 
 class Parser(argparse.ArgumentParser):
@@ -94,9 +92,17 @@ class Completion(argparse.Action):
         parser.exit(0)
 
 
+def help_of(docstring: str | None) -> tuple[str, str]:
+    """What a command says of itself, the docstring of its file: description, then examples."""
+    title_and_text = (docstring or "").strip().split("\n\n", 1)
+    description, *examples = EXAMPLES.split(title_and_text[-1], maxsplit=1)
+    return description, "".join(examples)
+
+
 def build_parser(*loaded: str) -> Parser:
     """The parser; only the named commands are loaded and get their options."""
-    top = Parser(prog="cardan", description=DESCRIPTION, epilog=EPILOG)
+    description, epilog = help_of(__doc__)
+    top = Parser(prog="cardan", description=description, epilog=epilog)
     top.add_argument("--version", action="version", version=f"cardan {VERSION}")
     top.add_argument("--completion", metavar="SHELL", choices=("bash", "zsh", "fish"),
                      action=Completion, help="print completion for bash, zsh or fish")  # fmt: skip
@@ -104,9 +110,8 @@ def build_parser(*loaded: str) -> Parser:
     for name, (module, summary) in COMMANDS.items():
         if name in loaded:
             found = import_module(module, __package__)
-            own = commands.add_parser(
-                name, help=summary, description=found.DESCRIPTION, epilog=found.EPILOG
-            )
+            description, epilog = help_of(found.__doc__)
+            own = commands.add_parser(name, help=summary, description=description, epilog=epilog)
             found.arguments(own)
             own.set_defaults(run=found.run)
         else:

@@ -1,4 +1,20 @@
-"""``cardan check``: everything about a scene that is wrong, or will not act as one may think."""
+"""``cardan check``: everything about a scene that is wrong, or will not act as one may think.
+
+Complain about a scene, each complaint with its cure.
+
+An error says why the scene cannot be used, with line and column where a file has them, or that it
+describes nothing real, such as an impossible inertia. A warning names what is there and does not
+act, or what cannot be computed. A note says what was changed on the way, such as 1.5708 that became
+pi/2.
+
+examples:
+  cardan check pendulum.yaml
+        complaints, the worst first
+  cardan check arm.urdf --json
+        a list of {"file": "arm.urdf", "level": "error" | "warning" | "note", "says": "..."}
+
+exit status: 0 no errors, 1 errors.
+"""
 
 from __future__ import annotations
 
@@ -24,22 +40,6 @@ if TYPE_CHECKING:
     from ..equations.absolute.record import Absolute
     from ..equations.record import Equations
 
-DESCRIPTION = """\
-Complain about a scene, each complaint with its cure.
-
-An error says why the scene cannot be used, with line and column where a file has them, or that it
-describes nothing real, such as an impossible inertia. A warning names what is there and does not
-act, or what cannot be computed. A note says what was changed on the way, such as 1.5708 that became
-pi/2."""
-
-EPILOG = """\
-examples:
-  cardan check pendulum.yaml
-        complaints, the worst first
-  cardan check arm.urdf --json
-        a list of {"file": "arm.urdf", "level": "error" | "warning" | "note", "says": "..."}
-
-exit status: 0 no errors, 1 errors."""
 
 LEVELS = ("error", "warning", "note")
 

@@ -1,4 +1,14 @@
-"""``cardan demo``: from a URDF to a simulation on one screen, every figure measured live."""
+"""``cardan demo``: from a URDF to a simulation on one screen, every figure measured live.
+
+Go the whole way from a URDF to a simulation and show every step on one screen: the graph, the
+derivation, six lines of the C, its speed and its error, a motion and how well it keeps energy.
+
+examples:
+  cardan demo           an acrobat on a bar; needs nothing but a C compiler, takes seconds
+  cardan demo panda     the Franka Panda arm; needs the packages of  pip install 'cardan[demo]'
+
+Everything written goes to out/demo or out/demo-panda below the present folder (--out elsewhere).
+"""
 
 from __future__ import annotations
 
@@ -13,17 +23,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BuildError
-
-DESCRIPTION = """\
-Go the whole way from a URDF to a simulation and show every step on one screen: the graph, the
-derivation, six lines of the C, its speed and its error, a motion and how well it keeps energy."""
-
-EPILOG = """\
-examples:
-  cardan demo           an acrobat on a bar; needs nothing but a C compiler, takes seconds
-  cardan demo panda     the Franka Panda arm; needs the packages of  pip install 'cardan[demo]'
-
-Everything written goes to out/demo or out/demo-panda below the present folder (--out elsewhere)."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,16 @@
-"""``cardan doctor``: what works on this machine, and what to do about the rest."""
+"""``cardan doctor``: what works on this machine, and what to do about the rest.
+
+Look at everything cardan builds on: compiler, compile cache, versions, processor, extras.
+
+Every line says ok, or what to do about it.
+
+examples:
+  cardan doctor                        what works here
+  cardan doctor --prune                empty the cache of what was not used for 30 days
+  cardan doctor --prune --older 7      ... for a week;  --all: of everything
+
+exit status: 0 all is well, 1 something needs doing.
+"""
 
 from __future__ import annotations
 
@@ -12,18 +24,6 @@ from ..runtime import folder, prune
 from . import health
 from .health import Finding
 
-DESCRIPTION = """\
-Look at everything cardan builds on: compiler, compile cache, versions, processor, extras.
-
-Every line says ok, or what to do about it."""
-
-EPILOG = """\
-examples:
-  cardan doctor                        what works here
-  cardan doctor --prune                empty the cache of what was not used for 30 days
-  cardan doctor --prune --older 7      ... for a week;  --all: of everything
-
-exit status: 0 all is well, 1 something needs doing."""
 
 DAYS = 30.0
 

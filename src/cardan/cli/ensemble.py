@@ -1,4 +1,25 @@
-"""``cardan ensemble``: many runs of a scene that differ by starts, parameters or inputs."""
+r"""``cardan ensemble``: many runs of a scene that differ by starts, parameters or inputs.
+
+Simulate a scene or robot many times, with other values in every run, on all cores and side by side
+in the vectors of each. Prints how the runs went and what was kept of them.
+
+examples:
+  cardan ensemble arm.yaml --vary 'm=linspace(1, 2, 100)' --time 10
+        100 masses; a name is a coordinate, a speed (elbow.u), a parameter or an input
+  cardan ensemble arm.yaml --vary 'elbow=normal(0, 0.1)' --vary m=1,2,5 --runs 3000
+        1000 random angles for each of three masses
+  cardan ensemble arm.yaml --vary 'elbow=uniform(-1, 1)' --runs 1024 --plan sobol \
+        --reduce 'max of elbow' --reduce 'mean of elbow' -o runs.nc
+        a number of every run, a mean over runs at every output time
+  cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --checkpoint runs.part
+        the same command goes on where it was stopped
+
+values: linspace(first, last, count), geomspace(first, last, count), 1,2,5,
+        uniform(low, high), normal(mean, deviation), log_uniform(low, high)
+reductions: max, min, range, rms, last of NAME: of every run; mean, variance, deviation of NAME:
+        over runs; 'mean of NAME over time', 'max of NAME over runs';
+        'histogram of NAME from LOW to HIGH in COUNT'
+"""
 
 from __future__ import annotations
 
@@ -16,28 +37,6 @@ from .options import sweep as sweep_options
 
 if TYPE_CHECKING:
     from ..analyses.ensembles import Ensemble
-
-DESCRIPTION = """\
-Simulate a scene or robot many times, with other values in every run, on all cores and side by side
-in the vectors of each. Prints how the runs went and what was kept of them."""
-
-EPILOG = """\
-examples:
-  cardan ensemble arm.yaml --vary 'm=linspace(1, 2, 100)' --time 10
-        100 masses; a name is a coordinate, a speed (elbow.u), a parameter or an input
-  cardan ensemble arm.yaml --vary 'elbow=normal(0, 0.1)' --vary m=1,2,5 --runs 3000
-        1000 random angles for each of three masses
-  cardan ensemble arm.yaml --vary 'elbow=uniform(-1, 1)' --runs 1024 --plan sobol \\
-        --reduce 'max of elbow' --reduce 'mean of elbow' -o runs.nc
-        a number of every run, a mean over runs at every output time
-  cardan ensemble arm.yaml --vary 'm=uniform(1, 2)' --runs 1000000 --checkpoint runs.part
-        the same command goes on where it was stopped
-
-values: linspace(first, last, count), geomspace(first, last, count), 1,2,5,
-        uniform(low, high), normal(mean, deviation), log_uniform(low, high)
-reductions: max, min, range, rms, last of NAME: of every run; mean, variance, deviation of NAME:
-        over runs; 'mean of NAME over time', 'max of NAME over runs';
-        'histogram of NAME from LOW to HIGH in COUNT'"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

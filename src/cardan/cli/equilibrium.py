@@ -1,20 +1,10 @@
-"""``cardan equilibrium``: where a mechanism rests under its forces."""
+"""``cardan equilibrium``: where a mechanism rests under its forces.
 
-from __future__ import annotations
-
-import argparse
-import json
-import warnings
-
-from .options import equilibrium as equilibrium_options
-
-DESCRIPTION = """\
 Where a mechanism rests under gravity and its other forces, next to a start, and whether stably.
 
 Circuits stay closed, joints keep their prescribed positions; what is held (--hold) is held by a
-force that is told. Unstable positions are found too: --stable goes downhill instead."""
+force that is told. Unstable positions are found too: --stable goes downhill instead.
 
-EPILOG = """\
 examples:
   cardan equilibrium crane.yaml
         next to the initial position
@@ -25,7 +15,16 @@ examples:
   cardan equilibrium crane.yaml --set load.mass=500 --json
         with another parameter, for another program
 
-exit status 1: none was found; the message tells what moves, and the cure"""
+exit status 1: none was found; the message tells what moves, and the cure
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import warnings
+
+from .options import equilibrium as equilibrium_options
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

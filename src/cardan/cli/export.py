@@ -1,4 +1,18 @@
-"""``cardan export``: the functions of a scene as C that needs no cardan."""
+"""``cardan export``: the functions of a scene as C that needs no cardan.
+
+Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
+a package for NumPy. What is written needs no cardan.
+
+examples:
+  cardan export arm.urdf -o arm_c
+        dynamics, mass matrix and energy; arm_c/README.md says how to build and call them
+  cardan export arm.urdf -o arm_c --functions forward_dynamics pose:hand --language c
+        these two and no package; a frame or joint stands behind the colon
+  cardan export pendulum.yaml -o pendulum_c --integrators dop853
+        with an integrator: pendulum_c/example.c simulates one second
+  cardan export crane.yaml -o crane_c --integrators alpha
+        a scene with beams: C of its elements, tables of them, sparse matrices, and a run
+"""
 
 from __future__ import annotations
 
@@ -8,21 +22,6 @@ from pathlib import Path
 from typing import Any
 
 from .options import scene as scene_options
-
-DESCRIPTION = """\
-Write the functions of a scene as C99 that compiles alone, with headers, a manifest, an example, and
-a package for NumPy. What is written needs no cardan."""
-
-EPILOG = """\
-examples:
-  cardan export arm.urdf -o arm_c
-        dynamics, mass matrix and energy; arm_c/README.md says how to build and call them
-  cardan export arm.urdf -o arm_c --functions forward_dynamics pose:hand --language c
-        these two and no package; a frame or joint stands behind the colon
-  cardan export pendulum.yaml -o pendulum_c --integrators dop853
-        with an integrator: pendulum_c/example.c simulates one second
-  cardan export crane.yaml -o crane_c --integrators alpha
-        a scene with beams: C of its elements, tables of them, sparse matrices, and a run"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

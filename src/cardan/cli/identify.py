@@ -1,4 +1,30 @@
-"""``cardan identify``: inertial parameters from measured motions and forces."""
+"""``cardan identify``: inertial parameters from measured motions and forces.
+
+What forces and motion tell about masses, centers of mass, inertias, damping and friction.
+
+Only some combinations of them act on the forces: the base parameters. Alone, FILE lists them.
+With --excite a motion is found that shows them well, within the limits of the joints, and written
+as a table for the robot. With --data measured motion and forces give estimates, each with its
+standard deviation, beside the values of the file.
+
+examples:
+  cardan identify arm.urdf
+        the base parameters: what can be told at all
+  cardan identify arm.urdf --excite motion.csv --period 10 --rate 200
+        a motion of 10 s to be repeated, sampled at 200 Hz
+  cardan identify arm.urdf --data run.csv --period 10
+        estimates from columns t, elbow, elbow.tau ...; positions become a Fourier series
+  cardan identify arm.urdf --data run.csv --cutoff 10 --plot fit.png
+        of any motion: positions are filtered at 10 Hz before they are differentiated
+  cardan identify arm.urdf --data run.csv --form energy --json > found.json
+        without accelerations, for another program
+
+A table has a first line of names: t, a coordinate by its name, its speed and acceleration with .u
+and .udot where they were measured, its force with .tau; or it is a run that simulate
+wrote (.nc, .npz).
+Friction is told where the file has some: a joint's <dynamics damping=""/>, or forces of type
+damping and friction, which may be 0.
+"""
 
 from __future__ import annotations
 
@@ -16,33 +42,6 @@ if TYPE_CHECKING:
     from ..analyses.identification.excitation import Excitation
     from ..analyses.identification.result import Identification
     from ..runtime.compiled import CompiledModel
-
-DESCRIPTION = """\
-What forces and motion tell about masses, centers of mass, inertias, damping and friction.
-
-Only some combinations of them act on the forces: the base parameters. Alone, FILE lists them.
-With --excite a motion is found that shows them well, within the limits of the joints, and written
-as a table for the robot. With --data measured motion and forces give estimates, each with its
-standard deviation, beside the values of the file."""
-
-EPILOG = """\
-examples:
-  cardan identify arm.urdf
-        the base parameters: what can be told at all
-  cardan identify arm.urdf --excite motion.csv --period 10 --rate 200
-        a motion of 10 s to be repeated, sampled at 200 Hz
-  cardan identify arm.urdf --data run.csv --period 10
-        estimates from columns t, elbow, elbow.tau ...; positions become a Fourier series
-  cardan identify arm.urdf --data run.csv --cutoff 10 --plot fit.png
-        of any motion: positions are filtered at 10 Hz before they are differentiated
-  cardan identify arm.urdf --data run.csv --form energy --json > found.json
-        without accelerations, for another program
-
-A table has a first line of names: t, a coordinate by its name, its speed and acceleration with .u
-and .udot where they were measured, its force with .tau; or it is a run that simulate
-wrote (.nc, .npz).
-Friction is told where the file has some: a joint's <dynamics damping=""/>, or forces of type
-damping and friction, which may be 0."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,4 +1,22 @@
-"""``cardan inspect``: a scene and its equations explained, on the screen or on a page."""
+"""``cardan inspect``: a scene and its equations explained, on the screen or on a page.
+
+Show what a scene is made of and the equations that follow from it.
+
+The graph of bodies and joints, coordinates, parameters with units, frames, the equations in the
+form of a textbook as far as they can be read, with the bodies and forces their terms come from,
+what stays constant, base parameters, and how many operations every part costs. Nothing is
+compiled.
+
+examples:
+  cardan inspect pendulum.yaml
+        everything as text
+  cardan inspect arm.urdf -o arm.html
+        one page for any browser, offline, with drawn graph and set formulas
+  cardan inspect arm.urdf -o arm.tex
+        the same for LaTeX; arm.md for Markdown
+  cardan inspect arm.urdf --json
+        names, units, values, frames and counts for another program
+"""
 
 from __future__ import annotations
 
@@ -18,24 +36,6 @@ if TYPE_CHECKING:
     from ..explain.content import Block, Document, Math, Table, Text, Written
     from ..model import Model
 
-DESCRIPTION = """\
-Show what a scene is made of and the equations that follow from it.
-
-The graph of bodies and joints, coordinates, parameters with units, frames, the equations in the
-form of a textbook as far as they can be read, with the bodies and forces their terms come from,
-what stays constant, base parameters, and how many operations every part costs. Nothing is
-compiled."""
-
-EPILOG = """\
-examples:
-  cardan inspect pendulum.yaml
-        everything as text
-  cardan inspect arm.urdf -o arm.html
-        one page for any browser, offline, with drawn graph and set formulas
-  cardan inspect arm.urdf -o arm.tex
-        the same for LaTeX; arm.md for Markdown
-  cardan inspect arm.urdf --json
-        names, units, values, frames and counts for another program"""
 
 # rows of a table and characters of a formula on a screen
 ROWS, WIDTH = 24, 600

@@ -1,4 +1,29 @@
-"""``cardan linearize``: the linear model of a mechanism."""
+r"""``cardan linearize``: the linear model of a mechanism.
+
+The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
+steady motion (--u, --want), with names and eigenvalues; constraints are eliminated exactly. What
+changes (--vary) gives a root locus, or a Campbell diagram, with the places where stability does.
+
+examples:
+  cardan linearize trolley.yaml
+        about its equilibrium: states, eigenvalues, damping ratios
+  cardan linearize cart_pole.yaml --q pole=pi --input cart --output pole
+        about the other one; a force along the cart's speed drives, the angle is seen
+  cardan linearize rotor.yaml --u spin=14
+        in steady motion
+  cardan linearize bicycle.yaml --symbolic --about rear_contact.u.x=v \
+        --independent rear_contact.lean --independent steer
+        M, D, G, K and N as formulas in the speed and the parameters
+  cardan linearize bicycle.yaml --want rear_contact.lean=0 \
+        --vary 'rear_hub.u=linspace(0, -33, 34)' --plot locus.png
+        the eigenvalues of a bicycle that goes faster and faster
+  cardan linearize rotor.yaml --vary 'spin=0,300' --campbell --plot campbell.png
+        frequencies over the speed, whirl, critical speeds
+  cardan linearize column.yaml --sensitivity P --sensitivity bar.mass
+        how eigenvalues change with parameters
+  cardan linearize trolley.yaml --json > model.json
+        A, B, C and D for another program
+"""
 
 from __future__ import annotations
 
@@ -12,32 +37,6 @@ from . import formulas
 from .options import equilibrium as equilibrium_options
 from .options import run as run_options
 from .options import sweep as sweep_options
-
-DESCRIPTION = """\
-The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
-steady motion (--u, --want), with names and eigenvalues; constraints are eliminated exactly. What
-changes (--vary) gives a root locus, or a Campbell diagram, with the places where stability does."""
-
-EPILOG = """\
-examples:
-  cardan linearize trolley.yaml
-        about its equilibrium: states, eigenvalues, damping ratios
-  cardan linearize cart_pole.yaml --q pole=pi --input cart --output pole
-        about the other one; a force along the cart's speed drives, the angle is seen
-  cardan linearize rotor.yaml --u spin=14
-        in steady motion
-  cardan linearize bicycle.yaml --symbolic --about rear_contact.u.x=v \\
-        --independent rear_contact.lean --independent steer
-        M, D, G, K and N as formulas in the speed and the parameters
-  cardan linearize bicycle.yaml --want rear_contact.lean=0 \\
-        --vary 'rear_hub.u=linspace(0, -33, 34)' --plot locus.png
-        the eigenvalues of a bicycle that goes faster and faster
-  cardan linearize rotor.yaml --vary 'spin=0,300' --campbell --plot campbell.png
-        frequencies over the speed, whirl, critical speeds
-  cardan linearize column.yaml --sensitivity P --sensitivity bar.mass
-        how eigenvalues change with parameters
-  cardan linearize trolley.yaml --json > model.json
-        A, B, C and D for another program"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

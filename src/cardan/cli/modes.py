@@ -1,19 +1,8 @@
-"""``cardan modes``: frequencies, damping and shapes of vibration."""
+"""``cardan modes``: frequencies, damping and shapes of vibration.
 
-from __future__ import annotations
-
-import argparse
-import json
-from typing import Any
-
-from .options import equilibrium as equilibrium_options
-from .options import run as run_options
-
-DESCRIPTION = """\
 Frequencies, damping ratios and shapes of small vibrations about the equilibrium next to a start,
-under its loads, or about a steady motion (--u): whirling of rotors, with gyroscopic forces."""
+under its loads, or about a steady motion (--u): whirling of rotors, with gyroscopic forces.
 
-EPILOG = """\
 examples:
   cardan modes crane.yaml
         about its equilibrium
@@ -24,7 +13,17 @@ examples:
   cardan modes arm.urdf --hold shoulder=0.5 --json
         with a joint that is held, for another program
 
-Modes are of modal mass 1; 'rigid' is what nothing holds."""
+Modes are of modal mass 1; 'rigid' is what nothing holds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

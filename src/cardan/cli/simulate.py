@@ -1,4 +1,31 @@
-"""``cardan simulate``: a motion from a scene or URDF, as a table, file, picture or page."""
+"""``cardan simulate``: a motion from a scene or URDF, as a table, file, picture or page.
+
+Simulate a mechanism described by a scene file, or a robot described by a URDF.
+
+The file becomes equations of motion and compiled C (kept for the next run), and a compiled
+integrator runs them. A scene may say in simulate: how it wants to be run; options here come
+first. Of a URDF damping acts, joint friction and limits are listed and do not act: a scene file
+has elements for them, friction and stop.
+
+examples:
+  cardan simulate pendulum.yaml
+        as the file says under simulate:
+  cardan simulate arm.urdf --time 10
+        from rest at q = 0; prints where every joint ends and how well energy was kept
+  cardan simulate arm.urdf --time 10 --q elbow=0.3 --q shoulder=-1 --u elbow=2
+        named initial angles and speeds, in radians, meters and seconds; the rest is 0
+  cardan simulate arm.urdf --time 10 --view run.html -o run.nc
+        a page that plays in any browser, and the numbers as netCDF
+  cardan simulate dog.urdf --base free --q base=1,0,0,0,0,0,0.5
+        on a floating base: quaternion (w x y z), then position; several numbers for one joint
+  cardan simulate lift.yaml --method Radau --z motor.force=100
+        another integrator (cardan report compares them), an initial state of an element
+
+A smaller --rtol costs little: DOP853, which auto takes where nothing is stiff, has order 8. The
+energy line tells if it helped.
+Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-3 rtol
+(at most 1e-9).
+"""
 
 from __future__ import annotations
 
@@ -17,34 +44,6 @@ if TYPE_CHECKING:
     from ..runtime.trajectory import Trajectory
 
 ROWS = 60  # of the table of coordinates
-
-DESCRIPTION = """\
-Simulate a mechanism described by a scene file, or a robot described by a URDF.
-
-The file becomes equations of motion and compiled C (kept for the next run), and a compiled
-integrator runs them. A scene may say in simulate: how it wants to be run; options here come
-first. Of a URDF damping acts, joint friction and limits are listed and do not act: a scene file
-has elements for them, friction and stop."""
-
-EPILOG = """\
-examples:
-  cardan simulate pendulum.yaml
-        as the file says under simulate:
-  cardan simulate arm.urdf --time 10
-        from rest at q = 0; prints where every joint ends and how well energy was kept
-  cardan simulate arm.urdf --time 10 --q elbow=0.3 --q shoulder=-1 --u elbow=2
-        named initial angles and speeds, in radians, meters and seconds; the rest is 0
-  cardan simulate arm.urdf --time 10 --view run.html -o run.nc
-        a page that plays in any browser, and the numbers as netCDF
-  cardan simulate dog.urdf --base free --q base=1,0,0,0,0,0,0.5
-        on a floating base: quaternion (w x y z), then position; several numbers for one joint
-  cardan simulate lift.yaml --method Radau --z motor.force=100
-        another integrator (cardan report compares them), an initial state of an element
-
-A smaller --rtol costs little: DOP853, which auto takes where nothing is stiff, has order 8. The
-energy line tells if it helped.
-Defaults are those of model.simulate in Python: method auto, rtol 1e-6, atol 1e-3 rtol
-(at most 1e-9)."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

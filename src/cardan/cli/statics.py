@@ -1,4 +1,20 @@
-"""``cardan statics``: a mechanism under loads that change."""
+"""``cardan statics``: a mechanism under loads that change.
+
+Equilibria under loads that change slowly: parameters, inputs and held coordinates are swept
+together, in steps that suit. Says where stability changes and why a path ends.
+
+examples:
+  cardan statics column.yaml --sweep P=0,10
+        a parameter or input, from 0 to 10
+  cardan statics column.yaml --sweep P=0,10 --sweep F=0,1 --steps 50 --plot path.png
+        two together, in about 50 steps, as a picture
+  cardan statics press.yaml --sweep lever=0,0.5
+        a coordinate: what it takes to move it there (column lever.holding)
+  cardan statics arm.urdf --sweep gravity.z=-1,-9.81 --hold elbow=0.2 --json
+        from weak to full gravity, for another program
+
+exit status 1: the end was not reached; the path up to there is printed
+"""
 
 from __future__ import annotations
 
@@ -10,23 +26,6 @@ from typing import Any
 
 from .options import equilibrium as equilibrium_options
 from .options import run as run_options
-
-DESCRIPTION = """\
-Equilibria under loads that change slowly: parameters, inputs and held coordinates are swept
-together, in steps that suit. Says where stability changes and why a path ends."""
-
-EPILOG = """\
-examples:
-  cardan statics column.yaml --sweep P=0,10
-        a parameter or input, from 0 to 10
-  cardan statics column.yaml --sweep P=0,10 --sweep F=0,1 --steps 50 --plot path.png
-        two together, in about 50 steps, as a picture
-  cardan statics press.yaml --sweep lever=0,0.5
-        a coordinate: what it takes to move it there (column lever.holding)
-  cardan statics arm.urdf --sweep gravity.z=-1,-9.81 --hold elbow=0.2 --json
-        from weak to full gravity, for another program
-
-exit status 1: the end was not reached; the path up to there is printed"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

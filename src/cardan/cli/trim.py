@@ -1,19 +1,8 @@
-"""``cardan trim``: what a wanted steady motion takes."""
+"""``cardan trim``: what a wanted steady motion takes.
 
-from __future__ import annotations
-
-import argparse
-import json
-from typing import Any
-
-from .options import equilibrium as equilibrium_options
-from .options import run as run_options
-
-DESCRIPTION = """\
 Inputs, parameters, forces and speeds with which a wanted steady motion, or a rest, holds: a bicycle
-in a turn, a rotor at its speed, an arm at its angle; and whether it is stable."""
+in a turn, a rotor at its speed, an arm at its angle; and whether it is stable.
 
-EPILOG = """\
 examples:
   cardan trim arm.yaml --want elbow=0.5 --free motor
         the input that holds this angle
@@ -24,7 +13,17 @@ examples:
   cardan trim crane.yaml --want height=2 --free load.mass --json
         an output and a parameter, for another program
 
-exit status 1: there is none; the message tells what cannot be met, or is left over"""
+exit status 1: there is none; the message tells what cannot be met, or is left over
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from .options import equilibrium as equilibrium_options
+from .options import run as run_options
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
