@@ -6,6 +6,7 @@ from __future__ import annotations
 ORDER = (
     "version",
     "errors",
+    "literature",
     "processes",
     "regular_file",
     "whole_file",
@@ -32,7 +33,7 @@ ORDER = (
 
 # the rooms as they shall be, from the ground up; ratchet.json counts the imports against it
 PLANNED = (
-    *("version", "errors", "arrays", "kernels", "ir", "passes", "spatial", "schema", "elements"),
+    *("version", "errors", "literature", "arrays", "kernels", "ir", "passes", "spatial", "schema", "elements"),
     *("model", "scene", "topology", "equations", "codegen", "runtime", "view", "analyses"),
     *("explain", "api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )

@@ -24,7 +24,6 @@ from ..runtime import folder, prune
 from . import health
 from .health import Finding
 
-
 DAYS = 30.0
 
 

@@ -19,7 +19,6 @@ from .forces.force import Action, ForceElement, JointLoad, Places
 from .joints.joint import Component, Joint
 from .quantity import JointName, Quantity, Ready
 
-SOURCE = "T. R. Kane, D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6"
 BODIES = "written equations tell of no bodies and frames; declare what is wanted as an output"
 # what only bodies have, and parts of the bias that written equations do not tell apart
 ABSENT = {
@@ -53,11 +52,10 @@ class Written(Joint):
         reference: What SymPy says at some states; see :attr:`samples`.
         without: Functions that these equations do not give, and why.
 
-    Source: Kane and Levinson, Dynamics: Theory and Applications, chapter 6.
+    Source: T. R. Kane, D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
     """
 
     kind: ClassVar[str] = "written"
-    source: ClassVar[str] = SOURCE
     names: tuple[str, ...]
     speed_names: tuple[str, ...]
     kinematics: Ready
@@ -162,10 +160,11 @@ class WrittenForces(ForceElement):
         forces: f (nu, 1).
         potential: Potential energy, where it is known.
         applied: The part of f (nu, 1) that has no potential, where that is known.
+
+    Source: T. R. Kane, D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
     """
 
     kind: ClassVar[str] = "written"
-    source: ClassVar[str] = SOURCE
     joint: JointName
     inertia: Ready
     forces: Ready

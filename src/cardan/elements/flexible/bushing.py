@@ -25,13 +25,10 @@ class Bushing(StrainElement):
     rotations [N m/rad] before displacements [N/m].
 
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 7.7; Masarati and
-    Morandini, Multibody System Dynamics 24 (2010) for the halfway axes.
+        Morandini, Multibody System Dynamics 24 (2010) for the halfway axes.
     """
 
     kind: ClassVar[str] = "bushing"
-    source: ClassVar[str] = (
-        "P. Masarati, M. Morandini, Intrinsic deformable joints, Multibody System Dynamics 24, 2010"
-    )
     own: ClassVar[tuple[str, ...]] = WHOLE
     # springs that are missing have no flexibility
     mixed: ClassVar[bool] = False

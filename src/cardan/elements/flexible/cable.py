@@ -23,11 +23,10 @@ class Cable(FlexibleElement):
         compression: The bar of a truss: it pushes too.
 
     Source: Irvine, Cable Structures (1981), chapter 1; Géradin and Cardona, Flexible Multibody
-    Dynamics (2001), section 5.2.
+        Dynamics (2001), section 5.2.
     """
 
     kind: ClassVar[str] = "cable"
-    source: ClassVar[str] = "H. M. Irvine, Cable Structures, 1981, chapter 1"
     own: ClassVar[tuple[str, ...]] = ("length",)
     compression: bool = False
 

@@ -15,11 +15,10 @@ from .section import GRAVITY
 class CableInertia(InertiaElement):
     """Mass of the straight line between the ends, whatever their axes do.
 
-    Source: Hughes, The Finite Element Method (1987), section 7.3.
+    Source: T. J. R. Hughes, The Finite Element Method, 1987, section 7.3.
     """
 
     kind: ClassVar[str] = "cable_inertia"
-    source: ClassVar[str] = "T. J. R. Hughes, The Finite Element Method, 1987, section 7.3"
     own: ClassVar[tuple[str, ...]] = ("length",)
 
     @property

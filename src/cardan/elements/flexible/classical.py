@@ -25,14 +25,10 @@ class Classical(StrainElement):
             exact for small displacements under loads at nodes.
 
     Source: Simo and Vu-Quoc, CMAME 58 (1986); Crisfield and Jelenić, Proc. R. Soc. A 455 (1999);
-    MacNeal, Computers and Structures 8 (1978) for the residual bending flexibility.
+        MacNeal, Computers and Structures 8 (1978) for the residual bending flexibility.
     """
 
     kind: ClassVar[str] = "classical"
-    source: ClassVar[str] = (
-        "M. A. Crisfield, G. Jelenić, Objectivity of strain measures in the geometrically exact "
-        "three-dimensional beam theory and its finite-element implementation, 1999"
-    )
     own: ClassVar[tuple[str, ...]] = SHAPE
     residual_flexibility: bool = True
 

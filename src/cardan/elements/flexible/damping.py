@@ -21,14 +21,11 @@ class Damping(FlexibleElement):
     strain; shear is as soft as in an element that bends linearly, so that slender elements are not
     damped for strains that they do not have.
 
-    Source: Linn, Lang and Tuganov, Mechanical Sciences 4 (2013).
+    Source: J. Linn, H. Lang, A. Tuganov, Geometrically exact Cosserat rods with Kelvin-Voigt type
+        viscous damping, Mechanical Sciences 4, 2013.
     """
 
     kind: ClassVar[str] = "damping"
-    source: ClassVar[str] = (
-        "J. Linn, H. Lang, A. Tuganov, Geometrically exact Cosserat rods with Kelvin-Voigt type "
-        "viscous damping, Mechanical Sciences 4, 2013"
-    )
     own: ClassVar[tuple[str, ...]] = ("length",)
 
     @property

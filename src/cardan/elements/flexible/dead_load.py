@@ -20,13 +20,10 @@ class DeadLoad(LoadElement):
 
     The force has a potential; a moment that keeps its direction has none.
 
-    Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6.
+    Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6.
     """
 
     kind: ClassVar[str] = "dead_load"
-    source: ClassVar[str] = (
-        "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6"
-    )
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = True
 

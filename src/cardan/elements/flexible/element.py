@@ -16,20 +16,19 @@ from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ...literature import HasSource
 from .ends import NODE, Ends
 
 
-class FlexibleElement(ABC):
+class FlexibleElement(HasSource, ABC):
     """A flexible element between two ends.
 
     Attributes:
         kind: Name in scenes, and of its kind of element.
-        source: Literature.
         own: Names of the data that come from the geometry once and for all.
     """
 
     kind: ClassVar[str]
-    source: ClassVar[str]
     own: ClassVar[tuple[str, ...]] = ()
 
     @property

@@ -20,14 +20,11 @@ class FollowerLoad(LoadElement):
 
     It has no potential, and its tangent is not symmetric.
 
-    Source: Argyris and Symeonidis, CMAME 26 (1981).
+    Source: J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under
+        nonconservative loading, CMAME 26, 1981.
     """
 
     kind: ClassVar[str] = "follower_load"
-    source: ClassVar[str] = (
-        "J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under "
-        "nonconservative loading, CMAME 26, 1981"
-    )
     own: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = False
 

@@ -19,14 +19,11 @@ class Helicoidal(StrainElement):
 
     Second order in statics; does not lock in bending of slender beams.
 
-    Source: Sonneville, Cardona and Brüls, CMAME 268 (2014).
+    Source: V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated
+        on the special Euclidean group SE(3), CMAME 268, 2014.
     """
 
     kind: ClassVar[str] = "helicoidal"
-    source: ClassVar[str] = (
-        "V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated "
-        "on the special Euclidean group SE(3), CMAME 268, 2014"
-    )
     own: ClassVar[tuple[str, ...]] = SHAPE
 
     @property

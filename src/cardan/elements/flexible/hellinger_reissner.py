@@ -34,14 +34,10 @@ class HellingerReissner(StrainElement):
             none of these forces; follower loads act by an element of their own.
 
     Source: Sonneville, Cardona and Brüls, CMAME 268 (2014) for the strain; Pian and Sumihara, IJNME
-    20 (1984) for stress fields; their union on SE(3) is our own.
+        20 (1984) for stress fields; their union on SE(3) is our own.
     """
 
     kind: ClassVar[str] = "hellinger_reissner"
-    source: ClassVar[str] = (
-        "V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated "
-        "on the special Euclidean group SE(3), CMAME 268, 2014"
-    )
     own: ClassVar[tuple[str, ...]] = SHAPE
     loaded: bool = False
 

@@ -24,11 +24,10 @@ class FlexibleHinge(StrainElement):
     the rotation vector and the distance of the ends in the axes halfway between them.
 
     Source: Howell, Compliant Mechanisms (2001), chapter 5; Masarati and Morandini, Multibody System
-    Dynamics 24 (2010).
+        Dynamics 24 (2010).
     """
 
     kind: ClassVar[str] = "flexible_hinge"
-    source: ClassVar[str] = "L. L. Howell, Compliant Mechanisms, 2001, chapter 5"
     own: ClassVar[tuple[str, ...]] = WHOLE
     # a hinge that turns freely has no flexibility
     mixed: ClassVar[bool] = False

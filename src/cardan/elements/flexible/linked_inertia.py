@@ -26,13 +26,11 @@ class LinkedInertia(InertiaElement):
     the shape. Angular velocities vary linearly in section axes.
 
     Source: Archer, J. Structural Division ASCE 89 (1963); Przemieniecki, Theory of Matrix
-    Structural Analysis (1968), section 11.4, for small displacements; its finite form is our own.
+        Structural Analysis (1968), section 11.4, for small displacements; its finite form is our
+        own.
     """
 
     kind: ClassVar[str] = "linked_inertia"
-    source: ClassVar[str] = (
-        "J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 11.4"
-    )
     own: ClassVar[tuple[str, ...]] = ("length",)
 
     @property

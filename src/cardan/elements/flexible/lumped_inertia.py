@@ -17,11 +17,10 @@ class LumpedInertia(InertiaElement):
 
     The quickest; second order, and frequencies come out too low.
 
-    Source: Hughes, The Finite Element Method (1987), section 7.3.
+    Source: T. J. R. Hughes, The Finite Element Method, 1987, section 7.3.
     """
 
     kind: ClassVar[str] = "lumped_inertia"
-    source: ClassVar[str] = "T. J. R. Hughes, The Finite Element Method, 1987, section 7.3"
     own: ClassVar[tuple[str, ...]] = ("length",)
 
     @property

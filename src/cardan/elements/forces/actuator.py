@@ -32,11 +32,10 @@ class Actuator(ForceElement):
         ModelError: a value that is no number or expression, a lag that is not positive or a
             negative limit.
 
-    Source: K. J. Astrom, R. M. Murray, Feedback Systems, 2008, section 3.1.
+    Source: K. J. Astrom and R. M. Murray, Feedback Systems, 2008, section 3.1.
     """
 
     kind: ClassVar[str] = "actuator"
-    source: ClassVar[str] = "K. J. Astrom and R. M. Murray, Feedback Systems, 2008, section 3.1"
     joint: JointName
     command: Any
     lag: Any

@@ -31,13 +31,10 @@ class CentralGravity(Gravitation):
     Raises:
         ModelError: mu below 0, or what is no body.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.2.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.2.
     """
 
     kind: ClassVar[str] = "central_gravity"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.2"
-    )
     center: Place
     mu: Any
     bodies: Bodies = ()

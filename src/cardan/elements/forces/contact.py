@@ -45,11 +45,10 @@ class Contact(ForceElement):
             or mu, an exponent below 1, a slip that is not positive; restitution without speed,
             beside damping, or out of its range.
 
-    Source: K. H. Hunt, F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
+    Source: K. H. Hunt and F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
     """
 
     kind: ClassVar[str] = "contact"
-    source: ClassVar[str] = "K. H. Hunt and F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440"
     sphere: Place
     other: Place
     radius: Any

@@ -43,7 +43,6 @@ class Controller(ForceElement):
     """
 
     kind: ClassVar[str] = "controller"
-    source: ClassVar[str] = "K. J. Astrom and R. M. Murray, Feedback Systems, 2008, chapter 10"
     joint: JointName = ""
     states: LocalNames = ()
     changes: Any = ()

@@ -21,13 +21,10 @@ class Damping(ForceElement):
     Raises:
         ModelError: no finite number or expression.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "damping"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
-    )
     joint: JointName
     damping: Any
 

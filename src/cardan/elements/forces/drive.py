@@ -47,13 +47,10 @@ class Drive(ForceElement):
         ModelError: a value that is no finite number or expression, negative inertia, ratio 0, or
             damping without stiffness.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 12.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3.
     """
 
     kind: ClassVar[str] = "drive"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3"
-    )
     joint: JointName
     inertia: Any
     ratio: Any = 1.0

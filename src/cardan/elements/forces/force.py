@@ -12,6 +12,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
+from ...literature import HasSource
 from ..internal import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
 from ..limits import Limit, judge
 from ..quantity import Quantity
@@ -127,7 +128,7 @@ class Places:
     pressing: Scalar | None = None
 
 
-class ForceElement(ABC):
+class ForceElement(HasSource, ABC):
     """A force between frames or along joints.
 
     An element with a conservative and another part returns two actions, the first with its
@@ -137,7 +138,6 @@ class ForceElement(ABC):
     """
 
     kind: ClassVar[str]
-    source: ClassVar[str]
 
     def quantities(self) -> dict[str, Quantity]:
         """What the user wrote, by name; becomes ``data``."""

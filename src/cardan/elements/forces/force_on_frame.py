@@ -28,7 +28,6 @@ class Force(ForceElement):
     """
 
     kind: ClassVar[str] = "force"
-    source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.4"
     frame: Place
     force: Any
     in_: Place = None

@@ -51,15 +51,12 @@ class Friction(ForceElement):
         ModelError: a value that is no number or expression; a negative force or speed; stribeck
             without static; both or neither of coulomb and mu.
 
-    Source: B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083
-        (Stribeck curve); F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts,
-        1996, chapter 5 (sticking as a constraint).
+    Source: B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083 (Stribeck
+        curve); F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter
+        5 (sticking as a constraint).
     """
 
     kind: ClassVar[str] = "friction"
-    source: ClassVar[str] = (
-        "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 5"
-    )
     joint: JointName
     coulomb: Any = None
     static: Any = None

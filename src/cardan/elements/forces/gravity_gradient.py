@@ -38,7 +38,6 @@ class GravityGradient(Gravitation):
     """
 
     kind: ClassVar[str] = "gravity_gradient"
-    source: ClassVar[str] = "P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapters 8 and 9"
     center: Place
     mu: Any
     bodies: Bodies = ()

@@ -39,7 +39,6 @@ class J2(Gravitation):
     """
 
     kind: ClassVar[str] = "j2"
-    source: ClassVar[str] = "P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8"
     center: Place
     mu: Any
     j2: Any

@@ -30,7 +30,6 @@ class JointForce(ForceElement):
     """
 
     kind: ClassVar[str] = "joint_force"
-    source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.6"
     joint: JointName
     force: Any
 

@@ -29,7 +29,6 @@ class LineLoad(ForceElement):
     """
 
     kind: ClassVar[str] = "line_load"
-    source: ClassVar[str] = "J. C. Simo, L. Vu-Quoc, CMAME 58, 1986, 79-116"
     beam: BeamName
     force: Any = None
     moment: Any = None

@@ -38,9 +38,6 @@ class Lock(ForceElement):
     """
 
     kind: ClassVar[str] = "lock"
-    source: ClassVar[str] = (
-        "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8"
-    )
     joint: JointName
     when: Any
     release: Any = None

@@ -37,13 +37,10 @@ class Maxwell(ForceElement):
     Raises:
         ModelError: stiffness or damping not above 0, or what is no finite number or expression.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "maxwell"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
-    )
     frame_a: Place
     frame_b: Place
     stiffness: Any

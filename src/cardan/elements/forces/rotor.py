@@ -42,13 +42,10 @@ class Rotor(ForceElement):
         ModelError: momentum or speed besides another of the three, no inertia where it is needed,
             negative inertia, or an axis that is no direction.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.3.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3.
     """
 
     kind: ClassVar[str] = "rotor"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3"
-    )
     frame: Place
     axis: Direction = "z"
     inertia: Any = None

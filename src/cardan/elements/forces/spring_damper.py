@@ -30,13 +30,10 @@ class SpringDamper(ForceElement):
     Raises:
         ModelError: a value that is no finite number or expression.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "spring_damper"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
-    )
     frame_a: Place
     frame_b: Place
     stiffness: Any = 0.0

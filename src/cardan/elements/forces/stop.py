@@ -37,13 +37,11 @@ class Stop(ForceElement):
         ModelError: no stop at all, lower above upper, restitution outside 0 ... 1, a negative
             speed, or a value that is no number or expression.
 
-    Source: F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8.
+    Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter
+        8.
     """
 
     kind: ClassVar[str] = "stop"
-    source: ClassVar[str] = (
-        "F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8"
-    )
     joint: JointName
     lower: Any = None
     upper: Any = None

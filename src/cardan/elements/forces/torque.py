@@ -27,7 +27,6 @@ class Torque(ForceElement):
     """
 
     kind: ClassVar[str] = "torque"
-    source: ClassVar[str] = "T. R. Kane and D. A. Levinson, Dynamics, 1985, section 4.4"
     frame: Place
     torque: Any
     in_: Place = None

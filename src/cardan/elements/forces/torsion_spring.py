@@ -26,13 +26,10 @@ class TorsionSpring(ForceElement):
     Raises:
         ModelError: a value that is no finite number or expression.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 12.1.
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "torsion_spring"
-    source: ClassVar[str] = (
-        "R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1"
-    )
     joint: JointName
     stiffness: Any = 0.0
     damping: Any = 0.0

@@ -27,12 +27,11 @@ class Watch(ForceElement):
 
     Raises:
         ModelError: no expression, or an unknown word.
+
+    Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.6.
     """
 
     kind: ClassVar[str] = "watch"
-    source: ClassVar[str] = (
-        "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.6"
-    )
     expression: Any
     then: str = "mark"
     direction: str = "down"

@@ -33,7 +33,6 @@ class ConstantVelocity(Joint):
     """
 
     kind: ClassVar[str] = "constant_velocity"
-    source: ClassVar[str] = "K. H. Hunt, Constant-Velocity Shaft Couplings, J. Eng. Ind. 95, 1973"
     axis: Direction = "z"
 
     def __post_init__(self) -> None:

@@ -38,7 +38,6 @@ class Custom(Joint):
     """
 
     kind: ClassVar[str] = "custom"
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 8.2"
     symbols: LocalNames
     position: Any = (0.0, 0.0, 0.0)
     rotation: Any = IDENTITY

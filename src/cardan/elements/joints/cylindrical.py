@@ -24,11 +24,10 @@ class Cylindrical(Joint):
     Raises:
         ModelError: the axis is zero, NaN or not a direction.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1.
     """
 
     kind: ClassVar[str] = "cylindrical"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
     line: ClassVar[str] = "axis"
     angle: ClassVar[int | None] = 0
     axis: Direction = "z"

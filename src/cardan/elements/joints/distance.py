@@ -36,11 +36,10 @@ class Distance(Guided):
         ModelError: the axis is zero, NaN or not a direction; the length is not positive; the
             parametrization does not exist.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 9.
+    Source: Roberson, Schwertassek, Dynamics of Multibody Systems, 1988, chapter 9.
     """
 
     kind: ClassVar[str] = "distance"
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, 1988, chapter 9"
     length: Any
     axis: Direction = "z"
     rotation: str = "quaternion"

@@ -14,11 +14,10 @@ from .joint import POSITIONS, ROTATIONS, Component, Joint
 class Fixed(Joint):
     """No motion: the two bodies become one, keep their frames, and the reaction can be asked for.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, section 3.3.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 3.3.
     """
 
     kind: ClassVar[str] = "fixed"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 3.3"
 
     @property
     def coordinates(self) -> tuple[Component, ...]:

@@ -30,7 +30,6 @@ class Free(Guided):
     """
 
     kind: ClassVar[str] = "free"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.4"
     rotation: str = "quaternion"
 
     def __post_init__(self) -> None:

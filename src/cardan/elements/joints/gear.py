@@ -28,11 +28,10 @@ class Gear(Hinge):
     Raises:
         ModelError: the axis is zero, NaN or not a direction; ratio or offset are no numbers.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, section 9.6.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6.
     """
 
     kind: ClassVar[str] = "gear"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6"
     leader: JointName
     ratio: Any = 1.0
     axis: Direction = "z"

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
+from ...literature import HasSource
 from ..quantity import Direction, Quantity
 
 
@@ -82,7 +83,7 @@ def letter(axis: Direction) -> tuple[int | None, int]:
     return None, 1
 
 
-class Joint(ABC):
+class Joint(HasSource, ABC):
     """A joint between a parent frame P and a child frame C.
 
     The frames coincide at the default q of every kind that is :attr:`coincident`.
@@ -94,7 +95,6 @@ class Joint(ABC):
     """
 
     kind: ClassVar[str]
-    source: ClassVar[str]
     # the quantity that is the line of all motion, "" if there is none: joint frames may be turned
     # about it and moved along it
     line: ClassVar[str] = ""

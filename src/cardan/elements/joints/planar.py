@@ -32,7 +32,6 @@ class Planar(Joint):
     """
 
     kind: ClassVar[str] = "planar"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
     normal: Direction = "z"
 
     def __post_init__(self) -> None:

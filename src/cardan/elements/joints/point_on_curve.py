@@ -46,7 +46,6 @@ class PointOnCurve(Guided):
     """
 
     kind: ClassVar[str] = "point_on_curve"
-    source: ClassVar[str] = "M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001, chapter 7"
     points: Any
     closed: bool = False
     rotation: str = "quaternion"

@@ -30,11 +30,10 @@ class PointOnPlane(Guided):
     Raises:
         ModelError: the normal is zero, NaN or not a direction; the parametrization does not exist.
 
-    Source: Géradin and Cardona, Flexible Multibody Dynamics, chapter 7.
+    Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001, chapter 7.
     """
 
     kind: ClassVar[str] = "point_on_plane"
-    source: ClassVar[str] = "M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001, chapter 7"
     normal: Direction = "z"
     rotation: str = "quaternion"
 

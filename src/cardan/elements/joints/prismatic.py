@@ -24,11 +24,10 @@ class Prismatic(Joint):
     Raises:
         ModelError: the axis is zero, NaN or not a direction.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1.
     """
 
     kind: ClassVar[str] = "prismatic"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
     line: ClassVar[str] = "axis"
     axis: Direction = "z"
 

@@ -21,11 +21,10 @@ class Revolute(Hinge):
     Raises:
         ModelError: the axis is zero, NaN or not a direction.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1.
     """
 
     kind: ClassVar[str] = "revolute"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
     axis: Direction = "z"
 
     def __post_init__(self) -> None:

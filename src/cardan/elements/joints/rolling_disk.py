@@ -36,7 +36,6 @@ class RollingDisk(Rolling):
     """
 
     kind: ClassVar[str] = "rolling_disk"
-    source: ClassVar[str] = "J. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, 1972"
     radius: Any
     normal: Direction = "z"
     knife_edge: bool = False

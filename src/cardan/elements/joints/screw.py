@@ -26,11 +26,10 @@ class Screw(Joint):
     Raises:
         ModelError: the axis is zero, NaN or not a direction; the pitch is no number.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, table 4.1.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1.
     """
 
     kind: ClassVar[str] = "screw"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1"
     line: ClassVar[str] = "axis"
     axis: Direction = "z"
     pitch: Any = 0.0

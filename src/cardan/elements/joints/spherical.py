@@ -26,11 +26,10 @@ class Spherical(Guided):
     Raises:
         ModelError: the parametrization does not exist.
 
-    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 9.
+    Source: Roberson, Schwertassek, Dynamics of Multibody Systems, 1988, chapter 9.
     """
 
     kind: ClassVar[str] = "spherical"
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, 1988, chapter 9"
     rotation: str = "quaternion"
 
     def __post_init__(self) -> None:

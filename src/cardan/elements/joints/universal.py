@@ -27,11 +27,10 @@ class Universal(Joint):
     Raises:
         ModelError: an axis is zero, NaN or not a direction, or both are parallel.
 
-    Source: Featherstone, Rigid Body Dynamics Algorithms, section 4.4.
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.4.
     """
 
     kind: ClassVar[str] = "universal"
-    source: ClassVar[str] = "R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.4"
     axis1: Direction = "x"
     axis2: Direction = "y"
 

@@ -40,7 +40,6 @@ class Wheel(Rolling):
     """
 
     kind: ClassVar[str] = "wheel"
-    source: ClassVar[str] = "J. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, 1972"
     radius: Any
     crown: Any = 0.0
     normal: Direction = "z"

@@ -26,7 +26,6 @@ class Circle(Section):
     """
 
     kind: ClassVar[str] = "circle"
-    source: ClassVar[str] = "G. R. Cowper, J. Appl. Mech. 33, 1966, 335-340"
     radius: Any
     shear: Any = None
 

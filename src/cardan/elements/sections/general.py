@@ -28,10 +28,11 @@ class General(Section):
 
     Raises:
         ModelError: a stiffness that is not positive, a negative inertia.
+
+    Source: J. C. Simo, A finite strain beam formulation I, 1985.
     """
 
     kind: ClassVar[str] = "general"
-    source: ClassVar[str] = "J. C. Simo, A finite strain beam formulation I, 1985"
     shaped: ClassVar[bool] = False
     EA: Any
     GA: Any

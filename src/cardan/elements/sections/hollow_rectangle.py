@@ -28,7 +28,6 @@ class HollowRectangle(Section):
     """
 
     kind: ClassVar[str] = "hollow_rectangle"
-    source: ClassVar[str] = "Bredt, Z. VDI 40, 1896; Cowper, J. Appl. Mech. 33, 1966, 335-340"
     width: Any
     height: Any
     thickness: Any

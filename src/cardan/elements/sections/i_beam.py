@@ -43,7 +43,6 @@ class IBeam(Section):
     """
 
     kind: ClassVar[str] = "i_beam"
-    source: ClassVar[str] = "Timoshenko, Strength of Materials II; Cowper, J. Appl. Mech. 33, 1966"
     width: Any
     height: Any
     flange: Any

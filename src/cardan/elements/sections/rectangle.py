@@ -39,12 +39,11 @@ class Rectangle(Section):
     Raises:
         ModelError: a number that is not positive.
 
-    Source: S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, section 109 (torsion);
-        G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
+    Source: S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, section 109 (torsion); G. R.
+        Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
     """
 
     kind: ClassVar[str] = "rectangle"
-    source: ClassVar[str] = "Timoshenko, Goodier, Theory of Elasticity, section 109; Cowper, 1966"
     width: Any
     height: Any
     shear: Any = None

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
+from ...literature import HasSource
 from ..quantity import Quantity
 from ..written import positive, vector
 
@@ -49,11 +50,10 @@ class Outline:
     round: bool = False
 
 
-class Section(ABC):
+class Section(HasSource, ABC):
     """A cross-section; numbers, parameters or expressions of them."""
 
     kind: ClassVar[str]
-    source: ClassVar[str]
     # whether the material gives the stiffness
     shaped: ClassVar[bool] = True
 

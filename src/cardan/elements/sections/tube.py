@@ -26,7 +26,6 @@ class Tube(Section):
     """
 
     kind: ClassVar[str] = "tube"
-    source: ClassVar[str] = "G. R. Cowper, J. Appl. Mech. 33, 1966, 335-340"
     outer: Any
     inner: Any
     shear: Any = None

@@ -25,7 +25,6 @@ class Augmented(Treatment):
     """
 
     name: ClassVar[str] = "augmented"
-    source: ClassVar[str] = "E. Bayo et al., Comput. Methods Appl. Mech. Eng. 71 (1988)"
     exact: ClassVar[bool] = False
     weight: float = 1e5
     frequency: float = 20.0

@@ -23,7 +23,6 @@ class Baumgarte(Treatment):
     """
 
     name: ClassVar[str] = "baumgarte"
-    source: ClassVar[str] = "J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972)"
     exact: ClassVar[bool] = True
     frequency: float = 20.0
     damping: float = 1.0

@@ -23,7 +23,6 @@ class Elimination(Treatment):
     """
 
     name: ClassVar[str] = "elimination"
-    source: ClassVar[str] = "R. A. Wehage, E. J. Haug, J. Mech. Design 104 (1982)"
     exact: ClassVar[bool] = True
 
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:

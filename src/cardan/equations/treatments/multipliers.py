@@ -21,7 +21,6 @@ class Multipliers(Treatment):
     """
 
     name: ClassVar[str] = "multipliers"
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 8.4"
     exact: ClassVar[bool] = True
 
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:

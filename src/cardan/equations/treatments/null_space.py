@@ -19,7 +19,6 @@ class NullSpace(Treatment):
     """
 
     name: ClassVar[str] = "null_space"
-    source: ClassVar[str] = "J. W. Kamman, R. L. Huston, J. Appl. Mech. 51 (1984)"
     exact: ClassVar[bool] = True
 
     def accelerations(self, bound: Bound) -> tuple[Matrix, Matrix]:

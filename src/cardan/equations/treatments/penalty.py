@@ -25,7 +25,6 @@ class Penalty(Treatment):
     """
 
     name: ClassVar[str] = "penalty"
-    source: ClassVar[str] = "E. Bayo et al., Comput. Methods Appl. Mech. Eng. 71 (1988)"
     exact: ClassVar[bool] = False
     weight: float = 1e7
     frequency: float = 20.0

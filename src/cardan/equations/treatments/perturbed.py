@@ -26,7 +26,6 @@ class Perturbed(Treatment):
     """
 
     name: ClassVar[str] = "perturbed"
-    source: ClassVar[str] = "J. C. Simo et al., Comput. Methods Appl. Mech. Eng. 50 (1985)"
     exact: ClassVar[bool] = False
     compliance: float = 1e-8
     frequency: float = 20.0

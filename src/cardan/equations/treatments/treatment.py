@@ -11,6 +11,7 @@ from ...errors import ArgumentError
 from ...ir.graph import ZERO, SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
+from ...literature import HasSource
 
 # of a number whose square is a constant of an expression
 LARGEST = 1e100
@@ -47,11 +48,10 @@ class Bound:
     labels: Labels = Labels()
 
 
-class Treatment(ABC):
+class Treatment(HasSource, ABC):
     """A way to make accelerations obey constraints."""
 
     name: ClassVar[str]
-    source: ClassVar[str]
     # whether the accelerations fulfil the constraints to rounding
     exact: ClassVar[bool]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -20,7 +19,6 @@ class DirectionCosines(Rotation):
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 2.2.
     """
 
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 2.2"
     name: str = "dcm"
     components: tuple[str, ...] = ("xx", "yx", "zx", "xy", "yy", "zy")
     units: tuple[str, ...] = ("",) * 6

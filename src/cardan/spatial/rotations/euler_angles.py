@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import product
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, atan2, cos, sin, sqrt
 from ...ir.matrix import Matrix
@@ -25,7 +24,6 @@ class EulerAngles(Rotation):
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 2.3.
     """
 
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 2.3"
     name: str
     components: tuple[str, ...] = ("angle1", "angle2", "angle3")
     units: tuple[str, ...] = ("rad", "rad", "rad")

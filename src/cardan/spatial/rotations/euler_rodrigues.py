@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -19,12 +18,9 @@ class EulerRodrigues(Rotation):
     no constraint among them. The scalar part is sqrt(1 - e²/4), so that rotations by half a turn
     and more are out of reach; Euler parameters (``"quaternion"``) have no such limit.
 
-    Source: Bauchau and Trainelli, The Vectorial Parameterization of Rotation (2003).
+    Source: O. A. Bauchau, L. Trainelli, The Vectorial Parameterization of Rotation, 2003.
     """
 
-    source: ClassVar[str] = (
-        "O. A. Bauchau, L. Trainelli, The Vectorial Parameterization of Rotation, 2003"
-    )
     name: str = "euler_rodrigues"
     components: tuple[str, ...] = ("x", "y", "z")
     units: tuple[str, ...] = ("", "", "")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -17,7 +16,6 @@ class Linear(Rotation):
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 4.5.
     """
 
-    source: ClassVar[str] = "Géradin, Cardona, Flexible Multibody Dynamics, 2001, section 4.5"
     name: str = "linear"
     components: tuple[str, ...] = ("x", "y", "z")
     units: tuple[str, ...] = ("", "", "")

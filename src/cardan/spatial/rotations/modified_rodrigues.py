@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -21,7 +20,6 @@ class ModifiedRodrigues(Rotation):
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 4.8.
     """
 
-    source: ClassVar[str] = "Géradin, Cardona, Flexible Multibody Dynamics, 2001, section 4.8"
     name: str
     scale: float
     components: tuple[str, ...] = ("x", "y", "z")

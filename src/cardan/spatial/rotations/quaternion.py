@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -18,12 +17,10 @@ class Quaternion(Rotation):
     Regular for every rotation; q and -q are the same rotation. The functions assume a unit
     quaternion and do not normalize.
 
-    Source: Schwab and Meijaard, How to draw Euler angles and utilize Euler parameters, ASME 2006.
+    Source: A. L. Schwab, J. P. Meijaard, How to draw Euler angles and utilize Euler parameters,
+        2006.
     """
 
-    source: ClassVar[str] = (
-        "A. L. Schwab, J. P. Meijaard, How to draw Euler angles and utilize Euler parameters, 2006"
-    )
     name: str = "quaternion"
     components: tuple[str, ...] = ("w", "x", "y", "z")
     units: tuple[str, ...] = ("", "", "", "")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.matrix import Matrix
@@ -18,7 +17,6 @@ class Rodrigues(Rotation):
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, section 2.3.
     """
 
-    source: ClassVar[str] = "Roberson, Schwertassek, Dynamics of Multibody Systems, section 2.3"
     name: str = "rodrigues"
     components: tuple[str, ...] = ("x", "y", "z")
     units: tuple[str, ...] = ("", "", "")

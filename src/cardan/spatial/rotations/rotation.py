@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ...literature import HasSource
 from ..exponential import exp, log
 
 
-class Rotation(ABC):
+class Rotation(HasSource, ABC):
     """Coordinates q of the rotation from axes P to axes C.
 
     R takes coordinates in C to coordinates in P; omega is the angular velocity of C against P in
@@ -22,7 +22,6 @@ class Rotation(ABC):
         units: Their units.
         defaults: The coordinates of the identity.
         domain: Where the coordinates are regular, in words.
-        source: Where the formulas come from.
     """
 
     name: str
@@ -30,7 +29,6 @@ class Rotation(ABC):
     units: tuple[str, ...]
     defaults: tuple[float, ...]
     domain: str
-    source: ClassVar[str]
 
     @abstractmethod
     def matrix(self, q: Matrix) -> Matrix:

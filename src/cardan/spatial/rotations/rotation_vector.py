@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, stumpff
 from ...ir.matrix import Matrix
@@ -20,7 +19,6 @@ class RotationVector(Rotation):
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 4.6.
     """
 
-    source: ClassVar[str] = "Géradin, Cardona, Flexible Multibody Dynamics, 2001, section 4.6"
     name: str = "rotation_vector"
     components: tuple[str, ...] = ("x", "y", "z")
     units: tuple[str, ...] = ("rad", "rad", "rad")
