@@ -33,7 +33,18 @@ ORDER = (
 
 # the rooms as they shall be, from the ground up; ratchet.json counts the imports against it
 PLANNED = (
-    *("version", "errors", "literature", "arrays", "kernels", "ir", "passes", "spatial", "schema", "elements"),
+    *(
+        "version",
+        "errors",
+        "literature",
+        "arrays",
+        "kernels",
+        "ir",
+        "passes",
+        "spatial",
+        "schema",
+        "elements",
+    ),
     *("model", "scene", "topology", "equations", "codegen", "runtime", "view", "analyses"),
     *("explain", "api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )
