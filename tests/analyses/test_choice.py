@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.choice import RULES, Case, choose
-from cardan.analyses.integrators import INTEGRATORS
+from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 
 CHOICES: list[tuple[Case, str, str]] = [

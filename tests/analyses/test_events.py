@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.runtime import toolchain
 from cardan.runtime.storage import load
 from cardan.runtime.trajectory import Trajectory
+from cardan.schema.integrators import INTEGRATORS
 
 G = 9.81
 FINE: dict[str, Any] = {"rtol": 1e-11, "atol": 1e-12}

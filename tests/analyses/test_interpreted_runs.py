@@ -16,8 +16,8 @@ import pytest
 import cardan as cd
 from analyses.conftest import double_scene
 from analyses.interpreted import beam, bouncing, four_bar, without_compiler
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.runtime import prebuilt
+from cardan.schema.integrators import INTEGRATORS
 
 RTOL = 1e-6
 # order 2 without damping needs constraints that it keeps itself

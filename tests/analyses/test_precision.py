@@ -10,9 +10,9 @@ import pytest
 
 import cardan as cd
 from cardan.analyses import precision_runs
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.precision import Point, Precision
 from cardan.analyses.precision_runs import precision
+from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 
 START: dict[str, Any] = {"q": {"shoulder": 1.0, "elbow": -0.5}}

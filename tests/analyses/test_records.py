@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS, Integrator
+from cardan.schema.integrators import INTEGRATORS, Integrator
 
 PAGE = Path(__file__).parents[2] / "docs" / "integrators.md"
 

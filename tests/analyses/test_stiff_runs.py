@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.errors import ModelError
+from cardan.schema.integrators import INTEGRATORS
 from laws import circuits
 
 IMPLICIT = ("Radau", "Rosenbrock")

@@ -193,7 +193,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
     "runtime.formats": frozenset({"contents"}),
-    "analyses.integrators": frozenset(),
+    "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
     "cli": frozenset(
         {

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import companions, simulating
+from cardan.codegen import companions
 from cardan.codegen.export import export
 from cardan.codegen.layout import KERNELS
 from cardan.equations.recipes import RECIPES
@@ -150,18 +150,6 @@ def test_a_closed_scene_simulates_without_python(tmp_path: Path) -> None:
     end = model.simulate(1.0, q=start, rtol=1e-11, atol=1e-13)
     assert np.abs(model.constraints(found[: model.nq])).max() < 1e-12
     assert found == pytest.approx(end.x[-1].tolist(), abs=1e-6)
-
-
-def test_integrators_keep_what_their_records_say() -> None:
-    from cardan.analyses.integrators import INTEGRATORS
-
-    text = (KERNELS / "run.h").read_text("utf-8")
-    for method in INTEGRATORS.values():
-        assert f"cardan_{method.kernel}_stages = {method.stages}" in text
-        assert f"cardan_{method.kernel}_rows = {method.dense_rows}" in text
-    by_kernel = {method.kernel: method for method in INTEGRATORS.values()}
-    for kernel in companions.INTEGRATORS:
-        assert simulating.NEEDS.get(kernel, ()) == by_kernel[kernel].needs
 
 
 def test_the_package_runs_without_cardan(tmp_path: Path) -> None:

@@ -75,6 +75,11 @@ def test_b9_two_exports_are_linked_into_one_program(
     command += [f"-I{tmp_path}", *files, "-lm"]
     made = subprocess.run(command, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
+    # the example of either, which names its method
+    sources = [*map(str, (tmp_path / "one").glob("*.c")), "-DCARDAN_EXAMPLE", "-lm"]
+    alone = [*command[:6], str(tmp_path / "alone"), *sources]
+    made = subprocess.run(alone, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
     said = subprocess.run([str(tmp_path / "both")], capture_output=True, text=True, check=True)
     found = [float(line) for line in said.stdout.split()]
     np.testing.assert_allclose(found, wanted, rtol=1e-14)

@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS
+from cardan.schema.integrators import INTEGRATORS
 
 FINISHED = "finished"
 DAMPED = ("GeneralizedAlpha", "HHT", "Newmark")

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.simulate import simulate
 from cardan.runtime import abi, cache, kernels, prebuilt
 from cardan.runtime.kinematics import Energy
 from cardan.runtime.trajectory import Trajectory
+from cardan.schema.integrators import INTEGRATORS
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
 METHODS = {name: m for name, m in INTEGRATORS.items() if set(m.needs) <= {"rhs_jacobian"}}

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import Integrator
 from cardan.errors import SolveWarning
+from cardan.schema.integrators import Integrator
 from kernels.problem import METHODS, TOP_START, TOP_THERE, Problem, top
 from kernels.test_order import fixed, slope
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import Integrator
+from cardan.schema.integrators import Integrator
 from kernels.problem import METHODS, SWING, Problem, swing
 
 # by order: steps over half a second at which the error is far from rounding

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.errors import SolveWarning
+from cardan.schema.integrators import INTEGRATORS
 from kernels.problem import Problem
 
 POSITION = """

@@ -20,6 +20,7 @@ ANSWERS = (
 )
 STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_run": records.Run,
+    "cardan_method": records.Method,
     "cardan_signal": records.Signal,
     "cardan_tick": records.Tick,
     "cardan_own": records.Own,
@@ -53,7 +54,9 @@ def test_fields_of_lanes_begin_where_c_has_them() -> None:
     width = cache.compiler().level.lanes
     if width == 1:
         pytest.skip("no vectors here")
-    records.check(kernels.library(lanes=width), "cardan_abreast", records.Abreast)
+    library = kernels.library(lanes=width)
+    records.check(library, "cardan_abreast", records.Abreast)
+    records.check(library, "cardan_lane_method", records.LaneMethod)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.integrators import INTEGRATORS, Integrator
+from cardan.schema.integrators import INTEGRATORS, Integrator
 from kernels.problem import METHODS, Problem
 from kernels.test_order import fixed
 

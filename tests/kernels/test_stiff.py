@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses.integrators import INTEGRATORS
+from cardan.schema.integrators import INTEGRATORS
 from kernels.problem import SWING, Problem, swing
 from kernels.test_order import fixed, slope
 

@@ -13,9 +13,9 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.accounting import CEILING, accounts, excess
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.analyses.settings import settings
 from cardan.errors import DerivationError, SolveWarning
+from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 from spread import some

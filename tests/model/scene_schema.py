@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from cardan.analyses.integrators import INTEGRATORS
 from cardan.elements.flexible import BEAMS, INERTIAS
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
@@ -17,6 +16,7 @@ from cardan.model.dh import CONVENTIONS
 from cardan.model.dh import KINDS as DH_TYPES
 from cardan.model.files.scene import keys
 from cardan.model.files.scene.keys import Key
+from cardan.schema.integrators import INTEGRATORS
 from cardan.version import SCENE
 
 Schema = dict[str, Any]

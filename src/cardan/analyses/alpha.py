@@ -9,18 +9,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from ..arguments import check_fields
 from ..errors import ModelError, shown
-from ..ir.rows import column
-from .integrator import Integrator
+from ..schema.integrators import INTEGRATORS, Integrator
+from ..schema.integrators.alpha_family import FAMILY
 
-if TYPE_CHECKING:
-    from ..runtime.compiled import CompiledModel
-
-# constraints are oscillators of infinite frequency: what does not damp them lets errors grow
-MOST = 0.95
 RHO, HHT, INDEX = 0.8, -0.1, 2
 MODIFIED = "modified"
 NEWTON = (MODIFIED, "full")
@@ -165,90 +159,14 @@ class GeneralizedAlpha:
         return self.coefficients or Alpha.chung_hulbert(self.rho_inf)
 
 
-def record(
-    name: str, alpha: Alpha, index: int = INDEX, chosen: bool = False, newton: str = MODIFIED
-) -> Integrator:
-    """The method of some coefficients.
-
-    Args:
-        name: As users say it.
-        alpha: Coefficients.
-        index: 3 or 2.
-        chosen: Whether they are those of Chung and Hulbert, which may be capped.
-        newton: When the tangent is renewed, one of NEWTON.
-    """
-    renewed = float(NEWTON.index(newton))
-    return Integrator(
-        name=name,
-        kernel="alpha",
-        order=alpha.order,
-        dense_order=3,
-        stages=1,
-        dense_rows=3,
-        adaptive=True,
-        applies="constraints, stiff forces at moderate accuracy; damps what steps do not resolve",
-        source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
-        "A. Cardona, Numer. Math. 129 (2015)",
-        needs=("balance", "balance_tangent", "move", "qdot"),
-        differenced=("balance_tangent",),
-        multipliers=True,
-        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(index), renewed),
-        given_step=True,
-        suited=_capped if chosen else _suited,
-    )
-
-
 def method_of(given: GeneralizedAlpha) -> Integrator:
     """The integrator of what a user chose."""
-    chosen = given.coefficients is None
-    return record("GeneralizedAlpha", given.alpha, given.index, chosen, given.newton)
-
-
-def _capped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
-    """The method for a model: rho_inf capped where there are constraints."""
-    alpha, index = Alpha(*method.options[:4]), int(method.options[4])
-    if model.nlam and alpha.rho_inf > MOST:
-        capped = record(method.name, Alpha.chung_hulbert(MOST), index, True)
-        # the coefficients alone are others
-        method = replace(method, options=(*capped.options[:4], *method.options[4:]))
-        return _suited(model, method)[0], f"rho_inf {MOST:g} as constraints ask for damping"
-    return _suited(model, method)
-
-
-def _suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
-    """The method for a model, and what there is to say about it.
-
-    Raises:
-        ModelError: the model is not one for it.
-    """
-    alpha, index = Alpha(*method.options[:4]), int(method.options[4])
-    if "mesh" in model.manifest:
-        # matrices are assembled where the elements are
-        method = replace(method, needs=("balance", "move", "qdot"))
-    if None in column(model.manifest["speeds"], "joint"):
-        raise ModelError(
-            f"method '{method.name}' moves along the speeds of the joints, and those of model "
-            f"'{model.name}' were chosen: derive without speeds="
-        )
-    if model.manifest["z"]:
-        names = ", ".join(f"'{row['name']}'" for row in model.manifest["z"][:3])
-        raise ModelError(
-            f"method '{method.name}' takes no internal states, and model '{model.name}' has "
-            f"{names}: take method='auto'"
-        )
-    newton = ", full Newton steps" if method.options[5] else ""
-    if not model.nlam:
-        return method, f"rho_inf {alpha.rho_inf:.3g}{newton}"
-    if not model.manifest.get("projected", True):
-        treatment = model.manifest["scene"]["treatment"]["name"]
-        raise ModelError(
-            f"method '{method.name}' keeps constraints itself, and model '{model.name}' has "
-            f"constraints='{treatment}': compile with constraints='multipliers'"
-        )
-    if alpha.rho_inf > MOST + 1e-9:
-        raise ModelError(
-            f"method '{method.name}' with {alpha} keeps {alpha.rho_inf:.3g} of an error of the "
-            f"constraints of model '{model.name}' in every step: it needs damping, at most "
-            f"{MOST:g}, such as cd.GeneralizedAlpha(rho_inf=0.8) or cd.Alpha.hht(-0.1)"
-        )
-    return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}{newton}"
+    alpha, usual = given.alpha, INTEGRATORS["GeneralizedAlpha"]
+    renewed = float(NEWTON.index(given.newton))
+    return replace(
+        usual,
+        order=alpha.order,
+        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(given.index), renewed),
+        # coefficients of the user are his own: they are refused, not capped
+        conditions=usual.conditions if given.coefficients is None else FAMILY.conditions,
+    )

@@ -16,10 +16,10 @@ from .. import regular_file
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.number_file import packed, plain, unpacked
+from ..schema.integrators import INTEGRATORS
 from ..version import STEPPER, VERSION, written_by
 from ..whole_file import replaced
 from .happenings import happenings
-from .integrators import INTEGRATORS
 from .run import Runner, Saved
 from .saved_record import impossible, record_of, saved_of, sound, ticks_of
 from .settings import Settings, settings

@@ -1,4 +1,4 @@
-"""Which models the energy-momentum method takes, and what it must know of their elements."""
+"""Whether the elements of a model are conservative, and what leaves them as they are."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..runtime.absolute.frames import rotation
 if TYPE_CHECKING:
     from ..runtime.absolute.mesh import Mesh
     from ..runtime.compiled import CompiledModel
-    from .integrator import Integrator
+    from ..schema.integrators import Integrator
 
 Array = NDArray[np.float64]
 # what differences of energies over a small way and rounding leave of forces
@@ -24,26 +24,14 @@ SMALL = 1e-9
 RIGID, HEAVY = 6.0, 3.0
 
 
-def suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
-    """The method for a model, and what there is to say about it.
+def conservative(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+    """The method with the symmetries of the elements of a model, none of which loses energy.
 
     Raises:
-        ModelError: the model is in relative coordinates, or something in it is not conservative.
+        ModelError: something in it is not conservative.
     """
-    who = f"method '{method.name}'"
-    if "mesh" not in model.manifest:
-        raise ModelError(
-            f"{who} moves bodies as such, and model '{model.name}' is in relative coordinates: "
-            "cd.compile(scene, coordinates='absolute'), or method='EnergyMidpoint'"
-        )
-    for key, what in (("z", "internal states"), ("s", "modes"), ("events", "events")):
-        if model.manifest.get(key):
-            raise ModelError(
-                f"{who} keeps what is conserved, and model '{model.name}' has {what}: take "
-                "method='auto'"
-            )
     mesh: Mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
-    looked = _Looked(mesh, who)
+    looked = _Looked(mesh, f"method '{method.name}'")
     looked.refuse()
     down, symmetry = looked.symmetries()
     return replace(method, options=(*down, *symmetry)), "energy and momenta kept"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .integrators import INTEGRATORS
+from ..schema.integrators import INTEGRATORS
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -16,8 +16,8 @@ from ..arguments import checked
 from ..errors import CodegenError, DerivationError, ModelError, SolveWarning, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.trajectory import Trajectory
+from ..schema.integrators import INTEGRATORS, Integrator
 from .choice import JACOBIAN
-from .integrators import INTEGRATORS, Integrator
 from .precision import Point, Precision
 from .precision_reference import OutOfTime, reference
 from .redundancy import undetermined
@@ -120,9 +120,10 @@ def compare(
 
 def twin(model: CompiledModel, method: Integrator) -> str:
     """The method that a Lie group method is where nothing turns by quaternions, "" of others."""
-    if not (method.charted and method.name.startswith("RKMK")) or model.manifest["quaternions"]:
+    if not method.charted or model.manifest["quaternions"]:
         return ""
-    return next(n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
+    others = (n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
+    return next(others, "")
 
 
 class Bench:

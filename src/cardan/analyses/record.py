@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from functools import lru_cache
 
-from ..schema.records import COUNT, POINTER, REAL, Run, Signal, Tick, check
+from ..schema.records import COUNT, POINTER, REAL, Method, Run, Signal, Tick, check
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
@@ -14,6 +14,8 @@ UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
 # kinds of events, as in run.h
 MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 
+_LENGTH = ctypes.CFUNCTYPE(COUNT, ctypes.POINTER(Run))
+_SOUND = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(Run))
 INPUTS = ctypes.CFUNCTYPE(
     ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
 )
@@ -26,7 +28,7 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     Raises:
         BuildError: its records differ from those here.
     """
-    for name, structure in (("run", Run), ("signal", Signal), ("tick", Tick)):
+    for name, structure in (("run", Run), ("method", Method), ("signal", Signal), ("tick", Tick)):
         check(library, f"cardan_{name}", structure)
     record = ctypes.POINTER(Run)
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
@@ -38,19 +40,21 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     return library
 
 
-def length(library: ctypes.CDLL, kernel: str, run: Run) -> int:
+def method(library: ctypes.CDLL, kernel: str) -> Method:
+    """The functions of a method, and how much it keeps."""
+    return Method.in_dll(library, f"cardan_{kernel}_method")
+
+
+def length(method: Method, run: Run) -> int:
     """Numbers of memory that a method needs for itself."""
-    function = getattr(library, f"cardan_{kernel}_length")
-    function.restype, function.argtypes = COUNT, [ctypes.POINTER(Run)]
-    return int(function(run))
+    return int(_LENGTH(method.length)(run))
 
 
-def sound(library: ctypes.CDLL, kernel: str, run: Run) -> bool:
+def sound(library: ctypes.CDLL, method: Method, run: Run) -> bool:
     """Whether the places that the memory of a run holds exist, where a method keeps any."""
-    kept = ["cardan_hold_sound", f"cardan_{kernel}_sound"]
-    known = [getattr(library, name) for name in kept if hasattr(library, name)]
-    for function in known:
-        function.restype, function.argtypes = ctypes.c_int, [ctypes.POINTER(Run)]
+    known = [_SOUND(address(library, "cardan_hold_sound"))]
+    if method.sound:
+        known.append(_SOUND(method.sound))
     return all(function(run) for function in known)
 
 

@@ -92,7 +92,8 @@ class Runner:
         called = [*self.functions, *self.closers, *self.needed]
         self.interpreted = any(function.interpreted for function in called)
         self._keep: list[Any] = []
-        self.spreads = np.empty((0, settings.method.dense_rows, self.n))
+        self.method = abi.method(self.library, settings.method.kernel)
+        self.spreads = np.empty((0, self.method.dense_rows, self.n))
         self.record = Run()
         self._size()
         self._allocate()
@@ -127,7 +128,7 @@ class Runner:
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
-        model, method, n = self.model, self.settings.method, self.n
+        model, method, n = self.model, self.method, self.n
         parts = sum(len(body["parts"]) for body in model.manifest["bodies"])
         sizes = {
             "y": n,
@@ -144,7 +145,7 @@ class Runner:
             "chart": self.library.cardan_chart_length(self.record),
             "holding": self.library.cardan_hold_length(self.record),
             "passing": self.library.cardan_passing_length(self.record),
-            "own": abi.length(self.library, method.kernel, self.record),
+            "own": abi.length(method, self.record),
             "e": len(self.may.rows),
             "board": self.library.cardan_board_length(self.record),
             "ledger": 4 * (self.closing.positions + self.closing.rates),
@@ -160,12 +161,8 @@ class Runner:
     def _connect(self) -> None:
         """Fill in functions and tolerances."""
         model, settings, run = self.model, self.settings, self.record
-        kernel = f"cardan_{settings.method.kernel}"
-        run.init = abi.address(self.library, f"{kernel}_init")
-        run.step = abi.address(self.library, f"{kernel}_step")
-        run.dense = abi.address(self.library, f"{kernel}_dense")
-        run.length = abi.address(self.library, f"{kernel}_length")
-        run.stages, run.dense_rows = settings.method.stages, settings.method.dense_rows
+        for name in ("init", "step", "dense", "length", "stages", "dense_rows"):
+            setattr(run, name, getattr(self.method, name))
         run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
         if self.sources:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
@@ -292,7 +289,7 @@ class Runner:
             self._times = np.ascontiguousarray(times)
             run.times, run.time_count = self._times.ctypes.data, len(times)
         if dense:
-            self.spreads = np.empty((ROWS, self.settings.method.dense_rows, self.n))
+            self.spreads = np.empty((ROWS, self.method.dense_rows, self.n))
             run.spreads = self.spreads.ctypes.data
 
     def drive(self, budget: int) -> int:

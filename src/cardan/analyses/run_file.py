@@ -17,11 +17,11 @@ import numpy as np
 from ..errors import ModelError, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.number_file import packed, plain, unpacked
+from ..schema.integrators import INTEGRATORS
 from ..version import RUN_FILE
 from . import record as abi
 from .growing import Growing, build_key, digest, model_key, text
 from .happenings import Happenings
-from .integrators import INTEGRATORS
 from .kept import Kept
 from .run import Runner
 from .saved_record import checked, impossible, record_of, saved_of, sound, ticks_of

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError
 from ..runtime import prebuilt
-from .integrator import Integrator
+from ..schema.integrators import Integrator
 
 Matrix = NDArray[np.complexfloating[Any, Any]]
 Array = NDArray[np.float64]

@@ -179,5 +179,5 @@ def sound(runner: Runner, path: Path) -> None:
     Raises:
         ModelError: some of them are outside.
     """
-    if not abi.sound(runner.library, runner.settings.method.kernel, runner.record):
+    if not abi.sound(runner.library, runner.method, runner.record):
         raise impossible(path, "its memory is not that of a run")

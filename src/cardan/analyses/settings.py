@@ -15,8 +15,8 @@ from ..ir.rows import having
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers, start_of
+from ..schema.integrators import INTEGRATORS, Integrator
 from .alpha import Alpha, GeneralizedAlpha, method_of
-from .integrators import INTEGRATORS, Integrator
 from .signals import Signals
 
 Array = NDArray[np.float64]

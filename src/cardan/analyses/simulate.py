@@ -17,13 +17,14 @@ from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
+from ..schema.integrators import INTEGRATORS
 from . import record as abi
 from .accounting import excess
 from .alpha import Alpha, GeneralizedAlpha
 from .choice import JACOBIAN, Case, Limited, choose, given_up, reconsider
 from .closed_start import closed_start
+from .conditions import suited
 from .happenings import NOTHING, Happenings, check_start, happenings
-from .integrators import INTEGRATORS
 from .jumps import stops_of
 from .kept import Kept
 from .outcome import explain
@@ -195,9 +196,8 @@ def runner_of(
     Raises:
         ModelError: the model lacks a function that the method or its events need.
     """
-    if how.method.suited is not None:
-        method, words = how.method.suited(model, how.method)
-        how = replace(how, method=method, words=f"{words}, {how.words}")
+    method, words = suited(model, how.method)
+    how = replace(how, method=method, words=f"{words}, {how.words}" if words else how.words)
     how = _without_costly(model, how)
     available = model.manifest["available"]
     power = "power" in available

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import Complexes, checked
 from ..errors import ArgumentError, ModelError, shown
+from ..schema.integrators import Integrator
 from .alpha import Alpha, GeneralizedAlpha
-from .integrator import Integrator
 from .runge_kutta import response as response_of
 from .settings import integrator
 

@@ -29,8 +29,8 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..analyses.integrators import INTEGRATORS
 from ..errors import ImpossibleWarning, ModelError
+from ..schema.integrators import INTEGRATORS
 from . import INTERRUPTED
 from .options import run as run_options
 from .options import scene as scene_options

@@ -13,7 +13,7 @@ from . import layout
 # what headers declare and files define for others, at the beginnings of lines
 _EXTERNAL = re.compile(
     r"^(?!static|typedef|#|return|else|extern \"C\")[A-Za-z_][\w \t*]*?[ *](\w+)"
-    r"(?=\(|\[[^\n;]*[;=])",
+    r"(?=\(|\[[^\n;]*[;=]|\s+= )",
     re.M,
 )
 _ENUMERATORS = re.compile(r"^ {4}(\w+) = ", re.M)
@@ -78,4 +78,6 @@ def renamed(text: str, names: Iterable[str], prefix: str) -> str:
     for skipped in _SKIPPED.finditer(text):
         parts += [_WORD.sub(word, text[last : skipped.start()]), skipped.group()]
         last = skipped.end()
-    return "".join([*parts, _WORD.sub(word, text[last:])])
+    parts.append(_WORD.sub(word, text[last:]))
+    # macros make names of methods out of two parts
+    return "".join(parts).replace("cardan_##", f"{prefix}cardan_##")

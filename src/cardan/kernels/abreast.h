@@ -97,12 +97,11 @@ ptrdiff_t cardan_abreast_move(cardan_abreast *a);
     }                                                                                              \
     *found = CARDAN_CHOICE(*found == (double)ABREAST_WORST, culprit, *found);
 
-/* the methods */
-void cardan_dop853_abreast(cardan_abreast *a);
-void cardan_dop853_dense_abreast(cardan_abreast *a);
-void cardan_dop853_worst_abreast(cardan_abreast *a);
-void cardan_rk45_abreast(cardan_abreast *a);
-void cardan_rk45_dense_abreast(cardan_abreast *a);
-void cardan_rk45_worst_abreast(cardan_abreast *a);
+/* A method whose trial steps go side by side. Its file ends with one, cardan_<method>_lane_method. */
+typedef struct cardan_lane_method {
+    void (*trial_step)(cardan_abreast *a);
+    void (*dense)(cardan_abreast *a);
+    void (*worst)(cardan_abreast *a);
+} cardan_lane_method;
 
 #endif

@@ -18,7 +18,7 @@ static const real WAVE = 8, QUIET = 10, GROW_3 = 1.4;
 /* part of a step by which one of the same size may differ */
 static const real SAME = 1e-9;
 
-int cardan_alpha_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
     int status = 0;
@@ -210,7 +210,7 @@ static int attempt(cardan_run *run, const cardan_alpha *v, real h, real t_new, r
 }
 
 /* One step from t, y. */
-int cardan_alpha_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
     real h, t_new, error;
@@ -243,3 +243,6 @@ int cardan_alpha_step(cardan_run *run)
     }
     return status != 0 ? status : CARDAN_STOPPED;
 }
+
+const cardan_method cardan_alpha_method
+    = {init, step, cardan_alpha_dense, cardan_alpha_length, cardan_alpha_sound, 1, 3};

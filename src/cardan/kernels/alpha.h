@@ -68,6 +68,8 @@ typedef struct cardan_alpha {
 
 /* alpha_memory.c */
 cardan_alpha cardan_alpha_at(const cardan_run *run);
+ptrdiff_t cardan_alpha_length(const cardan_run *run);
+int cardan_alpha_sound(const cardan_run *run);
 
 /* alpha_pick.c */
 ptrdiff_t cardan_alpha_picked(const cardan_alpha *v, ptrdiff_t rows);
@@ -111,6 +113,7 @@ int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, con
                              const real *udot, const real *lam);
 
 /* alpha_dense.c */
+int cardan_alpha_dense(cardan_run *run);
 real cardan_alpha_misfit(cardan_run *run, const cardan_alpha *v, real h, int *status);
 
 #endif

@@ -74,7 +74,7 @@ cardan_conserving cardan_conserving_at(const cardan_run *run)
     return v;
 }
 
-ptrdiff_t cardan_conserving_length(const cardan_run *run)
+static ptrdiff_t length(const cardan_run *run)
 {
     cardan_run measured = *run;
     cardan_conserving v = {0};
@@ -113,7 +113,7 @@ static int restart(cardan_run *run, const cardan_conserving *v)
     return status;
 }
 
-int cardan_conserving_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     const cardan_conserving v = cardan_conserving_at(run);
     int status = cardan_fixed_init(run);
@@ -186,7 +186,7 @@ static int commit(cardan_run *run, const cardan_conserving *v, real h, real t)
 }
 
 /* One step from t, y; half of it, a quarter, ... where the equations have no solution near by. */
-int cardan_conserving_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     const real whole = cardan_grid(run) - run->t;
     int status = cardan_refresh(run);
@@ -210,7 +210,7 @@ int cardan_conserving_step(cardan_run *run)
 }
 
 /* Cubic through coordinates and their rates at both ends of the last step; speeds go straight. */
-int cardan_conserving_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n, nq = run->nq;
     const real h = run->t - run->t_old;
@@ -224,3 +224,6 @@ int cardan_conserving_dense(cardan_run *run)
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_conserving_method
+    = {init, step, dense, length, NULL, 1, 3};

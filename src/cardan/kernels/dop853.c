@@ -11,7 +11,7 @@
 
 enum { ORDER = 8 };
 
-int cardan_dop853_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     return cardan_first_step(run, ORDER);
 }
@@ -56,12 +56,6 @@ static real part(const cardan_run *run, const real *against, ptrdiff_t i)
     return DOP853_DIFFERENCE(E5) / cardan_scale(run, against, i);
 }
 
-ptrdiff_t cardan_dop853_length(const cardan_run *run)
-{
-    (void)run;
-    return 0;
-}
-
 /* Entry i of the state at which derivative 11 was taken; the step is over. */
 static real state(const cardan_run *run, real h, ptrdiff_t i)
 {
@@ -75,7 +69,7 @@ static real state(const cardan_run *run, real h, ptrdiff_t i)
 }
 
 /* One accepted step from t, y. */
-int cardan_dop853_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     static const cardan_explicit method = {ORDER, -1, stages, error_of, part, 11, 6.1, state};
 
@@ -83,7 +77,7 @@ int cardan_dop853_step(cardan_run *run)
 }
 
 /* Polynomial of degree 7 over the last step; takes three more derivatives. */
-int cardan_dop853_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n;
     const real h = run->t - run->t_old, t = run->t_old;
@@ -100,3 +94,6 @@ int cardan_dop853_dense(cardan_run *run)
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_dop853_method
+    = {init, step, dense, cardan_no_memory, NULL, 16, 7};

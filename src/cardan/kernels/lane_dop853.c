@@ -9,7 +9,7 @@
 #if CARDAN_LANES > 1
 #include "dop853_tables.h"
 
-void cardan_dop853_abreast(cardan_abreast *a)
+static void trial_step(cardan_abreast *a)
 {
     ABREAST_TRIAL(a)
     real sum5 = {0.0}, sum3 = {0.0};
@@ -23,7 +23,7 @@ void cardan_dop853_abreast(cardan_abreast *a)
     *(real *)a->error = DOP853_NORM(h, (double)n, sum5, sum3);
 }
 
-void cardan_dop853_worst_abreast(cardan_abreast *a)
+static void worst(cardan_abreast *a)
 {
     const ptrdiff_t n = a->n;
     const real *k = (const real *)a->k;
@@ -32,7 +32,7 @@ void cardan_dop853_worst_abreast(cardan_abreast *a)
 }
 
 /* Over the step from y to trial, before it is the present one. */
-void cardan_dop853_dense_abreast(cardan_abreast *a)
+static void dense(cardan_abreast *a)
 {
     const ptrdiff_t n = a->n;
     const real *y = (const real *)a->y, *end = (const real *)a->trial;
@@ -48,5 +48,7 @@ void cardan_dop853_dense_abreast(cardan_abreast *a)
         DOP853_SPREAD(real)
     }
 }
+
+const cardan_lane_method cardan_dop853_lane_method = {trial_step, dense, worst};
 
 #endif

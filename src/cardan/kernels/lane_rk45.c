@@ -9,7 +9,7 @@
 #if CARDAN_LANES > 1
 #include "rk45_tables.h"
 
-void cardan_rk45_abreast(cardan_abreast *a)
+static void trial_step(cardan_abreast *a)
 {
     ABREAST_TRIAL(a)
     real sum = {0.0};
@@ -22,7 +22,7 @@ void cardan_rk45_abreast(cardan_abreast *a)
     *(real *)a->error = RK45_NORM(h, (double)(n > 0 ? n : 1), sum);
 }
 
-void cardan_rk45_worst_abreast(cardan_abreast *a)
+static void worst(cardan_abreast *a)
 {
     const ptrdiff_t n = a->n;
     const real *k = (const real *)a->k;
@@ -31,7 +31,7 @@ void cardan_rk45_worst_abreast(cardan_abreast *a)
 }
 
 /* Over the step from y to trial, before it is the present one. */
-void cardan_rk45_dense_abreast(cardan_abreast *a)
+static void dense(cardan_abreast *a)
 {
     const ptrdiff_t n = a->n;
     const real *y = (const real *)a->y, *end = (const real *)a->trial;
@@ -48,5 +48,7 @@ void cardan_rk45_dense_abreast(cardan_abreast *a)
         spread[3 * n + i] = h * RK45_LAST_ROW;
     }
 }
+
+const cardan_lane_method cardan_rk45_lane_method = {trial_step, dense, worst};
 
 #endif

@@ -27,6 +27,12 @@ const size_t cardan_abreast_layout[46] = {
     offsetof(cardan_abreast, k), offsetof(cardan_abreast, spread), offsetof(cardan_abreast, r),
     offsetof(cardan_abreast, s), offsetof(cardan_abreast, at_rest), offsetof(cardan_abreast, work)
 };
+
+extern const size_t cardan_lane_method_layout[4];
+const size_t cardan_lane_method_layout[4] = {
+    sizeof(cardan_lane_method), offsetof(cardan_lane_method, trial_step),
+    offsetof(cardan_lane_method, dense), offsetof(cardan_lane_method, worst)
+};
 #else
 #include "run.h"
 #include "ensemble.h"
@@ -86,6 +92,13 @@ const size_t cardan_run_layout[139] = {
     offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run, limited),
     offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations), offsetof(cardan_run,
     stop)
+};
+
+extern const size_t cardan_method_layout[8];
+const size_t cardan_method_layout[8] = {
+    sizeof(cardan_method), offsetof(cardan_method, init), offsetof(cardan_method, step),
+    offsetof(cardan_method, dense), offsetof(cardan_method, length), offsetof(cardan_method, sound),
+    offsetof(cardan_method, stages), offsetof(cardan_method, dense_rows)
 };
 
 extern const size_t cardan_signal_layout[6];

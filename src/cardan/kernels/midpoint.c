@@ -24,7 +24,7 @@
 static const real TURNING = 1e-9; /* um along d, of the speeds, below which energies only round */
 enum { SHORTEST = 64 /* parts of a step */ };
 
-ptrdiff_t cardan_midpoint_length(const cardan_run *run)
+static ptrdiff_t length(const cardan_run *run)
 {
     const ptrdiff_t size = run->nx + 1;
 
@@ -42,7 +42,7 @@ static room room_of(const cardan_run *run)
     return at;
 }
 
-int cardan_midpoint_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     return cardan_fixed_init(run);
 }
@@ -130,7 +130,7 @@ static int begin(cardan_run *run, const room *at)
 }
 
 /* One step from t, y; half of it, a quarter, ... where the equations have no solution near by. */
-int cardan_midpoint_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     const room at = room_of(run);
     const real whole = cardan_grid(run) - run->t;
@@ -160,9 +160,12 @@ int cardan_midpoint_step(cardan_run *run)
 }
 
 /* Cubic through values and derivatives at both ends of the last step. */
-int cardan_midpoint_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     cardan_hermite(run, run->k, run->k + 2 * run->n);
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_midpoint_method
+    = {init, step, dense, length, NULL, 3, 3};

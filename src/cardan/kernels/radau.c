@@ -37,7 +37,7 @@ typedef struct parts {
     cardan_shift alone, pair; /* the real system and the complex one */
 } parts;
 
-ptrdiff_t cardan_radau_length(const cardan_run *run)
+static ptrdiff_t length(const cardan_run *run)
 {
     const ptrdiff_t nx = run->nx;
 
@@ -64,14 +64,14 @@ static parts parts_of(const cardan_run *run)
 }
 
 /* Whether the factors in memory are of rows that exist. */
-int cardan_radau_sound(const cardan_run *run)
+static int sound(const cardan_run *run)
 {
     const parts own = parts_of(run);
 
     return cardan_shift_sound(&own.alone) && cardan_shift_sound(&own.pair);
 }
 
-int cardan_radau_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     return cardan_first_step(run, ORDER);
 }
@@ -326,7 +326,7 @@ static void remember(cardan_run *run, const parts *own, real h, real error, real
 }
 
 /* One accepted step from t, y. */
-int cardan_radau_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     const parts own = parts_of(run);
     int status = cardan_refresh(run);
@@ -364,7 +364,7 @@ int cardan_radau_step(cardan_run *run)
 }
 
 /* Polynomial of degree 3 over the last step. */
-int cardan_radau_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n;
     const real h = run->t - run->t_old, *k = run->k;
@@ -381,3 +381,6 @@ int cardan_radau_dense(cardan_run *run)
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_radau_method
+    = {init, step, dense, length, sound, 3, 3};

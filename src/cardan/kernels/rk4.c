@@ -6,20 +6,14 @@
  */
 #include "explicit.h"
 
-int cardan_rk4_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     run->on_grid = 1;
     return cardan_fixed_init(run);
 }
 
-ptrdiff_t cardan_rk4_length(const cardan_run *run)
-{
-    (void)run;
-    return 0;
-}
-
 /* One step from t, y. */
-int cardan_rk4_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     static const real c[4] = {0, 0.5, 0.5, 1};
     ptrdiff_t n = run->n;
@@ -43,10 +37,13 @@ int cardan_rk4_step(cardan_run *run)
 }
 
 /* Cubic through values and derivatives at both ends of the last step. */
-int cardan_rk4_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     /* the second derivative of the step is needed no more */
     cardan_hermite(run, run->k, run->k + run->n);
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_rk4_method
+    = {init, step, dense, cardan_no_memory, NULL, 4, 3};

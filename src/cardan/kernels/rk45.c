@@ -12,7 +12,7 @@
 
 enum { ORDER = 5 };
 
-int cardan_rk45_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     return cardan_first_step(run, ORDER);
 }
@@ -52,12 +52,6 @@ static real part(const cardan_run *run, const real *against, ptrdiff_t i)
     return RK45_DIFFERENCE / cardan_scale(run, against, i);
 }
 
-ptrdiff_t cardan_rk45_length(const cardan_run *run)
-{
-    (void)run;
-    return 0;
-}
-
 /* Entry i of the state at which derivative 5 was taken; the step is over. */
 static real state(const cardan_run *run, real h, ptrdiff_t i)
 {
@@ -68,7 +62,7 @@ static real state(const cardan_run *run, real h, ptrdiff_t i)
 }
 
 /* One accepted step from t, y. */
-int cardan_rk45_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     static const cardan_explicit method = {ORDER, RK45_END, stages, error_of, part, 5, 3.3, state};
 
@@ -76,7 +70,7 @@ int cardan_rk45_step(cardan_run *run)
 }
 
 /* Polynomial of degree 4 over the last step; takes no more derivatives. */
-int cardan_rk45_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n;
     const real h = run->t - run->t_old;
@@ -88,3 +82,6 @@ int cardan_rk45_dense(cardan_run *run)
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_rk45_method
+    = {init, step, dense, cardan_no_memory, NULL, 7, 4};

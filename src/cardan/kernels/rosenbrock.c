@@ -12,12 +12,12 @@
 /* the error of a step, of the embedded method of order 4, behaves like h^5 */
 enum { ORDER = 5, STAGES = 8 };
 
-int cardan_rosenbrock_init(cardan_run *run)
+static int init(cardan_run *run)
 {
     return cardan_first_step(run, ORDER);
 }
 
-ptrdiff_t cardan_rosenbrock_length(const cardan_run *run)
+static ptrdiff_t length(const cardan_run *run)
 {
     return cardan_jacobian_length(run) + run->n + cardan_shift_length(run, 0);
 }
@@ -144,7 +144,7 @@ static real error_of(cardan_run *run)
 }
 
 /* One accepted step from t, y. */
-int cardan_rosenbrock_step(cardan_run *run)
+static int step(cardan_run *run)
 {
     int status = cardan_refresh(run);
 
@@ -178,7 +178,7 @@ int cardan_rosenbrock_step(cardan_run *run)
 }
 
 /* Polynomial of degree 4 over the last step. */
-int cardan_rosenbrock_dense(cardan_run *run)
+static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n;
     const real h = run->t - run->t_old, *k = run->k;
@@ -197,3 +197,6 @@ int cardan_rosenbrock_dense(cardan_run *run)
     run->is_dense = 1;
     return 0;
 }
+
+const cardan_method cardan_rosenbrock_method
+    = {init, step, dense, length, NULL, 8, 4};

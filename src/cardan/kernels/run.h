@@ -306,62 +306,31 @@ int cardan_events_full(const cardan_run *run);
 int cardan_events_due(const cardan_run *run);
 int cardan_events_tick(cardan_run *run);
 
-/* The methods: what they keep, and how a run gets one: CARDAN_METHOD(&run, dop853). */
-enum {
-    cardan_rk4_stages = 4,
-    cardan_rk4_rows = 3,
-    cardan_rk45_stages = 7,
-    cardan_rk45_rows = 4,
-    cardan_midpoint_stages = 3,
-    cardan_midpoint_rows = 3,
-    cardan_dop853_stages = 16,
-    cardan_dop853_rows = 7,
-    cardan_alpha_stages = 1,
-    cardan_alpha_rows = 3,
-    cardan_conserving_stages = 1,
-    cardan_conserving_rows = 3,
-    cardan_radau_stages = 3,
-    cardan_radau_rows = 3,
-    cardan_rosenbrock_stages = 8,
-    cardan_rosenbrock_rows = 4
-};
+/* A method. Its file ends with one, called cardan_<method>_method. */
+typedef struct cardan_method {
+    int (*init)(cardan_run *run);  /* the first step, at the start of the run */
+    int (*step)(cardan_run *run);  /* one accepted step */
+    int (*dense)(cardan_run *run); /* the dense output over it */
+    ptrdiff_t (*length)(const cardan_run *run); /* of its own memory */
+    int (*sound)(const cardan_run *run); /* whether places held there exist; NULL: it holds none */
+    ptrdiff_t stages, dense_rows; /* derivatives it keeps, rows of its dense output */
+} cardan_method;
+
+ptrdiff_t cardan_no_memory(const cardan_run *run);
+
+/* Give a run its method. */
+static inline void cardan_take_method(cardan_run *run, const cardan_method *method)
+{
+    run->init = method->init, run->step = method->step;
+    run->dense = method->dense, run->length = method->length;
+    run->stages = method->stages, run->dense_rows = method->dense_rows;
+}
+
+/* The same by its name: CARDAN_METHOD(&run, dop853). */
 #define CARDAN_METHOD(run, name)                                                                   \
-    ((run)->init = cardan_##name##_init, (run)->step = cardan_##name##_step,                       \
-     (run)->dense = cardan_##name##_dense, (run)->length = cardan_##name##_length,                 \
-     (run)->stages = cardan_##name##_stages, (run)->dense_rows = cardan_##name##_rows)
-int cardan_rk4_init(cardan_run *run);
-int cardan_rk4_step(cardan_run *run);
-int cardan_rk4_dense(cardan_run *run);
-ptrdiff_t cardan_rk4_length(const cardan_run *run);
-int cardan_rk45_init(cardan_run *run);
-int cardan_rk45_step(cardan_run *run);
-int cardan_rk45_dense(cardan_run *run);
-ptrdiff_t cardan_rk45_length(const cardan_run *run);
-int cardan_midpoint_init(cardan_run *run);
-int cardan_midpoint_step(cardan_run *run);
-int cardan_midpoint_dense(cardan_run *run);
-ptrdiff_t cardan_midpoint_length(const cardan_run *run);
-int cardan_dop853_init(cardan_run *run);
-int cardan_dop853_step(cardan_run *run);
-int cardan_dop853_dense(cardan_run *run);
-ptrdiff_t cardan_dop853_length(const cardan_run *run);
-int cardan_alpha_sound(const cardan_run *run);
-int cardan_alpha_init(cardan_run *run);
-int cardan_alpha_step(cardan_run *run);
-int cardan_alpha_dense(cardan_run *run);
-ptrdiff_t cardan_alpha_length(const cardan_run *run);
-int cardan_conserving_init(cardan_run *run);
-int cardan_conserving_step(cardan_run *run);
-int cardan_conserving_dense(cardan_run *run);
-ptrdiff_t cardan_conserving_length(const cardan_run *run);
-int cardan_radau_sound(const cardan_run *run);
-int cardan_radau_init(cardan_run *run);
-int cardan_radau_step(cardan_run *run);
-int cardan_radau_dense(cardan_run *run);
-ptrdiff_t cardan_radau_length(const cardan_run *run);
-int cardan_rosenbrock_init(cardan_run *run);
-int cardan_rosenbrock_step(cardan_run *run);
-int cardan_rosenbrock_dense(cardan_run *run);
-ptrdiff_t cardan_rosenbrock_length(const cardan_run *run);
+    do {                                                                                           \
+        extern const cardan_method cardan_##name##_method;                                         \
+        cardan_take_method(run, &cardan_##name##_method);                                          \
+    } while (0)
 
 #endif

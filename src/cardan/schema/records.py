@@ -30,6 +30,7 @@ CALL = "cardan_call"
 # header of each record that Python has; those of lanes are in builds of lanes only
 RECORDS = {
     "cardan_run": "run.h",
+    "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
     "cardan_own": "ensemble.h",
@@ -43,7 +44,7 @@ RECORDS = {
     "cardan_sparse": "sparse.h",
     "cardan_sparse_factors": "sparse.h",
 }
-LANE_RECORDS = {"cardan_abreast": "abreast.h"}
+LANE_RECORDS = {"cardan_abreast": "abreast.h", "cardan_lane_method": "abreast.h"}
 # what the functions of an element give, in the order of mesh.h
 FORMS = (
     "balance",
@@ -135,6 +136,18 @@ class Run(ctypes.Structure):
     """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
 
     _fields_ = fields("cardan_run")
+
+
+class Method(ctypes.Structure):
+    """``cardan_method``: the functions of an integrator, and how much it keeps."""
+
+    _fields_ = fields("cardan_method")
+
+
+class LaneMethod(ctypes.Structure):
+    """``cardan_lane_method``: the functions of one whose trial steps go side by side."""
+
+    _fields_ = fields("cardan_lane_method")
 
 
 class Signal(ctypes.Structure):

@@ -65,7 +65,7 @@ def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) 
     if FUNCTION in model.saved:
         return False
     # what a method makes of itself for a model is asked for every run
-    return how.method.suited is None
+    return not how.method.conditions
 
 
 def width_of(
@@ -194,11 +194,9 @@ class Crew:
         assert built is not None
         library = records.trials(self.model._objects.reproducible, width)
         a = Abreast()
-        kernel, n = self.how.method.kernel, run.n
+        method, n = records.method(library, self.how.method.kernel), run.n
         a.rhs, a.n, a.nq, a.nu, a.nr = built.address, n, run.nq, run.nu, run.nr
-        a.trial_step = abi.address(library, f"cardan_{kernel}_abreast")
-        a.dense = abi.address(library, f"cardan_{kernel}_dense_abreast")
-        a.worst = abi.address(library, f"cardan_{kernel}_worst_abreast")
+        a.trial_step, a.dense, a.worst = method.trial_step, method.dense, method.worst
         self.driver.attempt = abi.address(library, "cardan_abreast_try")
         self.driver.move = abi.address(library, "cardan_abreast_move")
         a.quaternions, a.quaternion_count = run.quaternions, run.quaternion_count

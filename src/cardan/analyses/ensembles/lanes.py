@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...runtime import kernels
-from ...schema.records import Abreast, Driver, Lane, Own, check
+from ...schema.records import Abreast, Driver, Lane, LaneMethod, Own, check
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,13 @@ def trials(reproducible: bool, width: int) -> ctypes.CDLL:
     """
     library = kernels.library(reproducible, width)
     check(library, "cardan_abreast", Abreast)
+    check(library, "cardan_lane_method", LaneMethod)
     return library
+
+
+def method(library: ctypes.CDLL, kernel: str) -> LaneMethod:
+    """The functions of a method in a lane build."""
+    return LaneMethod.in_dll(library, f"cardan_{kernel}_lane_method")
 
 
 def aligned(size: int, width: int) -> Array:

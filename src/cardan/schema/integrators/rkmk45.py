@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="RKMK45",
     kernel="rk45",
     order=5,
     dense_order=4,
-    stages=7,
-    dense_rows=4,
     adaptive=True,
     charted=True,
     applies="as RK45, for spins that are steady in body axes: those are exact",

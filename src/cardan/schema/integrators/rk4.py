@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="RK4",
     kernel="rk4",
     order=4,
     dense_order=3,
-    stages=4,
-    dense_rows=3,
     adaptive=False,
     applies="a fixed step: the same cost per second always, such as beside hardware",
     source="E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1",

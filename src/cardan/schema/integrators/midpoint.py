@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="EnergyMidpoint",
     kernel="midpoint",
     order=2,
     dense_order=2,
-    stages=3,
-    dense_rows=3,
     adaptive=False,
     charted=True,
     needs=("energy",),

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="RKMK4",
     kernel="rk4",
     order=4,
     dense_order=3,
-    stages=4,
-    dense_rows=3,
     adaptive=False,
     charted=True,
     applies="as RK4, for spins that are steady in body axes: those are exact",

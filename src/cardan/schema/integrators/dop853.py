@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="DOP853",
     kernel="dop853",
     order=8,
     dense_order=7,
-    stages=16,
-    dense_rows=7,
     adaptive=True,
     applies="anything that is not stiff, from rough to 14 digits",
     source="E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.10",

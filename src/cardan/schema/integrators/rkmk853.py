@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="RKMK853",
     kernel="dop853",
     order=8,
     dense_order=7,
-    stages=16,
-    dense_rows=7,
     adaptive=True,
     charted=True,
     applies="as DOP853, for spins that are steady in body axes: those are exact",

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from ..integrator import Integrator
+from .integrator import Integrator
 
 METHOD = Integrator(
     name="Radau",
     kernel="radau",
     order=5,
     dense_order=3,
-    stages=3,
-    dense_rows=3,
     adaptive=True,
     applies="stiff springs, dampers and contacts, to many digits",
     source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8",

@@ -1,0 +1,25 @@
+"""What the methods of the generalized-alpha family have in common."""
+
+from __future__ import annotations
+
+from .integrator import Integrator
+
+# behind the coefficients am, af, beta, gamma: constraints hold for positions and velocities, and a
+# tangent serves as many corrections and steps as it can
+STABILIZED, MODIFIED = 2.0, 0.0
+
+FAMILY = Integrator(
+    name="",
+    kernel="alpha",
+    order=2,
+    dense_order=3,
+    adaptive=True,
+    applies="constraints, stiff forces at moderate accuracy; damps what steps do not resolve",
+    source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
+    "A. Cardona, Numer. Math. 129 (2015)",
+    needs=("balance", "balance_tangent", "move", "qdot"),
+    differenced=("balance_tangent",),
+    multipliers=True,
+    given_step=True,
+    conditions=("assembled", "joint_speeds", "no_internal_states", "own_constraints", "damped"),
+)
