@@ -171,9 +171,6 @@ class WrittenForces(ForceElement):
     potential: Ready | None = None
     applied: Ready | None = None
 
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
-
     def quantities(self) -> dict[str, Quantity]:
         own = {"inertia": self.inertia, "forces": self.forces}
         others = {"potential": self.potential, "applied": self.applied}

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from typing import Any
 
+from ..errors import ModelError, shown
 from ..ir.graph import Graph
+from .written import axis, number, vector
 
 # What the fields of joints and forces hold, by the name in their annotation: readers and writers
 # of files go by it. ``Any`` is a value: a number, an expression or rows of them.
 Direction = Any  # "x", "-z" or three values
+Vector = Any  # three values
+Pair = Any  # one value for both directions across a beam, or two
 Place = Any  # a frame, a body or its name
 Bodies = Any  # a body or its name, several, or () for all that have mass
 JointName = str  # the name of a joint
@@ -51,6 +56,55 @@ class Quantity:
     ratio: bool = False
     labels: tuple[str, ...] = ()
     local: tuple[str, ...] = ()
+
+
+# in place of a unit: the field is a direction or a ratio, where exact +-1 is structural too
+RATIO = "ratio"
+# unit by the name of a field
+Units = Mapping[str, str]
+
+
+def take(element: Any, who: str, units: Units) -> None:
+    """Check the fields of an element by their annotations, numbers by their units, as written.
+
+    Args:
+        element: A frozen record; None stays where it is the default of a field.
+        who: What it is called in messages.
+        units: By the names of the fields that are quantities.
+
+    Raises:
+        ModelError: a field holds something else.
+    """
+    for entry in fields(element):
+        value = getattr(element, entry.name)
+        if value is None and entry.default is None:
+            continue
+        if entry.type == "Direction":
+            value = axis(who, entry.name, value)
+        elif entry.type == "Vector":
+            value = vector(who, entry.name, value, 3)
+        elif entry.name in units:
+            value = number(who, entry.name, value)
+        elif entry.type == "bool" and type(value).__name__ not in ("bool", "bool_"):
+            raise ModelError(f"{who}: {entry.name} is True or False, not {shown(value)}")
+        object.__setattr__(element, entry.name, value)
+
+
+def quantities_of(element: Any, units: Units) -> dict[str, Quantity]:
+    """The fields that have units and are given, in the order of these."""
+    given = {name: getattr(element, name) for name in units}
+    return {
+        name: Quantity(value, "", ratio=True)
+        if units[name] == RATIO
+        else Quantity(value, units[name])
+        for name, value in given.items()
+        if value is not None
+    }
+
+
+def annotated(element: Any, annotation: str) -> dict[str, Any]:
+    """The fields with an annotation, by name."""
+    return {f.name: getattr(element, f.name) for f in fields(element) if f.type == annotation}
 
 
 def written_unit(unit: str, sliding: bool) -> str:

@@ -10,7 +10,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..internal import Internal
 from ..limits import Limit, not_negative, positive
-from ..quantity import JointName, Quantity
+from ..quantity import JointName, Units
 from ..written import number
 from .force import Action, ForceElement, JointLoad, Places
 
@@ -36,6 +36,7 @@ class Actuator(ForceElement):
     """
 
     kind: ClassVar[str] = "actuator"
+    units: ClassVar[Units] = {"command": "N*m|N", "lag": "s", "limit": "N*m|N"}
     joint: JointName
     command: Any
     lag: Any
@@ -43,22 +44,13 @@ class Actuator(ForceElement):
     start: Any = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("command", "lag", "limit", "start"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number("actuator", name, getattr(self, name)))
-        self.judge()
+        object.__setattr__(self, "start", number(self.kind, "start", self.start))
+        super().__post_init__()
         if not isinstance(self.start, float):
             raise ModelError(f"{self.title}: start must be a number")
 
     def limits(self) -> tuple[Limit, ...]:
         return (*positive("lag", wanted="a time of more than 0 [s]"), *not_negative("limit"))
-
-    def quantities(self) -> dict[str, Quantity]:
-        found = {"command": Quantity(self.command, "N*m|N"), "lag": Quantity(self.lag, "s")}
-        return found | ({} if self.limit is None else {"limit": Quantity(self.limit, "N*m|N")})
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def internals(self) -> tuple[Internal, ...]:
         return (Internal("force", "N*m|N", self.start),)

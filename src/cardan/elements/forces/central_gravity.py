@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
 from ..limits import Limit, not_negative
-from ..quantity import Bodies, Place, Quantity
-from ..written import number
+from ..quantity import Bodies, Place, Units
 from .force import Places
-from .gravitation import Gravitation, several
+from .gravitation import Gravitation
 
 
 @dataclass(frozen=True)
@@ -35,20 +34,13 @@ class CentralGravity(Gravitation):
     """
 
     kind: ClassVar[str] = "central_gravity"
+    units: ClassVar[Units] = {"mu": "m^3/s^2"}
     center: Place
     mu: Any
     bodies: Bodies = ()
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "mu", number(self.kind, "mu", self.mu))
-        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
-        self.judge()
-
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("mu", wanted="0 or more [m^3/s^2]")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"mu": Quantity(self.mu, "m^3/s^2")}
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         return Central(at.data["mu"][0]).on_mass(r, at.data["mass"][0])

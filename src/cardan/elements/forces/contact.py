@@ -11,8 +11,8 @@ from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
 from ..internal import MODE, Change, Event, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
-from ..quantity import Direction, Place, Quantity
-from ..written import axis, number
+from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
+from ..written import number
 from .force import Action, ForceElement, Load, Places, constant
 
 UNDECIDED, APART, TOUCHING = 0, 1, 2
@@ -49,6 +49,10 @@ class Contact(ForceElement):
     """
 
     kind: ClassVar[str] = "contact"
+    units: ClassVar[Units] = {
+        **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
+        **{"other_radius": "m", "mu": "", "slip": "m/s"},
+    }
     sphere: Place
     other: Place
     radius: Any
@@ -68,12 +72,7 @@ class Contact(ForceElement):
             # said by the damping from here on
             object.__setattr__(self, "restitution", None)
             object.__setattr__(self, "speed", None)
-        object.__setattr__(self, "normal", axis("contact", "normal", self.normal))
-        for name in ("radius", "stiffness", "damping", "exponent", "other_radius", "mu", "slip"):
-            if getattr(self, name) is None:
-                continue
-            object.__setattr__(self, name, number("contact", name, getattr(self, name)))
-        self.judge()
+        super().__post_init__()
 
     def _damping(self) -> float:
         """The damping by which an impact at ``speed`` has the restitution.
@@ -106,21 +105,8 @@ class Contact(ForceElement):
         )
 
     def quantities(self) -> dict[str, Quantity]:
-        found = {
-            "radius": Quantity(self.radius, "m"),
-            "stiffness": Quantity(self.stiffness, ""),
-            "damping": Quantity(self.damping, "s/m"),
-            "exponent": Quantity(self.exponent, "", ratio=True),
-        }
-        if self.other_radius is None:
-            found["normal"] = Quantity(self.normal, "", ratio=True)
-        else:
-            found["other_radius"] = Quantity(self.other_radius, "m")
-        found["mu"] = Quantity(self.mu)
-        return found | {"slip": Quantity(self.slip, "m/s")}
-
-    def frames(self) -> dict[str, Any]:
-        return {"sphere": self.sphere, "other": self.other}
+        left_out = () if self.other_radius is None else ("normal",)
+        return quantities_of(self, {k: v for k, v in self.units.items() if k not in left_out})
 
     def _geometry(self, at: Places) -> tuple[Scalar, Matrix, Matrix]:
         """Depth of the overlap, unit normal towards the sphere, and the place of the contact."""

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import JointName, Units
 from .force import Action, ForceElement, JointLoad, Places
 
 
@@ -25,20 +24,12 @@ class Damping(ForceElement):
     """
 
     kind: ClassVar[str] = "damping"
+    units: ClassVar[Units] = {"damping": "N*m*s/rad|N*s/m"}
     joint: JointName
     damping: Any
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "damping", number("damping", "damping", self.damping))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"damping": Quantity(self.damping, "N*m*s/rad|N*s/m")}
-
     def linear(self) -> tuple[str, ...]:
         return ("damping",)
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def paired(self) -> bool:
         return True

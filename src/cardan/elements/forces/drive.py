@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import RATIO, JointName, Quantity, Units, quantities_of
 from .force import (
     Action,
     ForceElement,
@@ -51,6 +50,10 @@ class Drive(ForceElement):
     """
 
     kind: ClassVar[str] = "drive"
+    units: ClassVar[Units] = {
+        **{"inertia": "kg*m^2", "stiffness": "N*m/rad", "damping": "N*m*s/rad"},
+        **{"ratio": RATIO, "torque": "N*m", "friction": "N*m*s/rad"},
+    }
     joint: JointName
     inertia: Any
     ratio: Any = 1.0
@@ -61,10 +64,7 @@ class Drive(ForceElement):
     damping: Any = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("inertia", "ratio", "torque", "friction", "damping"):
-            object.__setattr__(self, name, number("drive", name, getattr(self, name)))
-        if self.stiffness is not None:
-            object.__setattr__(self, "stiffness", number("drive", "stiffness", self.stiffness))
+        super().__post_init__()
         self._check()
 
     def _check(self) -> None:
@@ -94,30 +94,12 @@ class Drive(ForceElement):
         return RotorBody(self.inertia, self.joint, ratio)
 
     def quantities(self) -> dict[str, Quantity]:
-        shaft = (
-            {}
-            if self.stiffness is None
-            else {
-                "stiffness": Quantity(self.stiffness, "N*m/rad"),
-                "damping": Quantity(self.damping, "N*m*s/rad"),
-            }
-        )
-        own = {} if self.rotor() else {"inertia": Quantity(self.inertia, "kg*m^2")}
-        return (
-            own
-            | shaft
-            | {
-                "ratio": Quantity(self.ratio, "", ratio=True),
-                "torque": Quantity(self.torque, "N*m"),
-                "friction": Quantity(self.friction, "N*m*s/rad"),
-            }
-        )
+        left_out = {"inertia"} if self.rotor() else set()
+        left_out |= {"damping"} if self.stiffness is None else set()
+        return quantities_of(self, {k: v for k, v in self.units.items() if k not in left_out})
 
     def linear(self) -> tuple[str, ...]:
         return ("inertia", "friction", "stiffness", "damping")
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         if self.rotor() is not None:

@@ -15,7 +15,7 @@ from ...ir.matrix import Matrix
 from ...literature import HasSource
 from ..internal import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
 from ..limits import Limit, judge
-from ..quantity import Quantity
+from ..quantity import Quantity, Units, annotated, quantities_of, take
 
 
 class Motion(Protocol):
@@ -138,18 +138,24 @@ class ForceElement(HasSource, ABC):
     """
 
     kind: ClassVar[str]
+    units: ClassVar[Units] = {}
+
+    def __post_init__(self) -> None:
+        take(self, self.kind, self.units)
+        self.judge()
 
     def quantities(self) -> dict[str, Quantity]:
         """What the user wrote, by name; becomes ``data``."""
-        return {}
+        return quantities_of(self, self.units)
 
     def frames(self) -> dict[str, Any]:
         """The frames (or bodies) it acts on, by role."""
-        return {}
+        given = annotated(self, "Place").items()
+        return {name.removeprefix("frame_"): place for name, place in given if place is not None}
 
     def joints(self) -> dict[str, str]:
         """The names of the joints it acts on, by role."""
-        return {}
+        return annotated(self, "JointName")
 
     def masses(self) -> tuple[Any, ...] | None:
         """The bodies it acts on by their mass, () for all that have some but those of its frames.

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Place, Quantity
-from ..written import vector
+from ..quantity import Place, Units, Vector
 from .force import Action, ForceElement, Load, Places
 
 
@@ -28,18 +27,10 @@ class Force(ForceElement):
     """
 
     kind: ClassVar[str] = "force"
+    units: ClassVar[Units] = {"force": "N"}
     frame: Place
-    force: Any
+    force: Vector
     in_: Place = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "force", vector("force", "force", self.force, 3))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"force": Quantity(self.force, "N")}
-
-    def frames(self) -> dict[str, Any]:
-        return {"frame": self.frame} | ({} if self.in_ is None else {"in_": self.in_})
 
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, frames = at.motion, at.data, at.frames

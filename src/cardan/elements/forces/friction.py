@@ -10,12 +10,10 @@ from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import JointName, Quantity, Units, quantities_of
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate
 
 UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
-FIELDS = ("coulomb", "static", "stribeck", "viscous", "against", "smooth", "mu", "radius")
 # of the speed behind an impact against that before it: what counts as a jump, or as rest
 LOOSE = 1e-12
 # what must be left of the uniqueness of a friction force: it grows with the inverse of that
@@ -57,6 +55,11 @@ class Friction(ForceElement):
     """
 
     kind: ClassVar[str] = "friction"
+    units: ClassVar[Units] = {
+        **{"coulomb": "N*m|N", "mu": "", "radius": "m", "stribeck": "rad/s|m/s"},
+        **{"smooth": "rad/s|m/s", "static": "N*m|N", "viscous": "N*m*s/rad|N*s/m"},
+        "against": "rad/s|m/s",
+    }
     joint: JointName
     coulomb: Any = None
     static: Any = None
@@ -69,10 +72,7 @@ class Friction(ForceElement):
 
     def __post_init__(self) -> None:
         who = self.title
-        for name in FIELDS:
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number("friction", name, getattr(self, name)))
-        self.judge()
+        super().__post_init__()
         if self.stribeck is not None and self.static is None:
             raise ModelError(f"{who}: stribeck is the speed over which static falls; give static")
         if (self.coulomb is None) == (self.mu is None):
@@ -99,21 +99,11 @@ class Friction(ForceElement):
         return self.smooth is None
 
     def quantities(self) -> dict[str, Quantity]:
-        force, speed = "N*m|N", "rad/s|m/s"
-        units = {"coulomb": force, "mu": "", "radius": "m", "stribeck": speed, "smooth": speed}
-        units["static"] = force if self.mu is None else ""
-        found = {}
-        for name, unit in units.items():
-            if getattr(self, name) is not None:
-                found[name] = Quantity(getattr(self, name), unit)
-        found["viscous"] = Quantity(self.viscous, "N*m*s/rad|N*s/m")
-        return found | {"against": Quantity(self.against, speed)}
+        # with mu, static is a coefficient too
+        return quantities_of(self, {**self.units, **({} if self.mu is None else {"static": ""})})
 
     def linear(self) -> tuple[str, ...]:
         return ("coulomb", "static", "viscous")
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     # sliding
 

@@ -21,6 +21,10 @@ class Gravitation(ForceElement):
     center: Any
     bodies: Any
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
+        super().__post_init__()
+
     @abstractmethod
     def pull(self, r: Matrix, at: Places) -> Pull:
         """What it does to a body whose centre of mass is at r, in axes of that body."""
@@ -28,9 +32,6 @@ class Gravitation(ForceElement):
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
         """Of the pull: none where turning the body about the centre changes nothing."""
         return Matrix.zeros(r.graph, 3)
-
-    def frames(self) -> dict[str, Any]:
-        return {"center": self.center}
 
     def masses(self) -> tuple[Any, ...]:
         return tuple(self.bodies)

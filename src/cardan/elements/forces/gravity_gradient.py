@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
 from ..limits import Limit, not_negative
-from ..quantity import Bodies, Place, Quantity
-from ..written import number
+from ..quantity import Bodies, Place, Units
 from .force import Action, Places
-from .gravitation import Gravitation, several
+from .gravitation import Gravitation
 
 
 @dataclass(frozen=True)
@@ -38,23 +36,14 @@ class GravityGradient(Gravitation):
     """
 
     kind: ClassVar[str] = "gravity_gradient"
+    units: ClassVar[Units] = {"mu": "m^3/s^2"}
     center: Place
     mu: Any
     bodies: Bodies = ()
     force: bool = True
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "mu", number(self.kind, "mu", self.mu))
-        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
-        if not isinstance(self.force, bool):
-            raise ModelError(f"{self.kind}: force is True or False, not {shown(self.force)}")
-        self.judge()
-
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("mu", wanted="0 or more [m^3/s^2]")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"mu": Quantity(self.mu, "m^3/s^2")}
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         found = Central(at.data["mu"][0]).on_inertia(r, at.data["inertia"])

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..fields import Oblate, Pull
 from ..limits import Limit, not_negative
-from ..quantity import Bodies, Direction, Place, Quantity
-from ..written import axis, number
+from ..quantity import RATIO, Bodies, Direction, Place, Units
 from .force import Places
-from .gravitation import Gravitation, several
+from .gravitation import Gravitation
 
 
 @dataclass(frozen=True)
@@ -39,6 +37,7 @@ class J2(Gravitation):
     """
 
     kind: ClassVar[str] = "j2"
+    units: ClassVar[Units] = {"mu": "m^3/s^2", "j2": "", "radius": "m", "pole": RATIO}
     center: Place
     mu: Any
     j2: Any
@@ -47,25 +46,8 @@ class J2(Gravitation):
     bodies: Bodies = ()
     gradient: bool = False
 
-    def __post_init__(self) -> None:
-        for name in ("mu", "j2", "radius"):
-            object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
-        object.__setattr__(self, "pole", axis(self.kind, "pole", self.pole))
-        object.__setattr__(self, "bodies", several(self.kind, self.bodies))
-        if not isinstance(self.gradient, bool):
-            raise ModelError(f"{self.kind}: gradient is True or False, not {shown(self.gradient)}")
-        self.judge()
-
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("mu", wanted="0 or more [m^3/s^2]") + not_negative("radius")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "mu": Quantity(self.mu, "m^3/s^2"),
-            "j2": Quantity(self.j2),
-            "radius": Quantity(self.radius, "m"),
-            "pole": Quantity(self.pole, ratio=True),
-        }
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         data, frames = at.data, at.frames

@@ -46,9 +46,6 @@ class JointForce(ForceElement):
         value = self.force[0] if len(self.force) == 1 else self.force
         return {"force": Quantity(value, "", labels=labels if len(labels) > 1 else ())}
 
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
-
     def paired(self) -> bool:
         return True
 

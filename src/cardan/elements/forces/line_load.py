@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, shown
-from ..quantity import BeamName, Quantity
-from ..written import vector
+from ..quantity import BeamName, Units, Vector
 from .force import Action, ForceElement, Places
 
 
@@ -29,31 +28,22 @@ class LineLoad(ForceElement):
     """
 
     kind: ClassVar[str] = "line_load"
+    units: ClassVar[Units] = {"force": "N/m", "moment": "N"}
     beam: BeamName
-    force: Any = None
-    moment: Any = None
+    force: Vector = None
+    moment: Vector = None
     follower: bool = False
 
     def __post_init__(self) -> None:
         if self.force is None and self.moment is None:
             raise ModelError("line_load: give force=, moment= or both, three components each")
-        for name in ("force", "moment"):
-            if getattr(self, name) is not None:
-                value = vector("line_load", name, getattr(self, name), 3)
-                object.__setattr__(self, name, value)
+        super().__post_init__()
         if not isinstance(self.beam, str) and not hasattr(self.beam, "section"):
             raise ModelError(
                 f"line_load: {shown(self.beam)} is no beam: give a beam or its name. "
                 "Bodies and frames "
                 "take cd.Force and cd.Torque"
             )
-        if not isinstance(self.follower, bool):
-            raise ModelError(f"line_load: follower is True or False, not {shown(self.follower)}")
-
-    def quantities(self) -> dict[str, Quantity]:
-        units = {"force": "N/m", "moment": "N"}
-        given = {name: getattr(self, name) for name in units}
-        return {name: Quantity(x, units[name]) for name, x in given.items() if x is not None}
 
     def act(self, at: Places) -> tuple[Action, ...]:
         # the elements of the beam carry it

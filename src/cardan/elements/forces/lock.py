@@ -9,8 +9,7 @@ from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
 from ..limits import Limit, not_negative
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import JointName, Units
 from .force import Action, ForceElement, Places, one_coordinate
 
 OPEN, LOCKED = 0, 1
@@ -38,17 +37,12 @@ class Lock(ForceElement):
     """
 
     kind: ClassVar[str] = "lock"
+    units: ClassVar[Units] = {"when": "", "release": "", "strength": "N*m|N"}
     joint: JointName
     when: Any
     release: Any = None
     strength: Any = None
     locked: bool = False
-
-    def __post_init__(self) -> None:
-        for name in ("when", "release", "strength"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number("lock", name, getattr(self, name)))
-        self.judge()
 
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("strength")
@@ -58,17 +52,6 @@ class Lock(ForceElement):
         """What opens it: the name of the event, that of its quantity."""
         ways = (("release", "release"), ("break", "strength"))
         return tuple((event, name) for event, name in ways if getattr(self, name) is not None)
-
-    def quantities(self) -> dict[str, Quantity]:
-        found = {"when": Quantity(self.when)}
-        if self.release is not None:
-            found["release"] = Quantity(self.release)
-        if self.strength is not None:
-            found["strength"] = Quantity(self.strength, "N*m|N")
-        return found
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def paired(self) -> bool:
         return True

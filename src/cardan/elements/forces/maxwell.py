@@ -10,7 +10,7 @@ from ...ir.arithmetic import Scalar, norm
 from ...ir.matrix import Matrix
 from ..internal import Internal
 from ..limits import Limit, positive
-from ..quantity import Place, Quantity
+from ..quantity import Place, Units
 from ..written import number
 from .force import Action, ForceElement, Places
 from .line import between, direction
@@ -41,6 +41,7 @@ class Maxwell(ForceElement):
     """
 
     kind: ClassVar[str] = "maxwell"
+    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "length": "m"}
     frame_a: Place
     frame_b: Place
     stiffness: Any
@@ -49,24 +50,13 @@ class Maxwell(ForceElement):
     start: Any = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("stiffness", "damping", "length", "start"):
-            object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
+        object.__setattr__(self, "start", number(self.kind, "start", self.start))
         if not isinstance(self.start, float):
             raise ModelError(f"{self.kind}: start must be a number")
-        self.judge()
+        super().__post_init__()
 
     def limits(self) -> tuple[Limit, ...]:
         return positive("stiffness", "damping")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "stiffness": Quantity(self.stiffness, "N/m"),
-            "damping": Quantity(self.damping, "N*s/m"),
-            "length": Quantity(self.length, "m"),
-        }
-
-    def frames(self) -> dict[str, Any]:
-        return {"a": self.frame_a, "b": self.frame_b}
 
     def internals(self) -> tuple[Internal, ...]:
         return (Internal("flow", "m", self.start),)

@@ -9,8 +9,7 @@ from ...errors import ModelError
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..limits import Limit, not_negative
-from ..quantity import Direction, Place, Quantity
-from ..written import axis, number
+from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
 from .force import Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
 
 
@@ -46,6 +45,10 @@ class Rotor(ForceElement):
     """
 
     kind: ClassVar[str] = "rotor"
+    units: ClassVar[Units] = {
+        **{"axis": RATIO, "inertia": "kg*m^2", "momentum": "N*m*s", "speed": "rad/s"},
+        **{"torque": "N*m", "friction": "N*m*s/rad"},
+    }
     frame: Place
     axis: Direction = "z"
     inertia: Any = None
@@ -55,10 +58,7 @@ class Rotor(ForceElement):
     friction: Any = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis(self.kind, "axis", self.axis))
-        for name in ("inertia", "momentum", "speed", "torque", "friction"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number(self.kind, name, getattr(self, name)))
+        super().__post_init__()
         driven = self.torque != 0 or self.friction != 0
         if (self.momentum is not None) + (self.speed is not None) + driven > 1:
             raise ModelError(
@@ -68,7 +68,6 @@ class Rotor(ForceElement):
             raise ModelError(
                 "rotor: give inertia about the axis, or momentum alone where that is constant"
             )
-        self.judge()
 
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("inertia", wanted="0 or more [kg m^2]") + not_negative("friction")
@@ -79,19 +78,13 @@ class Rotor(ForceElement):
         return RotorBody(self.inertia, frame=self.frame, axis=self.axis, speed=self.speed)
 
     def quantities(self) -> dict[str, Quantity]:
-        if self.momentum is not None:
-            along = Quantity(self.axis, ratio=True)
-            return {"axis": along, "momentum": Quantity(self.momentum, "N*m*s")}
-        if self.speed is not None:
-            return {}
-        units = {"torque": "N*m", "friction": "N*m*s/rad"}
-        return {name: Quantity(getattr(self, name), unit) for name, unit in units.items()}
+        # a given speed is one of the joint of its body
+        acting = ("torque", "friction") if self.speed is None else ()
+        acting = acting if self.momentum is None else ("axis", "momentum")
+        return quantities_of(self, {name: self.units[name] for name in acting})
 
     def linear(self) -> tuple[str, ...]:
         return ("momentum", "friction")
-
-    def frames(self) -> dict[str, Any]:
-        return {"frame": self.frame}
 
     def paired(self) -> bool:
         return self.momentum is None

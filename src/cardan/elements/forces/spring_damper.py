@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import norm
-from ..quantity import Place, Quantity
-from ..written import number
+from ..quantity import Place, Units
 from .force import Action, ForceElement, Places, constant
 from .line import between, direction
 
@@ -34,28 +33,15 @@ class SpringDamper(ForceElement):
     """
 
     kind: ClassVar[str] = "spring_damper"
+    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "length": "m"}
     frame_a: Place
     frame_b: Place
     stiffness: Any = 0.0
     damping: Any = 0.0
     length: Any = 0.0
 
-    def __post_init__(self) -> None:
-        for name in ("stiffness", "damping", "length"):
-            object.__setattr__(self, name, number("spring_damper", name, getattr(self, name)))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "stiffness": Quantity(self.stiffness, "N/m"),
-            "damping": Quantity(self.damping, "N*s/m"),
-            "length": Quantity(self.length, "m"),
-        }
-
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")
-
-    def frames(self) -> dict[str, Any]:
-        return {"a": self.frame_a, "b": self.frame_b}
 
     def straight(self) -> bool:
         return True

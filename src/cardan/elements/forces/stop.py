@@ -10,8 +10,7 @@ from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
 from ..limits import Limit, not_negative
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import JointName, Units
 from .force import Action, ForceElement, Places, one_coordinate
 
 LOWER, FREE, UPPER = -1, 0, 1
@@ -42,6 +41,9 @@ class Stop(ForceElement):
     """
 
     kind: ClassVar[str] = "stop"
+    units: ClassVar[Units] = {
+        **{"lower": "rad|m", "upper": "rad|m", "restitution": "", "settle": "rad/s|m/s"}
+    }
     joint: JointName
     lower: Any = None
     upper: Any = None
@@ -49,12 +51,9 @@ class Stop(ForceElement):
     settle: Any = 1e-4
 
     def __post_init__(self) -> None:
-        for name in ("lower", "upper", "restitution", "settle"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number("stop", name, getattr(self, name)))
         if self.lower is None and self.upper is None:
             raise ModelError(f"{self.title}: give lower or upper, or both")
-        self.judge()
+        super().__post_init__()
 
     def limits(self) -> tuple[Limit, ...]:
         ends = "lower={other} must be below upper={value}"
@@ -69,14 +68,6 @@ class Stop(ForceElement):
         """The stops there are: the name of its quantity, and the mode of lying against it."""
         ends = (("lower", LOWER), ("upper", UPPER))
         return tuple((name, side) for name, side in ends if getattr(self, name) is not None)
-
-    def quantities(self) -> dict[str, Quantity]:
-        found = {name: Quantity(getattr(self, name), "rad|m") for name, _ in self._sides}
-        found["restitution"] = Quantity(self.restitution)
-        return found | {"settle": Quantity(self.settle, "rad/s|m/s")}
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def paired(self) -> bool:
         return True

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import Place, Quantity
-from ..written import vector
+from ..quantity import Place, Units, Vector
 from .force import Action, ForceElement, Load, Places
 
 
@@ -27,18 +26,10 @@ class Torque(ForceElement):
     """
 
     kind: ClassVar[str] = "torque"
+    units: ClassVar[Units] = {"torque": "N*m"}
     frame: Place
-    torque: Any
+    torque: Vector
     in_: Place = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "torque", vector("torque", "torque", self.torque, 3))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"torque": Quantity(self.torque, "N*m")}
-
-    def frames(self) -> dict[str, Any]:
-        return {"frame": self.frame} | ({} if self.in_ is None else {"in_": self.in_})
 
     def act(self, at: Places) -> tuple[Action, ...]:
         motion, data, frames = at.motion, at.data, at.frames

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import JointName, Quantity
-from ..written import number
+from ..quantity import JointName, Units
 from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
 
 
@@ -30,27 +29,16 @@ class TorsionSpring(ForceElement):
     """
 
     kind: ClassVar[str] = "torsion_spring"
+    units: ClassVar[Units] = {
+        **{"stiffness": "N*m/rad|N/m", "damping": "N*m*s/rad|N*s/m", "rest": "rad|m"}
+    }
     joint: JointName
     stiffness: Any = 0.0
     damping: Any = 0.0
     rest: Any = 0.0
 
-    def __post_init__(self) -> None:
-        for name in ("stiffness", "damping", "rest"):
-            object.__setattr__(self, name, number("torsion_spring", name, getattr(self, name)))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "stiffness": Quantity(self.stiffness, "N*m/rad|N/m"),
-            "damping": Quantity(self.damping, "N*m*s/rad|N*s/m"),
-            "rest": Quantity(self.rest, "rad|m"),
-        }
-
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")
-
-    def joints(self) -> dict[str, str]:
-        return {"joint": self.joint}
 
     def paired(self) -> bool:
         return True

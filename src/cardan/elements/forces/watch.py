@@ -8,8 +8,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError, near, shown
 from ...ir.arithmetic import Scalar
 from ..internal import END, MARK, Event, Solved
-from ..quantity import Quantity
-from ..written import number
+from ..quantity import Units
 from .force import Action, ForceElement, Places
 
 THEN = {"mark": MARK, "end": END}
@@ -32,12 +31,13 @@ class Watch(ForceElement):
     """
 
     kind: ClassVar[str] = "watch"
+    units: ClassVar[Units] = {"expression": ""}
     expression: Any
     then: str = "mark"
     direction: str = "down"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "expression", number("watch", "expression", self.expression))
+        super().__post_init__()
         for name, known in (("then", THEN), ("direction", DIRECTIONS)):
             if not isinstance(getattr(self, name), str) or getattr(self, name) not in known:
                 word = getattr(self, name)
@@ -45,9 +45,6 @@ class Watch(ForceElement):
                     near(word, known) if isinstance(word, str) else f" Known: {', '.join(known)}."
                 )
                 raise ModelError(f"watch: {name}={shown(word)} is unknown.{told}")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"expression": Quantity(self.expression)}
 
     def paired(self) -> bool:
         return True

@@ -8,8 +8,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Direction, Quantity
-from ..written import axis
+from ..quantity import RATIO, Direction, Units
 from .joint import POSITIONS, Component, Joint
 
 
@@ -33,17 +32,13 @@ class ConstantVelocity(Joint):
     """
 
     kind: ClassVar[str] = "constant_velocity"
+    title: ClassVar[str] = "constant-velocity joint"
+    units: ClassVar[Units] = {"axis": RATIO}
     axis: Direction = "z"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("constant-velocity joint", "axis", self.axis))
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return Component("angle1", "rad"), Component("angle2", "rad", reach=math.pi)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"axis": Quantity(self.axis, ratio=True)}
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         first, second = complement(unit(data["axis"]))

@@ -8,8 +8,7 @@ from typing import ClassVar
 from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Direction, Quantity
-from ..written import axis
+from ..quantity import RATIO, Direction, Units
 from .joint import Component, Joint, Step, held_across
 
 
@@ -28,12 +27,10 @@ class Cylindrical(Joint):
     """
 
     kind: ClassVar[str] = "cylindrical"
+    units: ClassVar[Units] = {"axis": RATIO}
     line: ClassVar[str] = "axis"
     angle: ClassVar[int | None] = 0
     axis: Direction = "z"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("cylindrical joint", "axis", self.axis))
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
@@ -41,9 +38,6 @@ class Cylindrical(Joint):
 
     def steps(self) -> tuple[Step, ...]:
         return Step("angle", self.axis), Step("displacement", self.axis, slides=True)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"axis": Quantity(self.axis, ratio=True)}
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         n = unit(data["axis"])

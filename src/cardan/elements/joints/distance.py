@@ -9,9 +9,8 @@ from typing import Any, ClassVar
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
-from ...spatial.rotations import parametrization
-from ..quantity import Direction, Quantity
-from ..written import axis, positive
+from ..quantity import RATIO, Direction, Units
+from ..written import positive
 from .guided import Guided
 from .joint import Component
 
@@ -40,21 +39,19 @@ class Distance(Guided):
     """
 
     kind: ClassVar[str] = "distance"
+    title: ClassVar[str] = "distance"
+    units: ClassVar[Units] = {"length": "m", "axis": RATIO}
     length: Any
     axis: Direction = "z"
     rotation: str = "quaternion"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "length", positive("distance", "length", self.length))
-        object.__setattr__(self, "axis", axis("distance", "axis", self.axis))
-        parametrization(self.rotation, "distance")
+        super().__post_init__()
 
     @property
     def guides(self) -> tuple[Component, ...]:
         return Component("rod1", "rad"), Component("rod2", "rad", reach=math.pi / 2)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"length": Quantity(self.length, "m"), "axis": Quantity(self.axis, ratio=True)}
 
     @property
     def coincident(self) -> bool:

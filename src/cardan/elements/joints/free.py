@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.rotations import parametrization
 from .guided import Guided, turns
 from .joint import POSITIONS, Component, Step
 
@@ -31,9 +30,6 @@ class Free(Guided):
 
     kind: ClassVar[str] = "free"
     rotation: str = "quaternion"
-
-    def __post_init__(self) -> None:
-        parametrization(self.rotation, "free joint")
 
     def steps(self) -> tuple[Step, ...]:
         slides = tuple(Step(f"p{axis}", axis, slides=True) for axis in "xyz")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..quantity import Direction, JointName
-from ..written import axis, number
+from ..written import number
 from .hinge import Hinge
 
 
@@ -32,13 +32,14 @@ class Gear(Hinge):
     """
 
     kind: ClassVar[str] = "gear"
+    title: ClassVar[str] = "gear"
     leader: JointName
     ratio: Any = 1.0
     axis: Direction = "z"
     offset: Any = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("gear", "axis", self.axis))
+        super().__post_init__()
         for name in ("ratio", "offset"):
             object.__setattr__(self, name, number("gear", name, getattr(self, name)))
 

@@ -27,6 +27,10 @@ class Guided(Joint):
 
     rotation: str
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        parametrization(self.rotation, self.called)
+
     @property
     @abstractmethod
     def guides(self) -> tuple[Component, ...]:

@@ -7,7 +7,7 @@ from typing import ClassVar
 from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Direction, Quantity
+from ..quantity import RATIO, Direction, Units
 from .joint import POSITIONS, Component, Joint, held_across
 
 
@@ -15,15 +15,13 @@ class Hinge(Joint):
     """A rotation about ``axis``, fixed in both bodies; the angle [rad] is the coordinate."""
 
     line: ClassVar[str] = "axis"
+    units: ClassVar[Units] = {"axis": RATIO}
     angle: ClassVar[int | None] = 0
     axis: Direction
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return (Component("", "rad"),)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"axis": Quantity(self.axis, ratio=True)}
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         return rotation_about(unit(data["axis"]), q[0]), Matrix.zeros(q.graph, 3)

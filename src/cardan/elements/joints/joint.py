@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..quantity import Direction, Quantity
+from ..quantity import Direction, Quantity, Units, quantities_of, take
 
 
 @dataclass(frozen=True)
@@ -95,6 +95,8 @@ class Joint(HasSource, ABC):
     """
 
     kind: ClassVar[str]
+    units: ClassVar[Units] = {}
+    title: ClassVar[str] = ""
     # the quantity that is the line of all motion, "" if there is none: joint frames may be turned
     # about it and moved along it
     line: ClassVar[str] = ""
@@ -111,9 +113,17 @@ class Joint(HasSource, ABC):
         """The speeds u of the joint, in order; by default the rates of the coordinates."""
         return tuple(Component(c.name, (c.unit or "1") + "/s") for c in self.coordinates)
 
+    def __post_init__(self) -> None:
+        take(self, self.called, self.units)
+
+    @property
+    def called(self) -> str:
+        """What messages call it."""
+        return self.title or f"{self.kind} joint"
+
     def quantities(self) -> dict[str, Quantity]:
         """What the user wrote about this joint, by name."""
-        return {}
+        return quantities_of(self, self.units)
 
     @abstractmethod
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
@@ -277,6 +287,11 @@ class Joint(HasSource, ABC):
         return ""
 
 
+def _shared(name: str) -> Any:
+    """What a joint and its reversal have in common, a property or a method."""
+    return property(lambda self: getattr(self.element, name))
+
+
 @dataclass(frozen=True)
 class Reversed(Joint):
     """A joint whose child carries its parent: the same pose, speeds and data, told backwards.
@@ -287,20 +302,28 @@ class Reversed(Joint):
 
     element: Joint
 
+    # told alike in both directions
+    coordinates = _shared("coordinates")
+    speeds = _shared("speeds")
+    quantities = _shared("quantities")
+    held = _shared("held")
+    closes_by_coordinates = _shared("closes_by_coordinates")
+    coincident = _shared("coincident")
+    follows = _shared("follows")
+    sliding = _shared("sliding")
+    slips = _shared("slips")
+    rates = _shared("rates")
+    speeds_of = _shared("speeds_of")
+    bracket = _shared("bracket")
+    integrate = _shared("integrate")
+    difference = _shared("difference")
+    tangent = _shared("tangent")
+    quaternion = _shared("quaternion")
+    domain = _shared("domain")
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "kind", self.element.kind)
         object.__setattr__(self, "source", self.element.source)
-
-    @property
-    def coordinates(self) -> tuple[Component, ...]:
-        return self.element.coordinates
-
-    @property
-    def speeds(self) -> tuple[Component, ...]:
-        return self.element.speeds
-
-    def quantities(self) -> dict[str, Quantity]:
-        return self.element.quantities()
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         return _inverse(*self.element.pose(q, **data))
@@ -320,37 +343,14 @@ class Reversed(Joint):
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return self.element.closure(*_inverse(R, p), **data)
 
-    @property
-    def held(self) -> tuple[Component, ...]:
-        return self.element.held
-
     def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return self.element.facing(*_inverse(R, p), **data)
-
-    @property
-    def closes_by_coordinates(self) -> bool:
-        return self.element.closes_by_coordinates
-
-    @property
-    def coincident(self) -> bool:
-        return self.element.coincident
-
-    @property
-    def follows(self) -> tuple[str, Any, Any] | None:
-        return self.element.follows
 
     def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
         turning, sliding = _halves(twist)
         turned = R @ turning
         back = Matrix.vstack(-turned, -(R @ sliding + p.cross(turned)))
         return self.element.slip(*_inverse(R, p), back, **data)
-
-    def sliding(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix | None:
-        return self.element.sliding(q, u, **data)
-
-    @property
-    def slips(self) -> tuple[Component, ...]:
-        return self.element.slips
 
     def reversed(self) -> Joint:
         return self.element
@@ -359,32 +359,6 @@ class Reversed(Joint):
     def rotation(self) -> Any:
         """What the joint says about its rotation, None where it says nothing."""
         return getattr(self.element, "rotation", None)
-
-    def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
-        return self.element.rates(q, u, **data)
-
-    def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
-        return self.element.speeds_of(q, qdot, **data)
-
-    def bracket(self, u: Matrix, v: Matrix) -> Matrix:
-        return self.element.bracket(u, v)
-
-    def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
-        return self.element.integrate(q, du, **data)
-
-    def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
-        return self.element.difference(q0, q1, **data)
-
-    def tangent(self, du: Matrix) -> Matrix:
-        return self.element.tangent(du)
-
-    @property
-    def quaternion(self) -> int | None:
-        return self.element.quaternion
-
-    @property
-    def domain(self) -> str:
-        return self.element.domain
 
 
 def _inverse(R: Matrix, p: Matrix) -> tuple[Matrix, Matrix]:

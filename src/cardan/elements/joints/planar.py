@@ -8,8 +8,7 @@ from typing import ClassVar
 from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Direction, Quantity
-from ..written import axis
+from ..quantity import RATIO, Direction, Units
 from .joint import Component, Joint, Step, held_across, held_along, letter
 
 
@@ -32,10 +31,8 @@ class Planar(Joint):
     """
 
     kind: ClassVar[str] = "planar"
+    units: ClassVar[Units] = {"normal": RATIO}
     normal: Direction = "z"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "normal", axis("planar joint", "normal", self.normal))
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
@@ -48,9 +45,6 @@ class Planar(Joint):
         first, second = ("yzx"[k], "zxy"[k])[::sign]
         slides = Step("x", first, slides=True), Step("y", second, slides=True)
         return (*slides, Step("angle", self.normal))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"normal": Quantity(self.normal, ratio=True)}
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         n = unit(data["normal"])

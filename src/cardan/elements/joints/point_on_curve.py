@@ -14,7 +14,6 @@ from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...spatial.axis import complement, unit
-from ...spatial.rotations import parametrization
 from ..quantity import Quantity
 from ..tables import Interpolation, table
 from ..written import is_expression, vector
@@ -46,6 +45,7 @@ class PointOnCurve(Guided):
     """
 
     kind: ClassVar[str] = "point_on_curve"
+    title: ClassVar[str] = "point on a curve"
     points: Any
     closed: bool = False
     rotation: str = "quaternion"
@@ -54,7 +54,7 @@ class PointOnCurve(Guided):
         if type(self.closed).__name__ not in ("bool", "bool_"):
             raise ModelError(f"point on a curve: closed={shown(self.closed)}: give True or False")
         object.__setattr__(self, "points", _points(self.points, self.closed))
-        parametrization(self.rotation, "point on a curve")
+        super().__post_init__()
 
     def _splines(self) -> tuple[float, list[Interpolation]]:
         """Length of the curve as s counts it; x, y and z as functions of s."""

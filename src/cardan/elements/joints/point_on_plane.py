@@ -7,9 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
-from ...spatial.rotations import parametrization
-from ..quantity import Direction, Quantity
-from ..written import axis
+from ..quantity import RATIO, Direction, Units
 from .guided import Guided
 from .joint import Component, held_along
 
@@ -34,19 +32,14 @@ class PointOnPlane(Guided):
     """
 
     kind: ClassVar[str] = "point_on_plane"
+    title: ClassVar[str] = "point on a plane"
+    units: ClassVar[Units] = {"normal": RATIO}
     normal: Direction = "z"
     rotation: str = "quaternion"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "normal", axis("point on a plane", "normal", self.normal))
-        parametrization(self.rotation, "point on a plane")
 
     @property
     def guides(self) -> tuple[Component, ...]:
         return Component("px", "m"), Component("py", "m")
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"normal": Quantity(self.normal, ratio=True)}
 
     def place(self, c: Matrix, **data: Matrix) -> Matrix:
         return self.slope(c, **data) @ c

@@ -8,8 +8,7 @@ from typing import ClassVar
 from ...ir.matrix import Matrix
 from ...spatial.alignment import diagonal, turning
 from ...spatial.axis import complement, unit
-from ..quantity import Direction, Quantity
-from ..written import axis
+from ..quantity import RATIO, Direction, Units
 from .joint import ROTATIONS, Component, Joint, held_across
 
 
@@ -28,18 +27,13 @@ class Prismatic(Joint):
     """
 
     kind: ClassVar[str] = "prismatic"
+    units: ClassVar[Units] = {"axis": RATIO}
     line: ClassVar[str] = "axis"
     axis: Direction = "z"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("prismatic joint", "axis", self.axis))
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return (Component("", "m"),)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"axis": Quantity(self.axis, ratio=True)}
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         return Matrix.identity(q.graph, 3), unit(data["axis"]) * q[0]

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..quantity import Direction
-from ..written import axis
 from .hinge import Hinge
 
 
@@ -26,6 +25,3 @@ class Revolute(Hinge):
 
     kind: ClassVar[str] = "revolute"
     axis: Direction = "z"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("revolute joint", "axis", self.axis))

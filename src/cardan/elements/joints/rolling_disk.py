@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import Direction, Quantity
-from ..written import axis, positive
+from ..quantity import RATIO, Direction, Units
+from ..written import positive
 from .joint import Component
 from .rolling import Rolling
 
@@ -36,19 +36,15 @@ class RollingDisk(Rolling):
     """
 
     kind: ClassVar[str] = "rolling_disk"
+    title: ClassVar[str] = "rolling disk"
+    units: ClassVar[Units] = {"radius": "m", "normal": RATIO}
     radius: Any
     normal: Direction = "z"
     knife_edge: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "radius", positive("rolling disk", "radius", self.radius))
-        object.__setattr__(self, "normal", axis("rolling disk", "normal", self.normal))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "radius": Quantity(self.radius, "m"),
-            "normal": Quantity(self.normal, ratio=True),
-        }
+        super().__post_init__()
 
     def radii(self, data: dict[str, Matrix]) -> tuple[Scalar, Scalar]:
         radius = data["radius"][0]

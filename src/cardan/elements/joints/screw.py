@@ -9,8 +9,7 @@ from ...ir.arithmetic import atan2, cos, select, sin
 from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import Direction, Quantity
-from ..written import axis, number
+from ..quantity import RATIO, Direction, Units
 from .joint import Component, Joint, held_across, held_along
 
 
@@ -30,23 +29,14 @@ class Screw(Joint):
     """
 
     kind: ClassVar[str] = "screw"
+    units: ClassVar[Units] = {"axis": RATIO, "pitch": "m/rad"}
     line: ClassVar[str] = "axis"
     axis: Direction = "z"
     pitch: Any = 0.0
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", axis("screw joint", "axis", self.axis))
-        object.__setattr__(self, "pitch", number("screw joint", "pitch", self.pitch))
-
     @property
     def coordinates(self) -> tuple[Component, ...]:
         return (Component("", "rad"),)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "axis": Quantity(self.axis, ratio=True),
-            "pitch": Quantity(self.pitch, "m/rad"),
-        }
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         n = unit(data["axis"])

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.rotations import parametrization
 from .guided import Guided, turns
 from .joint import POSITIONS, Component, Step
 
@@ -31,9 +30,6 @@ class Spherical(Guided):
 
     kind: ClassVar[str] = "spherical"
     rotation: str = "quaternion"
-
-    def __post_init__(self) -> None:
-        parametrization(self.rotation, "spherical joint")
 
     def steps(self) -> tuple[Step, ...]:
         return turns(self.rotation)

@@ -9,8 +9,8 @@ from ...errors import ModelError
 from ...ir.arithmetic import sqrt
 from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
-from ..quantity import Direction, Quantity
-from ..written import axis, parallel
+from ..quantity import RATIO, Direction, Units
+from ..written import parallel
 from .joint import POSITIONS, Component, Joint, Step
 
 
@@ -31,12 +31,12 @@ class Universal(Joint):
     """
 
     kind: ClassVar[str] = "universal"
+    units: ClassVar[Units] = {"axis1": RATIO, "axis2": RATIO}
     axis1: Direction = "x"
     axis2: Direction = "y"
 
     def __post_init__(self) -> None:
-        for name in ("axis1", "axis2"):
-            object.__setattr__(self, name, axis("universal joint", name, getattr(self, name)))
+        super().__post_init__()
         if parallel(self.axis1, self.axis2):
             raise ModelError(
                 f"universal joint: axis1 {self.axis1} and axis2 {self.axis2} are parallel; take a "
@@ -49,12 +49,6 @@ class Universal(Joint):
 
     def steps(self) -> tuple[Step, ...]:
         return Step("angle1", self.axis1), Step("angle2", self.axis2)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "axis1": Quantity(self.axis1, ratio=True),
-            "axis2": Quantity(self.axis2, ratio=True),
-        }
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         first = rotation_about(unit(data["axis1"]), q[0])

@@ -8,8 +8,8 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import Direction, Quantity
-from ..written import axis, is_expression, number, positive
+from ..quantity import RATIO, Direction, Units
+from ..written import is_expression, positive
 from .joint import Component
 from .rolling import Rolling
 
@@ -40,6 +40,8 @@ class Wheel(Rolling):
     """
 
     kind: ClassVar[str] = "wheel"
+    title: ClassVar[str] = "wheel"
+    units: ClassVar[Units] = {"radius": "m", "crown": "m", "normal": RATIO}
     radius: Any
     crown: Any = 0.0
     normal: Direction = "z"
@@ -47,21 +49,13 @@ class Wheel(Rolling):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "radius", positive("wheel", "radius", self.radius))
-        object.__setattr__(self, "crown", number("wheel", "crown", self.crown))
-        object.__setattr__(self, "normal", axis("wheel", "normal", self.normal))
+        super().__post_init__()
         given = not is_expression(self.crown)
         largest = self.radius if given and not is_expression(self.radius) else float("inf")
         if given and not 0 <= self.crown <= largest:
             raise ModelError(
                 f"wheel: crown is {self.crown}; give a length from 0 to the radius {self.radius}"
             )
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "radius": Quantity(self.radius, "m"),
-            "crown": Quantity(self.crown, "m"),
-            "normal": Quantity(self.normal, ratio=True),
-        }
 
     def radii(self, data: dict[str, Matrix]) -> tuple[Scalar, Scalar]:
         radius, crown = data["radius"][0], data["crown"][0]

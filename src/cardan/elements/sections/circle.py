@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..quantity import Quantity
-from ..written import positive
-from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+from ..quantity import Pair, Units
+from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -26,15 +25,9 @@ class Circle(Section):
     """
 
     kind: ClassVar[str] = "circle"
+    units: ClassVar[Units] = {"radius": "m", "shear": ""}
     radius: Any
-    shear: Any = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "radius", positive("circle", "radius", self.radius))
-        object.__setattr__(self, "shear", pair("circle", "shear", self.shear))
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {"radius": Quantity(self.radius, "m")} | both("shear", self.shear, "")
+    shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         nu, square = material["nu"], data["radius"] ** 2

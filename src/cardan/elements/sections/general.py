@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..quantity import Quantity
+from ..quantity import Units
 from ..written import is_expression, number, positive
-from .section import Data, Numbers, Outline, Section, Stiffness, both, pair
+from .section import Data, Numbers, Outline, Section, Stiffness, pair
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,9 @@ class General(Section):
     """
 
     kind: ClassVar[str] = "general"
+    units: ClassVar[Units] = {
+        **{"EA": "N", "GA": "N", "GJ": "N*m^2", "EI": "N*m^2", "rhoA": "kg/m", "rhoI": "kg*m"}
+    }
     shaped: ClassVar[bool] = False
     EA: Any
     GA: Any
@@ -53,16 +56,6 @@ class General(Section):
                 value = number("general", name, value)
             given = 0 if isinstance(value, float) and value == 0 else pair("general", name, value)
             object.__setattr__(self, name, given)
-
-    def quantities(self) -> dict[str, Quantity]:
-        return {
-            "EA": Quantity(self.EA, "N"),
-            **both("GA", self.GA, "N"),
-            "GJ": Quantity(self.GJ, "N*m^2"),
-            **both("EI", self.EI, "N*m^2"),
-            "rhoA": Quantity(self.rhoA, "kg/m"),
-            **both("rhoI", self.rhoI, "kg*m"),
-        }
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         return Stiffness(

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
-from ..quantity import Quantity
-from ..written import positive
-from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+from ..quantity import Pair, Units
+from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -28,21 +27,11 @@ class HollowRectangle(Section):
     """
 
     kind: ClassVar[str] = "hollow_rectangle"
+    units: ClassVar[Units] = {"width": "m", "height": "m", "thickness": "m", "shear": ""}
     width: Any
     height: Any
     thickness: Any
-    shear: Any = None
-
-    def __post_init__(self) -> None:
-        for name in ("width", "height", "thickness"):
-            value = positive("hollow_rectangle", name, getattr(self, name))
-            object.__setattr__(self, name, value)
-        object.__setattr__(self, "shear", pair("hollow_rectangle", "shear", self.shear))
-
-    def quantities(self) -> dict[str, Quantity]:
-        names = ("width", "height", "thickness")
-        sides = {name: Quantity(getattr(self, name), "m") for name in names}
-        return sides | both("shear", self.shear, "")
+    shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         w, h, t = data["width"], data["height"], data["thickness"]

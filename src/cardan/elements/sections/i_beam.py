@@ -5,18 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..quantity import Quantity
-from ..written import positive
+from ..quantity import Pair, Units
 from .section import (
     Data,
     Numbers,
     Outline,
     Section,
     Stiffness,
-    both,
     corrections,
     made_of,
-    pair,
     rectangle_shear,
 )
 
@@ -43,21 +40,14 @@ class IBeam(Section):
     """
 
     kind: ClassVar[str] = "i_beam"
+    units: ClassVar[Units] = {
+        **{"width": "m", "height": "m", "flange": "m", "web": "m", "shear": ""}
+    }
     width: Any
     height: Any
     flange: Any
     web: Any
-    shear: Any = None
-
-    def __post_init__(self) -> None:
-        for name in ("width", "height", "flange", "web"):
-            object.__setattr__(self, name, positive("i_beam", name, getattr(self, name)))
-        object.__setattr__(self, "shear", pair("i_beam", "shear", self.shear))
-
-    def quantities(self) -> dict[str, Quantity]:
-        names = ("width", "height", "flange", "web")
-        sides = {name: Quantity(getattr(self, name), "m") for name in names}
-        return sides | both("shear", self.shear, "")
+    shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         w, h, flange, web = (data[name] for name in ("width", "height", "flange", "web"))

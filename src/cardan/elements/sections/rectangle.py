@@ -7,18 +7,15 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
-from ..quantity import Quantity
-from ..written import positive
+from ..quantity import Pair, Units
 from .section import (
     Data,
     Numbers,
     Outline,
     Section,
     Stiffness,
-    both,
     corrections,
     made_of,
-    pair,
     rectangle_shear,
 )
 
@@ -44,18 +41,10 @@ class Rectangle(Section):
     """
 
     kind: ClassVar[str] = "rectangle"
+    units: ClassVar[Units] = {"width": "m", "height": "m", "shear": ""}
     width: Any
     height: Any
-    shear: Any = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "width", positive("rectangle", "width", self.width))
-        object.__setattr__(self, "height", positive("rectangle", "height", self.height))
-        object.__setattr__(self, "shear", pair("rectangle", "shear", self.shear))
-
-    def quantities(self) -> dict[str, Quantity]:
-        sides = {"width": Quantity(self.width, "m"), "height": Quantity(self.height, "m")}
-        return sides | both("shear", self.shear, "")
+    shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         width, height = data["width"], data["height"]

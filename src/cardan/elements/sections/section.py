@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
-from ..quantity import Quantity
+from ..quantity import Quantity, Units, annotated, quantities_of
 from ..written import positive, vector
 
 Data = Mapping[str, "Scalar"]
@@ -54,12 +54,23 @@ class Section(HasSource, ABC):
     """A cross-section; numbers, parameters or expressions of them."""
 
     kind: ClassVar[str]
+    # of all fields, in their order
+    units: ClassVar[Units]
     # whether the material gives the stiffness
     shaped: ClassVar[bool] = True
 
-    @abstractmethod
+    def __post_init__(self) -> None:
+        pairs = annotated(self, "Pair")
+        for name in self.units:
+            check = pair if name in pairs else positive
+            object.__setattr__(self, name, check(self.kind, name, getattr(self, name)))
+
     def quantities(self) -> dict[str, Quantity]:
         """What the user wrote, by name; becomes ``data``."""
+        return {
+            name: replace(one, labels=("e2", "e3")) if isinstance(one.value, tuple) else one
+            for name, one in quantities_of(self, self.units).items()
+        }
 
     @abstractmethod
     def stiffness(self, data: Data, material: Data) -> Stiffness:
@@ -127,13 +138,6 @@ def pair(owner: str, name: str, value: Any) -> Any:
         return positive(owner, name, value)
     two = vector(owner, name, value, 2)
     return tuple(positive(owner, f"{name}[{k}]", x) for k, x in enumerate(two))
-
-
-def both(name: str, value: Any, unit: str) -> dict[str, Quantity]:
-    """A quantity of one or two entries, for :meth:`Section.quantities`; none where not given."""
-    if value is None:
-        return {}
-    return {name: Quantity(value, unit, labels=("e2", "e3") if isinstance(value, tuple) else ())}
 
 
 def rectangle_shear(nu: Scalar) -> Scalar:

@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..quantity import Quantity
-from ..written import positive
-from .section import Data, Numbers, Outline, Section, Stiffness, both, corrections, made_of, pair
+from ..quantity import Pair, Units
+from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -26,18 +25,10 @@ class Tube(Section):
     """
 
     kind: ClassVar[str] = "tube"
+    units: ClassVar[Units] = {"outer": "m", "inner": "m", "shear": ""}
     outer: Any
     inner: Any
-    shear: Any = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "outer", positive("tube", "outer", self.outer))
-        object.__setattr__(self, "inner", positive("tube", "inner", self.inner))
-        object.__setattr__(self, "shear", pair("tube", "shear", self.shear))
-
-    def quantities(self) -> dict[str, Quantity]:
-        radii = {"outer": Quantity(self.outer, "m"), "inner": Quantity(self.inner, "m")}
-        return radii | both("shear", self.shear, "")
+    shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> Stiffness:
         nu, outer, inner = material["nu"], data["outer"] ** 2, data["inner"] ** 2

@@ -139,6 +139,8 @@ SIMULATE = (
 _KINDS = {
     "Any": "value",
     "Direction": "direction",
+    "Vector": "value",
+    "Pair": "value",
     "Place": "place",
     "Bodies": "members",
     "JointName": "text",
