@@ -12,6 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses import record
+from cardan.codegen import companions
 from cardan.runtime import cache, prebuilt
 from kernels.sanitized import program
 from mechanisms import ZOO
@@ -20,7 +21,7 @@ from mechanisms.random_trees import random_tree
 from spread import some
 
 FLAGS = ("-std=c99", "-O0", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-METHODS = ("dop853", "radau", "rosenbrock", "alpha", "rk4", "rk45", "midpoint")
+METHODS = tuple(companions.INTEGRATORS)
 COUNT = 7
 SEED = 20
 DYNAMICS = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy", "power")

@@ -5,38 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..schema.integrators import KERNELS
 from . import header
 from .naming import comment
-from .simulating import CLOSING, HAPPENING, NEEDS, simulation
+from .simulating import CLOSING, HAPPENING, simulation
 
-# files every integrator needs, and those of each
-RUN = (
-    *("run.h", "run.c", "close.c", "control.h", "control.c", "derivative.c", "memory.c"),
-    *("explicit.h", "explicit.c", "chart.c"),
-    *("events.h", "happening.c", "search.c", "dips.c"),
-    *("hold.c", "passing.c", "gauss.h", "dependent.h", "solve.h"),
-)
-SHIFT = ("shift.h", "shift.c", "linear.h")
-SPARSE = (
-    *("mesh.h", "mesh_lanes.h", "mesh.c", "mesh_matrix.h", "mesh_matrix.c"),
-    *("mesh_open.c", "mesh_solve.c"),
-    *("sparse.h", "sparse_dense.h", "sparse_factor.c", "sparse_quality.c"),
-    *("sparse_loose.c", "sparse_signs.c", "sparse_solve.c"),
-)
-INTEGRATORS = {
-    "rk4": ("rk4.c",),
-    "rk45": ("rk45.c", "rk45_tables.h"),
-    "dop853": ("dop853.c", "dop853_tables.h"),
-    "midpoint": ("midpoint.c", "midpoint.h", "midpoint_solve.c"),
-    "radau": ("radau.c", "radau_tables.h", "implicit.c", *SHIFT),
-    "alpha": (
-        *("alpha.h", "alpha.c", "alpha_dense.c", "alpha_differences.c", "alpha_matrix.c"),
-        *("alpha_extent.c", "alpha_memory.c", "alpha_newton.c", "alpha_pick.c"),
-        *("alpha_sparse.c", "linear.h"),
-        *SPARSE,
-    ),
-    "rosenbrock": ("rosenbrock.c", "rosenbrock_tables.h", "implicit.c", *SHIFT),
-}
+# integrators by their files
+INTEGRATORS = {name: method for name, method in KERNELS.items() if not method.elements}
+# what every run needs of ``kernels/``, beside what its method leads to
+RUN = ("run.c", "memory.c")
 
 
 def prototypes(manifest: dict[str, Any]) -> str:
@@ -71,7 +48,7 @@ def prototypes(manifest: dict[str, Any]) -> str:
 
 def example(manifest: dict[str, Any], integrators: Sequence[str], compile_line: str) -> str:
     """``example.c``: the first function at the start, and one second of motion if it can."""
-    called = {*CLOSING, *HAPPENING, *(name for names in NEEDS.values() for name in names)}
+    called = {*CLOSING, *HAPPENING, *(name for method in KERNELS.values() for name in method.needs)}
     name = min(manifest["functions"], key=called.__contains__)
     fields = _fields(manifest["functions"][name]["inputs"])
     zero = f"zero[{_zeros(manifest)}], " if "zero" in fields else ""

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near, shown
-from . import companions, header, layout, manifest, simulating
+from . import companions, header, layout, linkage, manifest, simulating
 from . import prefix as prefixes
 from .languages import LANGUAGES, cython
 from .writing import generate
@@ -41,8 +41,8 @@ def export(
             default the dynamics and the energy, of a closed system also what closes it, of one
             with events what happens.
         language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-        integrators: ``"dop853"``, ``"rk45"``, ``"rk4"``, ``"radau"``, ``"rosenbrock"``: their C
-            comes along, and ``example.c`` simulates.
+        integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
+            along, and ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         loops: As :func:`cardan.compile` takes it.
         prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
@@ -71,7 +71,7 @@ def export(
     # what keeps a closed system closed belongs to its dynamics
     called = [name for name in (*simulating.CLOSING, *simulating.HAPPENING) if name in known]
     if wanted or not functions:
-        needed = dict.fromkeys(name for one in wanted for name in simulating.NEEDS.get(one, ()))
+        needed = dict.fromkeys(name for one in wanted for name in companions.INTEGRATORS[one].needs)
         more = (*(("rhs",) if wanted else ()), *called, *needed)
         asked += [(name, None) for name in more if (name, None) not in asked]
     for name, _ in asked:
@@ -121,11 +121,10 @@ def _companions(
     data: dict[str, Any], language: str, integrators: Sequence[str], flags: Sequence[str]
 ) -> dict[str, str]:
     """Everything beside the functions, by file name."""
-    kernels = [*companions.RUN] if integrators else []
-    kernels += [name for one in integrators for name in companions.INTEGRATORS[one]]
+    roots = (*companions.RUN, *(f"{one}.c" for one in integrators)) if integrators else ()
     package = cython.package(data) if language == "cython" else ""
     line = companions.compile_line(flags)
-    files = {name: layout.kernel(name) for name in kernels}
+    files = {name: layout.kernel(name) for name in linkage.closure(roots)}
     files |= {
         "functions.h": companions.prototypes(data),
         "example.c": companions.example(data, integrators, line),

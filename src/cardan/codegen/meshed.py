@@ -8,20 +8,26 @@ from typing import Any
 
 from ..equations.absolute.record import Absolute
 from ..errors import CodegenError, DerivationError, near
-from . import companions, elements, header, layout, mesh, meshed_example, tables
+from ..schema.integrators import Integrator
+from . import companions, elements, header, layout, linkage, mesh, meshed_example, tables
 from . import prefix as prefixes
 from .export import FLAGS, check, check_words, replaced
 from .writing import generate
 
-# files that every such model needs
-KERNELS = (
-    *(*companions.RUN, *companions.SPARSE),
-    *("mesh_move.c", "mesh_calls.h", "mesh_calls.c", "mesh_start.c"),
-)
-# methods that need no more than elements give
-METHODS = ("alpha", "rk4", "rk45", "dop853")
+# files that every such model needs, with what they lead to
+ROOTS = (*companions.RUN, "mesh_move.c", "mesh_calls.c", "mesh_solve.c", "mesh_start.c")
 # what a run calls
 CALLED = ("rhs", "balance", "move", "qdot", "close_position", "close_velocity")
+
+
+def _called(method: Integrator) -> set[str]:
+    """Functions that a method calls of elements in tables."""
+    assembled = method.differenced if "assembled" in method.conditions else ()
+    return set(method.needs) - set(assembled)
+
+
+# methods that need no more than elements give
+METHODS = tuple(name for name, m in companions.INTEGRATORS.items() if _called(m) <= set(CALLED))
 
 
 def export(
@@ -42,7 +48,7 @@ def export(
         plan: Folder of a model -> what is known of its matrices and its start.
         functions: Names of functions of the whole model; all by default.
         language: ``"c"``.
-        integrators: ``"alpha"``, ``"dop853"``, ``"rk45"``, ``"rk4"``: their C comes along, and
+        integrators: By their files, such as ``"alpha"`` or ``"dop853"``: their C comes along, and
             ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
         prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
@@ -72,8 +78,7 @@ def export(
         line = companions.compile_line(flags)
         texts["example.c"] = meshed_example.example(wanted, line)
         texts["README.md"] = meshed_example.readme(data, names, line)
-        kernels = (*KERNELS, *(name for one in wanted for name in companions.INTEGRATORS[one]))
-        for name in dict.fromkeys(kernels):
+        for name in linkage.closure((*ROOTS, *(f"{one}.c" for one in wanted))):
             texts[name] = layout.kernel(name)
         layout.add_files(folder, texts)
         if prefix:

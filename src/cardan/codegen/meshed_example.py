@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..schema.integrators import KERNELS
 from . import elements
 from .companions import words
 
@@ -87,8 +88,6 @@ static int simulate(const cardan_model *model, const real *x)
 }}
 
 """
-# of methods that have choices of their own, or steps of one size
-CHOSEN = {"alpha": (ALPHA, GIVEN), "rk4": ("", STEPS)}
 MAIN = """\
 int main(void)
 {
@@ -132,7 +131,8 @@ def example(integrators: Sequence[str], compile_line: str) -> str:
     method = integrators[0] if integrators else ""
     if method:
         alpha = method == "alpha"
-        choice, settings = CHOSEN.get(method, ("", TOLERANCES))
+        usual = TOLERANCES if KERNELS[method].adaptive else STEPS
+        choice, settings = (ALPHA, GIVEN) if alpha else ("", usual)
         text += CHOICE if alpha else ""
         text += SIMULATE.format(method=method, choice=choice, settings=settings)
     last = "status != 0 ? status : simulate(&model, x)" if method else "status"

@@ -8,18 +8,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ..errors import CodegenError, shown
-from . import layout
+from . import layout, linkage
 
-# what headers declare and files define for others, at the beginnings of lines
-_EXTERNAL = re.compile(
-    r"^(?!static|typedef|#|return|else|extern \"C\")[A-Za-z_][\w \t*]*?[ *](\w+)"
-    r"(?=\(|\[[^\n;]*[;=]|\s+= )",
-    re.M,
-)
 _ENUMERATORS = re.compile(r"^ {4}(\w+) = ", re.M)
 _GUARD = re.compile(r"^#ifndef (CARDAN_\w+_H)$", re.M)
-_SKIPPED = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|#include[^\n]*", re.S)
-_WORD = re.compile(r"[A-Za-z_]\w*")
 # headers of which a program has one for each model; the others are the same for all
 OWN = ("model.h", "functions.h")
 
@@ -60,7 +52,7 @@ def _names(texts: Mapping[str, str]) -> frozenset[str]:
     """Names with external linkage, and what the model's own headers define."""
     found: set[str] = set()
     for text in texts.values():
-        found |= set(_EXTERNAL.findall(_SKIPPED.sub(" ", text)))
+        found |= linkage.external(text)
     for name in OWN:
         found |= {*_ENUMERATORS.findall(texts.get(name, "")), *_GUARD.findall(texts.get(name, ""))}
     return frozenset(found - {"main"})
@@ -75,9 +67,9 @@ def renamed(text: str, names: Iterable[str], prefix: str) -> str:
         return prefix + name if name in known else name
 
     parts, last = [], 0
-    for skipped in _SKIPPED.finditer(text):
-        parts += [_WORD.sub(word, text[last : skipped.start()]), skipped.group()]
+    for skipped in linkage.SKIPPED.finditer(text):
+        parts += [linkage.WORD.sub(word, text[last : skipped.start()]), skipped.group()]
         last = skipped.end()
-    parts.append(_WORD.sub(word, text[last:]))
+    parts.append(linkage.WORD.sub(word, text[last:]))
     # macros make names of methods out of two parts
     return "".join(parts).replace("cardan_##", f"{prefix}cardan_##")

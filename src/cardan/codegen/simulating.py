@@ -5,13 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-# functions that integrators call beside rhs
-NEEDS = {
-    "midpoint": ("energy",),
-    "radau": ("rhs_jacobian",),
-    "rosenbrock": ("rhs_jacobian",),
-    "alpha": ("balance", "balance_tangent", "move", "qdot"),
-}
+from ..schema.integrators import KERNELS
+
 # what a run of a closed system calls beside rhs
 CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
 # what a run of a system with events must call, and when
@@ -23,7 +18,7 @@ LOG, ROOM = 256, 32
 def simulation(method: str, manifest: dict[str, Any]) -> str:
     """A function that runs one second from the start, prints events, and the state at the end."""
     called = _called(method, manifest)
-    closed = called[: len(called) - len(NEEDS.get(method, ()))]
+    closed = called[: len(called) - len(KERNELS[method].needs)]
     work = "rhs_work_size" + "".join(f" + {name}_work_size" for name in called)
     rooms = "".join(f", w_{name}[{name}_w_size + 1]" for name in called)
     lines = [f"    prepare_{name}(cardan_default_p, w_{name});" for name in called]
@@ -105,7 +100,7 @@ def _called(method: str, manifest: dict[str, Any]) -> list[str]:
         # modes alone hold velocities
         closed = [name for name in closed if name != "close_position"]
     happening = HAPPENING if manifest.get("events") and set(HAPPENING) <= set(there) else ()
-    return [*closed, *happening, *NEEDS.get(method, ())]
+    return [*closed, *happening, *KERNELS[method].needs]
 
 
 def _happening(manifest: dict[str, Any]) -> str:

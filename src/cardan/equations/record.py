@@ -379,7 +379,7 @@ class Equations(Readable, Linearizable, Explained):
             directory: A new or empty one, or an earlier export, which is replaced.
             functions: Names, or pairs such as ``("pose", "hand")``.
             language: ``"cython"``, or ``"c"`` without the package.
-            integrators: ``"dop853"``, ``"rk45"``, ``"radau"``, ...: to simulate from C.
+            integrators: By their files, such as ``"dop853"`` or ``"radau"``: to simulate from C.
             reproducible: Equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
             prefix: Before all names, such as ``"arm_"``: several exports in one program then.
