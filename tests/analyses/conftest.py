@@ -25,12 +25,12 @@ def double_scene() -> cd.Model:
     return scene
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def double() -> cd.CompiledModel:
     return cd.compile(double_scene())
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def ball() -> cd.CompiledModel:
     """A spinning body on a floating base: quaternion and position."""
     scene = cd.Model("ball", gravity=(0, 0, -9.81))
@@ -39,7 +39,7 @@ def ball() -> cd.CompiledModel:
     return cd.compile(scene)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def crank() -> cd.CompiledModel:
     """A hinge moved by an input, with a free pendulum on it."""
     scene = cd.Model("crank", gravity=(0, 0, -9.81))

@@ -14,6 +14,8 @@ from codegen.running import CONTRACT, EXACT, STRICT, call, compilers
 from golden.scenes import EXAMPLES, FUNCTIONS, scene_of
 from spread import some
 
+pytestmark = pytest.mark.optimized
+
 STATES = 20
 EPS = float(np.finfo(float).eps)
 CASES = [

@@ -13,6 +13,8 @@ from laws.cases import derived, states
 from mechanisms import ZOO
 from spread import some
 
+pytestmark = pytest.mark.optimized
+
 # blocks of all widths and a rest
 COUNT = 45
 

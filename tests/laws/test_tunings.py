@@ -23,6 +23,8 @@ from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from laws.cases import derived, states, values
 from spread import some
 
+pytestmark = pytest.mark.optimized
+
 LEVELS = ("x86-64-v2", "x86-64-v3", "x86-64-v4")
 TUNINGS = ("znver3", "skylake-avx512", "generic")
 # what each level needs beyond the one before, as gcc names it

@@ -17,6 +17,8 @@ import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.runtime import batch, cache, lanes, levels
 
+pytestmark = pytest.mark.optimized
+
 WIDTHS = (1, 2, 4, 8)
 FUNCTIONS = ("forward_dynamics", "rhs", "pose", "energy")
 

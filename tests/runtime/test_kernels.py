@@ -22,6 +22,8 @@ from cardan.runtime import cache, kernels, levels, prebuilt
 from cardan.runtime.compiled import CompiledModel
 from laws.test_tunings import LEVELS, runs
 
+pytestmark = pytest.mark.optimized
+
 ROOT = Path(__file__).parents[2]
 # what a wheel may weigh and take [bytes, s on two cores]
 WEIGHT, PATIENCE = 3e6, 180.0

@@ -26,6 +26,16 @@ def test_contraction_is_always_given():
     assert not any("fast-math" in flag for flag in (*gcc.flags(), *clang.flags()))
 
 
+def test_optimization_is_that_of_the_environment(monkeypatch):
+    monkeypatch.delenv("CARDAN_OPTIMIZATION", raising=False)
+    assert cache.compiler().flags()[0] == "-O2"
+    monkeypatch.setenv("CARDAN_OPTIMIZATION", "0")
+    assert cache.compiler().flags()[0] == "-O0"
+    monkeypatch.setenv("CARDAN_OPTIMIZATION", "fast")
+    with pytest.raises(BuildError, match=r"CARDAN_OPTIMIZATION='fast'.*0, 1, 2, 3"):
+        cache.compiler()
+
+
 def test_cc_of_the_environment_comes_first(monkeypatch):
     monkeypatch.setenv("CC", f"{shutil.which('cc')} -pipe")
     (found,) = toolchain.candidates()

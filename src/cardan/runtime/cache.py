@@ -26,7 +26,7 @@ from .. import processes
 from ..errors import BuildError
 from . import folder, prebuilt
 from .levels import LEVELS, Level, family
-from .toolchain import Compiler, compile_shared, find_compiler
+from .toolchain import Compiler, compile_shared, find_compiler, options
 from .trust import exposed, own
 
 DIGEST = 32
@@ -120,12 +120,13 @@ def _without_level() -> Compiler:
 
 
 def compiler() -> Compiler:
-    """The compiler in use and its level, found once per process and setting of CC and PATH.
+    """The compiler in use, found once per process and setting of CC and PATH; level, optimization.
 
     Raises:
-        CompilerMissing: there is none. BuildError: the one that CC names does not work.
+        CompilerMissing: there is none. BuildError: the one that CC names does not work, or
+            CARDAN_LEVEL or CARDAN_OPTIMIZATION says something impossible.
     """
-    return replace(_without_level(), level=level())
+    return replace(_without_level(), options=options(), level=level())
 
 
 def level() -> Level:
@@ -250,12 +251,13 @@ def compiled(
 
 def found(
     sources: Sequence[Path],
-    include: Sequence[Path] = (),
-    reproducible: bool = False,
+    include: Sequence[Path],
+    reproducible: bool,
+    by: Compiler,
     words: Sequence[str] = (),
 ) -> Object | None:
     """What :func:`compiled` would give, if it is in the cache."""
-    return _there(_name(sources, include, compiler(), reproducible, words))
+    return _there(_name(sources, include, by, reproducible, words))
 
 
 def _name(

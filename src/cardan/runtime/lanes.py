@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..errors import BuildError, CompilerMissing
 from . import cache, kernels, prebuilt
 from .slots import ORDER
+from .toolchain import Compiler
 
 Array = NDArray[np.float64]
 Answer = tuple[int, int, bool]
@@ -146,6 +147,7 @@ class Recipe:
         text: Its C file.
         directory: Where its headers are.
         reproducible: Equal bits from every compiler.
+        by: What compiled it for single states: lanes get the same bits.
         check: Raises where the text or a header was changed.
     """
 
@@ -153,6 +155,7 @@ class Recipe:
     text: Path
     directory: Path
     reproducible: bool
+    by: Compiler
     check: Callable[[], None]
 
     def seconds(self) -> float:
@@ -161,8 +164,7 @@ class Recipe:
 
     def there(self, lanes: int, own: bool) -> Lanes | None:
         """The build if it is in the cache."""
-        words = prebuilt.macros(lanes, own)
-        built = cache.found([self.text], [self.directory], self.reproducible, words)
+        built = cache.found(*self._request(lanes, own))
         return None if built is None else self._loaded(built, lanes, own)
 
     def made(self, lanes: int, own: bool) -> Lanes:
@@ -172,13 +174,18 @@ class Recipe:
             BuildError: the compiler failed, or the text was changed.
         """
         self.check()
-        words = prebuilt.macros(lanes, own)
-        built = cache.compiled([self.text], [self.directory], self.reproducible, words=words)
+        built = cache.compiled(*self._request(lanes, own))
         try:
             return self._loaded(built, lanes, own)
         except BaseException:
             built.discard()
             raise
+
+    def _request(
+        self, lanes: int, own: bool
+    ) -> tuple[list[Path], list[Path], bool, Compiler, tuple[str, ...]]:
+        words = prebuilt.macros(lanes, own)
+        return [self.text], [self.directory], self.reproducible, self.by, words
 
     def _loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
         library = built.load()

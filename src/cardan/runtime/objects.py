@@ -288,7 +288,8 @@ class Objects:
         """A function as C, or as expressions where there is no compiler."""
         path, entry = self.text_path(symbol), self.manifest["functions"][symbol]
         try:
-            built = cache.compiled([path], [self.directory], self.reproducible, words=LOADED)
+            by = cache.compiler()
+            built = cache.compiled([path], [self.directory], self.reproducible, by, LOADED)
         except CompilerMissing as missing:
             found = Interpreted(self._expressions(symbol, missing))
             return Code(symbol, entry, True, found.address, interpreted=found)
@@ -314,6 +315,7 @@ class Objects:
             path,
             self.directory,
             self.reproducible,
+            by,
             partial(self._verify_sources, symbol),
         )
         return Code(

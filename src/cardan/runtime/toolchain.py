@@ -21,12 +21,8 @@ from . import bounded
 from .levels import OTHER, Level
 
 NAMES = ("cc", "gcc", "clang")
-COMMON_FLAGS = (
-    "-std=c99",
-    "-O2",
-    "-fno-tree-vectorize",
-    "-fno-math-errno",
-)
+LANGUAGE = ("-std=c99", "-fno-tree-vectorize", "-fno-math-errno")
+OPTIMIZATION, OPTIMIZATIONS = "2", ("0", "1", "2", "3")
 # Tunings such as znver3 avoid chains of fused multiply-adds in scalars and narrow vectors only: a
 # scalar build would get other bits than a build for wide lanes. gcc 8 was the first to do so.
 ALL_CHAINS = "--param=avoid-fma-max-bits=0"
@@ -50,7 +46,7 @@ class Compiler:
     command: tuple[str, ...]
     binary: Path
     identity: str
-    options: tuple[str, ...] = COMMON_FLAGS
+    options: tuple[str, ...] = (f"-O{OPTIMIZATION}", *LANGUAGE)
     level: Level = OTHER
 
     @property
@@ -82,6 +78,20 @@ class Compiler:
         if release and int(release[1]) < FIRST_TO_AVOID:
             return ("-ffp-contract=fast",)
         return ("-ffp-contract=fast", ALL_CHAINS)
+
+
+def options() -> tuple[str, ...]:
+    """Language and optimization of models: what ``$CARDAN_OPTIMIZATION`` says, else 2.
+
+    Raises:
+        BuildError: it is not one of 0, 1, 2, 3.
+    """
+    optimization = os.environ.get("CARDAN_OPTIMIZATION", "").strip() or OPTIMIZATION
+    if optimization in OPTIMIZATIONS:
+        return (f"-O{optimization}", *LANGUAGE)
+    raise BuildError(
+        f"CARDAN_OPTIMIZATION={optimization!r} must be one of {', '.join(OPTIMIZATIONS)}"
+    )
 
 
 class Candidate(NamedTuple):

@@ -11,7 +11,7 @@ from analyses.conftest import ball, double
 __all__ = ["ball", "double", "edge", "folded"]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def edge() -> cd.CompiledModel:
     """A slider that a force without value beyond x = 1 drives there, after a while."""
     scene = cd.Model("edge", gravity=(0, 0, 0))
@@ -23,7 +23,7 @@ def edge() -> cd.CompiledModel:
     return cd.compile(scene)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def folded() -> cd.CompiledModel:
     """Two links whose only mass is a point at the tip: stretched they have no acceleration."""
     scene = cd.Model("folded", gravity=(0, 0, 0))

@@ -14,6 +14,8 @@ from cardan.analyses.ensembles.crew import width_of
 from cardan.runtime.lanes import width
 from runtime import pendulum
 
+pytestmark = pytest.mark.optimized
+
 TORQUE = (np.array([0.0, 0.4, 0.9, 2.0]), np.array([0.0, 1.0, -1.0, 0.5]))
 
 

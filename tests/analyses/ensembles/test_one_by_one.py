@@ -11,6 +11,8 @@ import cardan as cd
 from analyses.ensembles.test_bits import same
 from cardan.runtime import interpreted, toolchain
 
+pytestmark = pytest.mark.optimized
+
 
 @pytest.fixture(scope="module")
 def fourbar() -> cd.CompiledModel:

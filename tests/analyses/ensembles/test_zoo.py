@@ -13,6 +13,8 @@ from cardan.runtime.closing import Closing
 from mechanisms import ZOO
 from spread import some
 
+pytestmark = pytest.mark.optimized
+
 
 @pytest.mark.parametrize("name", some(sorted(ZOO), 7))
 def test_bits(name: str) -> None:
