@@ -7,7 +7,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.mechanism import Mechanism
-from cardan.analyses.meeting import Conditions, meet
+from cardan.analyses.position_solver import PositionSolver
 from cardan.analyses.searches import search
 
 AXIS = np.array([0.3, 1.0, 0.2])
@@ -40,7 +40,7 @@ def turned_round(model: cd.CompiledModel) -> np.ndarray:
     m, rng = Mechanism(model), np.random.default_rng(2)
     for _ in range(40):
         q, _ = model.split(model.random_state(rng))
-        end = meet(Conditions(m), q)
+        end = PositionSolver(m).solve(q)
         if end.closed and cosine(model, end.q) < 0:
             return end.q
     raise AssertionError("no such position was found")

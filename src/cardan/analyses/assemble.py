@@ -18,12 +18,12 @@ from .assembly import Assembly
 from .branches import branches
 from .consistent import accelerations, speeds
 from .mechanism import Mechanism, refuse_nodes
-from .meeting import Found
 from .nearest import REACHED, choose, nearest
+from .position_solver import Solution, missed
 from .rounded import rounded, slack
 from .searches import search
 from .targets import Target, read
-from .unassembled import explain
+from .unassembled import explain, reached
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # positions nearer than this, without units, are one
@@ -107,9 +107,9 @@ def _begin(model: CompiledModel, start: Any) -> Array:
     return start_of(model, named, {})[0][: model.nq]
 
 
-def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
+def _different(m: Mechanism, found: Sequence[Solution]) -> list[Solution]:
     """Positions that are not the same up to whole turns; of equal ones the first."""
-    kept: list[Found] = []
+    kept: list[Solution] = []
     for one in found:
         away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in kept)
         if not any(distance < SAME for distance in away):
@@ -120,7 +120,7 @@ def _different(m: Mechanism, found: Sequence[Found]) -> list[Found]:
 def finish(
     m: Mechanism,
     targets: Sequence[Target],
-    chosen: Found,
+    chosen: Solution,
     u: Mapping[str, Any],
     udot: Mapping[str, Any],
     solutions: int | None,
@@ -137,7 +137,7 @@ def finish(
         raise ModelError(
             "udot= needs the function 'forward_dynamics': compile(..., functions=[...])"
         )
-    away = {t.name: t for t in targets if np.abs(t.residual(m, q)).max() > REACHED}
+    away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > REACHED}
     return Assembly(
         name=model.name,
         coordinates=model.coordinates,
@@ -146,7 +146,7 @@ def finish(
         u=velocities,
         udot=rates,
         gaps=m.gaps(q),
-        unreached={name: f"asked {t.asked}, {t.reached(m, q)}" for name, t in away.items()},
+        unreached={name: f"asked {t.asked}, {reached(m, t, q)}" for name, t in away.items()},
         freedoms=chosen.freedoms,
         solutions=solutions,
         starts=starts,

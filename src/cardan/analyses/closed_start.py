@@ -19,8 +19,8 @@ from .followers import speed as followed
 from .mechanism import Mechanism
 from .meshed_start import meshed_start
 from .nearest import NEARLY, assembled
+from .position_solver import PositionSolver
 from .rounded import slack
-from .searches import search_from
 from .settings import Start, start
 from .targets import read
 from .unassembled import turned_round
@@ -108,7 +108,7 @@ def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
     """Assembled coordinates next to a start (nq,), named ones held; None: all were given."""
     open_by = float(np.abs(m.residuals(q)).max(initial=0.0))
     if named is None and open_by <= NEARLY:
-        end = search_from(m, [], q)
+        end = PositionSolver(m).search(q)
         if end.turned:
             raise ModelError(turned_round(end.turned))
         if end.met:

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError
 from .mechanism import Mechanism
+from .position_solver import PositionSolver
 from .redundancy import rank_of
-from .searches import search_from
 
 Array = NDArray[np.float64]
 BESIDE = 1e-3  # of the size, and radians
@@ -26,7 +26,7 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     if rank == len(G):
         return
     aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
-    beside = search_from(m, [], m.advance(q, aside)).q
+    beside = PositionSolver(m).search(m.advance(q, aside)).q
     usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
     if usual <= rank:
         return

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..errors import ModelError
 from ..runtime.initial import entries
 from .mechanism import Mechanism
-from .meeting import Conditions, meet
+from .position_solver import PositionSolver
 from .redundancy import rank_of
 from .targets import Target, read
 
@@ -91,7 +91,7 @@ class Drive:
     def matrix(self, m: Mechanism, q: Array) -> Array:
         """Jacobian (n, nu) of circuits and of all that is held."""
         values = np.zeros(len(self.names))
-        return Conditions(m, self.targets(values)).hard_jacobian(q)
+        return PositionSolver(m, self.targets(values)).hard_jacobian(q)
 
     def hold(self, m: Mechanism, q: Array) -> tuple[float, float]:
         """Smallest singular value of the driven mechanism, and the sign of its determinant."""
@@ -151,17 +151,8 @@ class Drive:
         """The position a part of the way further, None where a shorter step is needed."""
         here, there = before + done * (after - before), before + (done + part) * (after - before)
         m, old = self.at(there), self.at(here)
-        K = self.matrix(old, q)
-        conditions = Conditions(m, self.targets(there))
-        # along the tangent: what the new values leave open, to first order
-        ahead, *_ = np.linalg.lstsq(K, -conditions.hard(q), rcond=None)
-        length = float(np.abs(ahead).max(initial=0.0))
-        if not length < 0.5:
-            return None
-        guess = m.advance(q, np.asarray(ahead, dtype=np.float64))
-        found = meet(conditions, guess)
-        off = float(np.abs(m.between(guess, found.q)).max(initial=0.0))
-        if not found.met or off > 0.3 * length + 1e-9:
+        found = PositionSolver(m, self.targets(there)).follow(q)
+        if found is None:
             return None
         quality, sign = self.hold(m, found.q)
         if quality < SINGULAR or sign != self.hold(old, q)[1]:

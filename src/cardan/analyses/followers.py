@@ -8,7 +8,7 @@ they start. Loops stay on the branch that their formulas are written for.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -19,9 +19,9 @@ from ..runtime.closed_states import dependents
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers
 from .mechanism import Mechanism
-from .meeting import Found
 from .nearest import EQUAL, NEAR, NEARLY, wished
-from .searches import drawn, search_from
+from .position_solver import PositionSolver, Solution, missed
+from .searches import drawn
 from .targets import Target, read
 
 Array = NDArray[np.float64]
@@ -47,11 +47,11 @@ class Follower(Target):
     turning: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
 
     def residual(self, m: Mechanism, q: Array) -> Array:
-        """As :meth:`Target.residual`."""
+        """What is missing, without units (n,)."""
         return self._missed(_following(m, q[None])[0])
 
     def jacobian(self, m: Mechanism, q: Array) -> Array:
-        """As :meth:`Target.jacobian`."""
+        """Derivative of the residual along steps (n, nu)."""
         ways = STEP * np.concatenate([np.eye(m.nu), -np.eye(m.nu)])
         ends = _following(m, np.array([m.advance(q, way) for way in ways]))[:, self.entries]
         # beside a dead point loops close on one side only: no slope is known there
@@ -135,8 +135,8 @@ def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, 
     near: list[Target] = [own, _softly(_follower(m, free, starts[free], "start"))]
     end = _next_to(m, [*goals, *asked, *near], q) if len(own.entries) else q
     for one in asked:
-        missed = np.abs(one.residual(m, end))
-        if not (missed <= NEARLY).all():
+        off = np.abs(missed(m, one, end))
+        if not (off <= NEARLY).all():
             _refuse(m, end, one)
     return end
 
@@ -144,13 +144,13 @@ def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, 
 def _next_to(m: Mechanism, targets: list[Target], q: Array) -> Array:
     """The nearest position that fulfills targets of those that searches from a few starts find;
     the start where none does."""
-    rng = np.random.default_rng(0)
-    best: Found | None = None
+    rng, solver = np.random.default_rng(0), PositionSolver(m, targets)
+    best: Solution | None = None
     for k in range(STARTS):
         begin = drawn(m, q, rng) if k else q
         if not np.isfinite(_following(m, begin[None])).all():
             continue
-        end = search_from(m, targets, begin)
+        end = solver.search(begin)
         if end.met and (best is None or end.cost < (1 - EQUAL) * best.cost):
             best = end
         if best is not None and best.cost <= NEAR**2:
@@ -159,9 +159,7 @@ def _next_to(m: Mechanism, targets: list[Target], q: Array) -> Array:
 
 
 def _softly(one: Follower) -> Follower:
-    return Follower(
-        one.name, "wish", one.value, one.place, 1.0, one.entries, one.scales, one.turning
-    )
+    return replace(one, weight=1.0)
 
 
 def _starts(model: CompiledModel, count: int) -> Array:

@@ -23,6 +23,7 @@ from .consistent import speeds
 from .crossing import refuse_singular
 from .nearest import NEARLY, assembled
 from .nodal_mechanism import NodalMechanism
+from .position_solver import missed
 from .strained import warn_of_strain
 from .targets import read
 
@@ -128,7 +129,7 @@ class _Start:
             found = self.by_nodes(begin, held)
         except ModelError:
             raise problem from None
-        if any(np.abs(goal.residual(self.m, found)).max() > GOOD for goal in read(self.m, names)):
+        if any(np.abs(missed(self.m, goal, found)).max() > GOOD for goal in read(self.m, names)):
             # what is named cannot be held, and is not replaced
             raise problem
         return self.m.nearest(found, begin), False
@@ -137,7 +138,7 @@ class _Start:
         """Whether something named or a beam is missed, or an axis is turned round."""
         m = self.m
         open_by = np.abs(m.residuals(q)).max(initial=0.0)
-        off = [np.abs(goal.residual(m, q)).max() for goal in read(m, names)]
+        off = [np.abs(missed(m, goal, q)).max() for goal in read(m, names)]
         return bool(max([open_by, *off]) > GOOD) or bool(m.turned(q))
 
     def _near(self, q: Array) -> Array:

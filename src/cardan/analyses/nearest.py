@@ -7,8 +7,9 @@ unit quaternions by the angle between rotations. What is named is the same in al
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +18,10 @@ from ..errors import SolveWarning, warn
 from ..runtime.initial import entries
 from .branches import Branch, refuse
 from .mechanism import Mechanism
-from .meeting import Found
+from .position_solver import PositionSolver, Solution
 from .rounded import rounded
-from .searches import search, search_from
-from .targets import Target
+from .searches import search
+from .targets import Coordinates, Target
 from .unassembled import explain
 
 Array = NDArray[np.float64]
@@ -33,7 +34,7 @@ REACHED = 1e-9
 QUATERNION = 0.5  # what its components count in: they change by half of the angle
 
 
-def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
+def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
     """The position next to a start (nq,); other starts are tried where that does not close.
 
     Args:
@@ -44,7 +45,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
     Raises:
         ModelError: no position fulfills the goals.
     """
-    first = search_from(m, goals, q)
+    first = PositionSolver(m, goals).search(q)
     if first.met and not outside(m, first.q):
         return nearest(m, goals, q, first)
     found = search(m, goals, q, m.searches, 0)
@@ -52,7 +53,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
     if not met:
         # numbers that fit but for their last digits
         wished = [replace(goal, weight=1.0) for goal in goals]
-        close = search_from(m, wished, q)
+        close = PositionSolver(m, wished).search(q)
         if close.met and close.cost <= NEARLY**2:
             return close
         found = rounded(m, goals, q, m.searches, 0)
@@ -62,7 +63,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Found:
     return nearest(m, goals, q, choose(m, met, [], q))
 
 
-def nearest(m: Mechanism, goals: list[Target], q: Array, first: Found) -> Found:
+def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Solution:
     """The nearest of the positions that are found from a start and from around it.
 
     Args:
@@ -73,17 +74,19 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Found) -> Found:
         SolveWarning: two positions are equally near.
     """
     wish = wished(m, goals, q)
-    found = [_drawn_near(m, goals, wish, first)]
-    away = _distance(m, wish, found[0].q)
-    for begin in _around(m, q, found[0].q) if away > NEAR else ():
-        end = search_from(m, goals, begin)
-        if not end.met or outside(m, end.q):
-            continue
-        end = _drawn_near(m, goals, wish, replace(end, q=m.nearest(end.q, q)))
-        if not any(_same(m, end.q, other.q) for other in found):
-            found.append(end)
-    least = min(_distance(m, wish, end.q) for end in found)
-    best = [end for end in found if _distance(m, wish, end.q) <= (1 + EQUAL) * least]
+    near = cache(lambda: PositionSolver(m, [*goals, wish]))
+    found = [_drawn_near(near, wish, first)]
+    if wish.distance(found[0].q) > NEAR:
+        solver = PositionSolver(m, goals)
+        for begin in _around(m, q, found[0].q):
+            end = solver.search(begin)
+            if not end.met or outside(m, end.q):
+                continue
+            end = _drawn_near(near, wish, replace(end, q=m.nearest(end.q, q)))
+            if not any(_same(m, end.q, other.q) for other in found):
+                found.append(end)
+    least = min(wish.distance(end.q) for end in found)
+    best = [end for end in found if wish.distance(end.q) <= (1 + EQUAL) * least]
     if len(best) > 1:
         best = sorted(best, key=lambda end: places(m, end.q))
         _tell_tie(m, best[0].q, best[1].q)
@@ -103,29 +106,7 @@ def _around(m: Mechanism, q: Array, found: Array) -> Iterator[Array]:
         yield m.advance(q, away / np.linalg.norm(direction) * direction)
 
 
-@dataclass(frozen=True)
-class Wish(Target):
-    """Coordinates of joints that are to stay near their values.
-
-    Attributes:
-        entries: Of q (n,).
-        scales: What each counts in (n,).
-        others: As :class:`.targets.Target` has them.
-    """
-
-    entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
-    scales: Array = field(default_factory=lambda: np.ones(0))
-
-    def residual(self, m: Mechanism, q: Array) -> Array:
-        """As :meth:`Target.residual`."""
-        return np.asarray((q[self.entries] - self.value) / self.scales)
-
-    def jacobian(self, m: Mechanism, q: Array) -> Array:
-        """As :meth:`Target.jacobian`."""
-        return np.asarray(m.kinematics(q)[self.entries] / self.scales[:, None])
-
-
-def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Wish:
+def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Coordinates:
     """What is not named of the joints that are moved, at its start."""
     named = {k for g in goals if g.kind == "coordinate" for k in range(g.place.start, g.place.stop)}
     manifest = m.model.manifest
@@ -133,21 +114,18 @@ def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Wish:
     entries = np.array([k for k in m.led.tolist() if k not in named], dtype=np.intp)
     units = {k: manifest["coordinates"][k]["unit"] for k in entries.tolist()}
     scales = [QUATERNION if k in turning else m.size if u == "m" else 1.0 for k, u in units.items()]
-    return Wish("", "wish", q[entries], weight=1.0, entries=entries, scales=np.array(scales))
+    return Coordinates(
+        "", "coordinates", q[entries], weight=1.0, entries=entries, scales=np.array(scales)
+    )
 
 
-def _drawn_near(m: Mechanism, goals: list[Target], wished: Wish, found: Found) -> Found:
+def _drawn_near(near: Callable[[], PositionSolver], wish: Coordinates, found: Solution) -> Solution:
     """Where freedoms are left: the nearest of the positions beside one."""
-    if not found.freedoms or _distance(m, wished, found.q) <= EQUAL:
+    if not found.freedoms or wish.distance(found.q) <= EQUAL:
         return found
-    end = search_from(m, [*goals, wished], found.q)
-    better = end.met and not outside(m, end.q)
+    end = near().search(found.q)
+    better = end.met and not outside(near().m, end.q)
     return replace(end, freedoms=found.freedoms) if better else found
-
-
-def _distance(m: Mechanism, wished: Wish, q: Array) -> float:
-    """How far a position is from the start, in radians and sizes of the scene."""
-    return float(np.linalg.norm(wished.residual(m, q)))
 
 
 def _same(m: Mechanism, one: Array, other: Array) -> bool:
@@ -166,7 +144,9 @@ def _tell_tie(m: Mechanism, one: Array, other: Array) -> None:
     )
 
 
-def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin: Array) -> Found:
+def choose(
+    m: Mechanism, found: Sequence[Solution], wanted: Sequence[Branch], begin: Array
+) -> Solution:
     """The position that runs and assemblies take: one rule, whatever rounding does.
 
     On a branch, inside limits if there is one: where the first search ended, which began at the
@@ -186,7 +166,7 @@ def choose(m: Mechanism, found: Sequence[Found], wanted: Sequence[Branch], begin
         refuse(wanted, [one.q for one in found])
     best = min(one.cost for one in allowed)
 
-    def order(one: Found) -> tuple[bool, int, bool, float]:
+    def order(one: Solution) -> tuple[bool, int, bool, float]:
         worse = one.cost > best + REACHED
         away = math.hypot(*m.between(begin, one.q))
         return worse, outside(m, one.q), not one.first, float(np.rint(away / EQUAL))

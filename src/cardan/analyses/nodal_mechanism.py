@@ -20,8 +20,8 @@ from ..runtime.absolute.elements import State
 from ..runtime.closing import Closing, unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.states import random_state
-from .mechanism import Mechanism
-from .targets import turn
+from ..schema.records import PositionRecord
+from .mechanism import Connection, Mechanism, called
 
 Array = NDArray[np.float64]
 ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
@@ -168,6 +168,21 @@ class NodalMechanism(Mechanism):
     def turned(self, q: Array) -> str:
         """As :meth:`Mechanism.turned`."""
         return self.carrier.turned(q)
+
+    @cached_property
+    def connection(self) -> Connection:
+        """As :attr:`Mechanism.connection`: everything goes with the joints."""
+        nq, nu, rows = self.model.nq, self.nu, self.positions
+        record = PositionRecord(nq=nq, nu=nu, positions=rows, kept_count=rows, size=self.size)
+        functions = {
+            "constraints": called(self.residuals, rows, q=nq),
+            "constraint_jacobian": called(lambda q: self.jacobian(q)[:rows], rows * nu, q=nq),
+            "integrate": called(self.advance, nq, q=nq, du=nu),
+            "kinematics": called(self.kinematics, nq * nu, q=nq),
+        }
+        for name, function in functions.items():
+            setattr(record, name, function.address)
+        return Connection(record, [functions], rows, called_back=True)
 
     # motion
 
@@ -341,3 +356,23 @@ class NodalMechanism(Mechanism):
         other.linked = False
         other.__dict__.pop("links", None)
         return other
+
+
+def turn(rotation: Array) -> Array:
+    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
+    vector = 0.5 * np.array(
+        [
+            rotation[2, 1] - rotation[1, 2],
+            rotation[0, 2] - rotation[2, 0],
+            rotation[1, 0] - rotation[0, 1],
+        ]
+    )
+    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
+    angle = float(np.arctan2(sine, cosine))
+    if sine > 1e-6:
+        return np.asarray(vector * (angle / sine))
+    if cosine > 0:
+        return vector
+    # half a turn: the axis is the column of R + 1 that is longest
+    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
+    return np.asarray(column / np.linalg.norm(column) * angle)

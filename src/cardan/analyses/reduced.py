@@ -22,14 +22,13 @@ from ..arguments import checked
 from ..errors import ArgumentError, SolveError
 from ..runtime.compiled import CompiledModel
 from .mechanism import Mechanism
+from .position_solver import LOST, PositionSolver
 from .redundancy import rank_of
+from .targets import Coordinates, Target
 
 Array = NDArray[np.float64]
 CLOSED = 1e-11  # residuals without units, as in runs
-ROUNDING = 1e-15
-LOST = 1e-8  # singular values that hold nothing
-NEWTON, HALVINGS = 12, 12
-ASIDE = 0.3  # how far from the tangent a step may end, as a part of it
+HALVINGS = 12
 # below this part of the largest singular value a position counts as next to a singular one; places
 # around it, in radians or sizes along the motion, and their weights in Lagrange's interpolation
 SINGULAR = 0.015
@@ -183,11 +182,11 @@ class Partition:
         done, part, start = 0.0, 1.0, q[self._q]
         while part >= 0.5**HALVINGS:
             share = min(1.0, done + part)
-            found = self._newton(m, q, start + share * (goal - start))
+            found = PositionSolver(m, [self._held(start + share * (goal - start))]).follow(q)
             if found is None:
                 part *= 0.5
                 continue
-            q, done = found, share
+            q, done = found.q, share
             if done == 1.0:
                 return q
         raise SolveError(
@@ -196,31 +195,19 @@ class Partition:
             "model.partition(...) anew between steps"
         )
 
+    def _held(self, values: Array) -> Target:
+        """The independent coordinates at given values."""
+        return Coordinates(
+            "",
+            "coordinates",
+            values,
+            entries=np.array(self._q, np.intp),
+            scales=np.ones(len(values)),
+        )
+
     def _said(self, values: Array) -> str:
         pairs = zip(self.coordinates, values.tolist(), strict=True)
         return ", ".join(f"{name} = {value:.6g}" for name, value in pairs)
-
-    def _newton(self, m: Mechanism, q: Array, goal: Array) -> Array | None:
-        """The position next to q with independent coordinates at a goal.
-
-        None where the tangent does not lead near it: another branch may be meant.
-        """
-        begin, last, count, ahead = q, np.inf, m.closing.positions, np.zeros(m.model.nu)
-        for k in range(NEWTON):
-            off = np.concatenate([m.residuals(q), q[self._q] - goal])
-            worst = float(np.abs(off).max(initial=0.0))
-            # solved to rounding, or as far as that goes
-            if worst <= ROUNDING or (worst <= CLOSED and worst > 0.5 * last):
-                break
-            last = worst
-            system = np.concatenate([m.jacobian(q)[:count], m.kinematics(q)[self._q]])
-            step = np.linalg.lstsq(system, -off, rcond=LOST)[0]
-            ahead = step if k == 0 else ahead
-            q = m.advance(q, step)
-            gone = m.between(begin, q)
-            if not np.abs(gone - ahead).max() <= ASIDE * np.abs(ahead).max() + CLOSED:
-                return None
-        return q if last <= CLOSED or worst <= CLOSED else None
 
     def _speeds(self, m: Mechanism, q: Array, independent: Array) -> Array:
         """Speeds (nu,) that the constraints allow, with given independent ones."""

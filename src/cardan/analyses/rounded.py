@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..errors import SolveWarning, warn
 from .mechanism import LOOSE, Mechanism
-from .meeting import Conditions, Found, meet
+from .position_solver import PositionSolver, Solution
 from .searches import search
 from .targets import Target
 
@@ -28,7 +28,7 @@ BESIDE = 1e-2  # a step, without units, to a place that is not singular by chanc
 
 def rounded(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
-) -> list[Found]:
+) -> list[Solution]:
     """Searches that let redundant conditions disagree; the mechanism keeps the slack they need.
 
     Args:
@@ -59,7 +59,7 @@ def slack(m: Mechanism, q: Array) -> float:
     loose = m.without(m.released)
     loose.slack = ROUNDED
     aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
-    found = meet(Conditions(loose, ()), m.advance(q, aside))
+    found = PositionSolver(loose).solve(m.advance(q, aside))
     if not AGREED < found.open <= ROUNDED:
         return 0.0
     tell(m, found.open)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..errors import SolveWarning, warn
 from ..runtime.initial import start_of
 from .mechanism import Mechanism
-from .meeting import Conditions, Found, meet
+from .position_solver import PositionSolver, Solution
 from .targets import Target
 
 Array = NDArray[np.float64]
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 def search(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
-) -> list[Found]:
+) -> list[Solution]:
     """Where searches from a start and from random coordinates end.
 
     Ctrl-C ends them once one of them has met the targets.
@@ -27,12 +27,12 @@ def search(
     Warns:
         SolveWarning: they were interrupted.
     """
-    found = list[Found]()
+    found, solver = list[Solution](), PositionSolver(m, targets)
     given = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
     for k in range(starts):
         try:
-            end = search_from(m, targets, begin if k == 0 else drawn(m, given, rng))
+            end = solver.search(begin if k == 0 else drawn(m, given, rng))
         except KeyboardInterrupt:
             if not any(one.met for one in found):
                 raise
@@ -44,21 +44,6 @@ def search(
             break
         found.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
     return found
-
-
-def search_from(m: Mechanism, targets: Sequence[Target], begin: Array) -> Found:
-    """Where one search ends; held coordinates have their values to the bit."""
-    q = begin.copy()
-    for target in targets:
-        if target.kind == "coordinate" and target.weight is None:
-            q[target.place] = target.value
-    end = meet(Conditions(m, targets), m.advance(q, np.zeros(m.nu)))
-    q = end.q.copy()
-    end = replace(end, turned=m.turned(q) if end.closed else "")
-    for target in targets if end.met else ():
-        if target.kind == "coordinate" and target.weight is None and len(target.value) == 1:
-            q[target.place] = target.value
-    return replace(end, q=m.nearest(q, begin))
 
 
 def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:

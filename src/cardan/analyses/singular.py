@@ -23,7 +23,7 @@ from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 from .assemble import assemble
 from .mechanism import Mechanism, refuse_nodes
-from .meeting import Conditions, meet
+from .position_solver import PositionSolver
 from .redundancy import rank_of
 from .targets import kept, read
 
@@ -156,7 +156,7 @@ class Path:
         coordinate, driver, sign: What is followed, what drives, which way.
         """
         self.m, self.sign = m, sign
-        self.conditions = Conditions(m, read(m, hold))
+        self.solver = PositionSolver(m, read(m, hold))
         self.coordinate, self.driver = coordinate, driver
         self.place = m.model.coordinates.index(coordinate)
         self.drive = m.model.coordinates.index(driver)
@@ -167,7 +167,7 @@ class Path:
         Raises:
             ModelError: more than one freedom.
         """
-        K = self.conditions.hard_jacobian(q)
+        K = self.solver.hard_jacobian(q)
         _, s, Vt = np.linalg.svd(K)
         nu = K.shape[1]
         if along is None:
@@ -188,9 +188,8 @@ class Path:
     def next(self, q: Array, tangent: Array, length: float) -> Array | None:
         """The position a length further, None where it is not near the tangent."""
         guess = self.m.advance(q, length * tangent)
-        found = meet(self.conditions, guess)
-        off = float(np.linalg.norm(self.m.between(guess, found.q)))
-        return found.q if found.met and off <= 0.3 * abs(length) else None
+        found = self.solver.near(guess, abs(length))
+        return None if found is None else found.q
 
     def rate(self, q: Array, tangent: Array) -> float:
         """How the driver moves along the path, without units."""

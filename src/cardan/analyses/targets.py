@@ -37,68 +37,57 @@ class Target:
     place: slice = field(default_factory=lambda: slice(0, 0))
     weight: float | None = None
 
-    def residual(self, m: Mechanism, q: Array) -> Array:
-        """What is missing, without units."""
-        if self.kind == "coordinate":
-            scale = self._scale(m)
-            return np.asarray((q[self.place] - self.value) / scale)
-        pose = m.model.pose(self.name, q, t=m.t, r=m.r)
-        goal = self.value[:3, 3] if self.kind == "pose" else self.value
-        away: Array = (pose[:3, 3] - goal) / m.size
-        if self.kind == "position":
-            return away
-        return np.concatenate([turn(pose[:3, :3] @ self.value[:3, :3].T), away])
+    def entries_of(self, m: Mechanism) -> NDArray[np.intp]:
+        """Entries of q that are to have its values."""
+        return np.arange(self.place.start, self.place.stop)
 
-    def jacobian(self, m: Mechanism, q: Array) -> Array:
-        """Derivative of the residual along steps (n, nu)."""
-        if self.kind == "coordinate":
-            return m.kinematics(q)[self.place] / self._scale(m)[:, None]
-        found = m.frame_jacobian(self.name, q)
-        found[3:] /= m.size
-        return found[3:] if self.kind == "position" else np.asarray(found)
-
-    def _scale(self, m: Mechanism) -> Array:
+    def scales_of(self, m: Mechanism) -> Array:
+        """What these count in."""
         rows = m.model.manifest["coordinates"][self.place]
         return np.array([m.size if row["unit"] == "m" else 1.0 for row in rows])
 
-    def reached(self, m: Mechanism, q: Array) -> str:
-        """What a position gives instead, in words."""
-        if self.kind == "coordinate":
-            words = [f"{x:.6g}" for x in q[self.place]]
-            return words[0] if len(words) == 1 else f"({', '.join(words)})"
-        away = self.residual(m, q)
-        words = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
-        if self.kind == "pose":
-            words.append(f"{np.linalg.norm(away[:3]):.3g} rad")
-        return f"{' and '.join(words)} away"
+    @property
+    def goal(self) -> Array:
+        """Its values, or the pose (4, 4) that it gives a frame."""
+        if self.kind != "position":
+            return self.value
+        pose = np.eye(4)
+        pose[:3, 3] = self.value
+        return pose
 
     @property
     def asked(self) -> str:
         """The wanted value in words."""
         if self.kind == "coordinate":
             return ", ".join(f"{x:.6g}" for x in self.value)
-        goal = self.value[:3, 3] if self.kind == "pose" else self.value
+        goal = self.goal[:3, 3]
         return f"{self.kind} at ({', '.join(f'{x:.6g}' for x in goal)}) m"
 
 
-def turn(rotation: Array) -> Array:
-    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
-    vector = 0.5 * np.array(
-        [
-            rotation[2, 1] - rotation[1, 2],
-            rotation[0, 2] - rotation[2, 0],
-            rotation[1, 0] - rotation[0, 1],
-        ]
-    )
-    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
-    angle = float(np.arctan2(sine, cosine))
-    if sine > 1e-6:
-        return np.asarray(vector * (angle / sine))
-    if cosine > 0:
-        return vector
-    # half a turn: the axis is the column of R + 1 that is longest
-    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
-    return np.asarray(column / np.linalg.norm(column) * angle)
+@dataclass(frozen=True)
+class Coordinates(Target):
+    """Coordinates of several joints that are to have values.
+
+    Attributes:
+        entries: Of q (n,).
+        scales: What each counts in (n,).
+        others: As :class:`Target` has them.
+    """
+
+    entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
+    scales: Array = field(default_factory=lambda: np.ones(0))
+
+    def entries_of(self, m: Mechanism) -> NDArray[np.intp]:
+        """As :meth:`Target.entries_of`."""
+        return self.entries
+
+    def scales_of(self, m: Mechanism) -> Array:
+        """As :meth:`Target.scales_of`."""
+        return self.scales
+
+    def distance(self, q: Array) -> float:
+        """How far a position (nq,) is from them, in radians and sizes of the scene."""
+        return float(np.linalg.norm((q[self.entries] - self.value) / self.scales))
 
 
 def read(

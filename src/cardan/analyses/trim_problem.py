@@ -15,8 +15,8 @@ from .consistent import read, speeds
 from .contract import Moment
 from .first_order import FirstOrder, chosen, first_order, pushed
 from .mechanism import Mechanism
+from .position_solver import PositionSolver
 from .relative import Relative
-from .searches import search_from
 
 Array = NDArray[np.float64]
 FORCE = ".force"
@@ -280,7 +280,7 @@ class Trimming:
         m = self._mechanism(at)
         q, u = at.q, at.u
         if len(self.system.positions):
-            end = search_from(m, [], q)
+            end = PositionSolver(m).search(q)
             if not end.met:
                 raise SolveError("trim: circuits do not close there")
             q = end.q

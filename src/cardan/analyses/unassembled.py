@@ -12,15 +12,14 @@ from numpy.typing import NDArray
 from ..errors import ModelError
 from ..runtime.ledger import residual_unit
 from .mechanism import Mechanism
-from .meeting import Found
+from .position_solver import PositionSolver, Solution, missed
 from .rounded import ROUNDED
-from .searches import search_from
 from .targets import Target
 
 Array = NDArray[np.float64]
 WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
 T = TypeVar("T")
-Search = Callable[[Mechanism, Sequence[Target]], list[Found]]
+Search = Callable[[Mechanism, Sequence[Target]], list[Solution]]
 NEAR = 1e-3  # residuals without units that rounding may explain
 HALVINGS = 30  # of the way from what is reached to what is asked
 
@@ -28,7 +27,7 @@ HALVINGS = 30  # of the way from what is reached to what is asked
 def explain(
     m: Mechanism,
     targets: Sequence[Target],
-    found: Sequence[Found],
+    found: Sequence[Solution],
     again: Search,
     remedy: str = WEIGHTS,
 ) -> NoReturn:
@@ -52,7 +51,7 @@ def explain(
     raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
 
 
-def _any_met(found: Sequence[Found]) -> bool:
+def _any_met(found: Sequence[Solution]) -> bool:
     return any(one.met for one in found)
 
 
@@ -71,20 +70,34 @@ def _wished(targets: Sequence[Target]) -> list[Target]:
     return [replace(target, weight=1.0) for target in targets]
 
 
-def _conflict(m: Mechanism, targets: Sequence[Target], found: Sequence[Found], remedy: str) -> str:
+def _conflict(
+    m: Mechanism, targets: Sequence[Target], found: Sequence[Solution], remedy: str
+) -> str:
     """What is reached where all of them are only wished for."""
 
-    def away(one: Found) -> float:
-        return sum(float(np.sum(target.residual(m, one.q) ** 2)) for target in targets)
+    def away(one: Solution) -> float:
+        return sum(float(np.sum(missed(m, target, one.q) ** 2)) for target in targets)
 
     ends = [replace(one, q=_turned_to(m, one.q, targets)) for one in found if one.met]
     q = min(ends, key=away).q
     if len(targets) == 1 and targets[0].kind == "coordinate":
         q = _farthest(m, targets[0], q)
-    said = [f"'{t.name}' (asked {t.asked}; reached {t.reached(m, q)})" for t in targets]
+    said = [f"'{t.name}' (asked {t.asked}; reached {reached(m, t, q)})" for t in targets]
     if len(said) == 1:
         return f"{said[0]} is out of reach{moment(m)}. {remedy}"
     return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
+
+
+def reached(m: Mechanism, target: Target, q: Array) -> str:
+    """What a position (nq,) gives instead of a target, in words."""
+    if target.kind == "coordinate":
+        words = [f"{x:.6g}" for x in q[target.place]]
+        return words[0] if len(words) == 1 else f"({', '.join(words)})"
+    away = missed(m, target, q)
+    words = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
+    if target.kind == "pose":
+        words.append(f"{np.linalg.norm(away[:3]):.3g} rad")
+    return f"{' and '.join(words)} away"
 
 
 def _turned_to(m: Mechanism, q: Array, targets: Sequence[Target]) -> Array:
@@ -101,7 +114,7 @@ def _farthest(m: Mechanism, target: Target, q: Array) -> Array:
     part = 0.5
     for _ in range(HALVINGS):
         ahead = q[target.place] + part * (target.value - q[target.place])
-        end = search_from(m, [replace(target, value=ahead)], q)
+        end = PositionSolver(m, [replace(target, value=ahead)]).search(q)
         q, part = (end.q, part) if end.met else (q, 0.5 * part)
     return q
 
@@ -144,7 +157,7 @@ def _culprits(m: Mechanism, again: Search) -> str:
     )
 
 
-def _open(m: Mechanism, found: Sequence[Found]) -> str:
+def _open(m: Mechanism, found: Sequence[Solution]) -> str:
     """What has the largest residual where the search came nearest."""
     if not m.closing.rows:
         return (
@@ -152,7 +165,7 @@ def _open(m: Mechanism, found: Sequence[Found]) -> str:
             "named: name fewer coordinates"
         )
 
-    def gap_of(one: Found) -> float:
+    def gap_of(one: Solution) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
 
     straight = [one for one in found if not m.turned(one.q)]

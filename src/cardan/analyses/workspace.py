@@ -18,7 +18,8 @@ from .assemble import assemble
 from .branches import branches
 from .mechanism import Mechanism, refuse_nodes
 from .nearest import outside
-from .searches import drawn, search_from
+from .position_solver import PositionSolver
+from .searches import drawn
 from .targets import read
 
 Array = NDArray[np.float64]
@@ -117,10 +118,11 @@ def workspace(
     places = [model.coordinates.index(name) for name in ranges]
     for _ in range(samples):
         values = {name: float(rng.uniform(*ends)) for name, ends in ranges.items()}
+        solver = PositionSolver(m, read(m, values))
         near_by = [_nearest(kept or [first], places, values), first] if ranges else []
         # from a neighbor, else from where that does not lead to the branch
         for begin in (*near_by, *(drawn(m, first, rng) for _ in range(AGAIN if ranges else 1))):
-            found = search_from(m, read(m, values), begin)
+            found = solver.search(begin)
             if found.met and all(one.holds(found.q) for one in wanted) and not outside(m, found.q):
                 kept.append(found.q)
                 break

@@ -38,6 +38,7 @@ const size_t cardan_lane_method_layout[4] = {
 #include "ensemble.h"
 #include "mesh.h"
 #include "sparse.h"
+#include "position.h"
 
 extern const size_t cardan_run_layout[139];
 const size_t cardan_run_layout[139] = {
@@ -213,5 +214,38 @@ const size_t cardan_sparse_factors_layout[16] = {
     offsetof(cardan_sparse_factors, hidden), offsetof(cardan_sparse_factors, count),
     offsetof(cardan_sparse_factors, weak), offsetof(cardan_sparse_factors, singular),
     offsetof(cardan_sparse_factors, positive), offsetof(cardan_sparse_factors, negative)
+};
+
+extern const size_t cardan_target_layout[11];
+const size_t cardan_target_layout[11] = {
+    sizeof(cardan_target), offsetof(cardan_target, kind), offsetof(cardan_target, rows),
+    offsetof(cardan_target, weight), offsetof(cardan_target, entries), offsetof(cardan_target,
+    value), offsetof(cardan_target, scale), offsetof(cardan_target, residual.function),
+    offsetof(cardan_target, residual.w), offsetof(cardan_target, jacobian.function),
+    offsetof(cardan_target, jacobian.w)
+};
+
+extern const size_t cardan_position_layout[45];
+const size_t cardan_position_layout[45] = {
+    sizeof(cardan_position), offsetof(cardan_position, nq), offsetof(cardan_position, nu),
+    offsetof(cardan_position, positions), offsetof(cardan_position, kept_count),
+    offsetof(cardan_position, kept), offsetof(cardan_position, rows), offsetof(cardan_position,
+    columns), offsetof(cardan_position, size), offsetof(cardan_position, quaternions),
+    offsetof(cardan_position, quaternion_count), offsetof(cardan_position, constraints.function),
+    offsetof(cardan_position, constraints.w), offsetof(cardan_position,
+    constraint_jacobian.function), offsetof(cardan_position, constraint_jacobian.w),
+    offsetof(cardan_position, integrate.function), offsetof(cardan_position, integrate.w),
+    offsetof(cardan_position, qdot.function), offsetof(cardan_position, qdot.w),
+    offsetof(cardan_position, kinematics.function), offsetof(cardan_position, kinematics.w),
+    offsetof(cardan_position, facing.function), offsetof(cardan_position, facing.w),
+    offsetof(cardan_position, facings), offsetof(cardan_position, t), offsetof(cardan_position, z),
+    offsetof(cardan_position, s), offsetof(cardan_position, r), offsetof(cardan_position, targets),
+    offsetof(cardan_position, target_count), offsetof(cardan_position, rank),
+    offsetof(cardan_position, slack), offsetof(cardan_position, hard), offsetof(cardan_position,
+    soft), offsetof(cardan_position, iteration), offsetof(cardan_position, damping),
+    offsetof(cardan_position, q), offsetof(cardan_position, residuals), offsetof(cardan_position,
+    jacobian), offsetof(cardan_position, memory), offsetof(cardan_position, work),
+    offsetof(cardan_position, open), offsetof(cardan_position, cost), offsetof(cardan_position,
+    freedoms), offsetof(cardan_position, turned)
 };
 #endif

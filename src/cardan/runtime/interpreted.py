@@ -89,6 +89,46 @@ def called_back(stop: Callable[[], object] = bool) -> Iterator[None]:
             raise error
 
 
+class PythonFunction:
+    """A function of Python that kernels call as they call compiled ones.
+
+    Args:
+        function: Lists of floats -> a list of floats, one list for each block.
+        blocks: (name of a block, how many numbers of it).
+        size: Numbers of the result.
+    """
+
+    def __init__(
+        self, function: Callable[..., list[float]], blocks: Sequence[tuple[str, int]], size: int
+    ) -> None:
+        self._function = function
+        self._places = [(SLOT["w" if name == "p" else name], n) for name, n in blocks]
+        self._row = ctypes.c_double * size
+        self._callback = CALLBACK(self._called)
+
+    @property
+    def address(self) -> int:
+        """Of a function that kernels can call; inside :func:`called_back`, while this lives."""
+        return ctypes.cast(self._callback, ctypes.c_void_p).value or 0
+
+    def _called(self, blocks: Any, out: int, work: int) -> int:
+        """The function with the interface of generated C; slot w holds the parameters p."""
+        try:
+            if _RAISED.error is not None:
+                return RAISED
+            row = self._row.from_address(out)
+            try:
+                values: list[Any] = self._function(*[blocks[k][:size] for k, size in self._places])
+                row[:] = values
+            except SolveError:
+                row[:] = [np.nan] * len(row)
+                return SINGULAR
+        except BaseException as error:
+            _RAISED.keep(error)
+            return RAISED
+        return 0
+
+
 class Interpreted:
     """A saved Function, called as generated C is: by blocks and distances between states."""
 
@@ -99,14 +139,13 @@ class Interpreted:
         read = {node[1] for node in nodes if node[0] == "var"}
         self.blocks = [(b.name, len(b)) for b in function.inputs if b.name in read]
         self.piece = max(1, NUMBERS // (len(live) + 1))
-        self._places = [(SLOT["w" if name == "p" else name], n) for name, n in self.blocks]
-        self._row = ctypes.c_double * len(function.roots)
-        self._callback = CALLBACK(self._called)
+        roots = len(function.roots)
+        self._called_back = PythonFunction(lambda *given: self.floats(*given), self.blocks, roots)
 
     @property
     def address(self) -> int:
-        """Of a function that kernels can call; inside :func:`called_back`, while this lives."""
-        return ctypes.cast(self._callback, ctypes.c_void_p).value or 0
+        """As :attr:`PythonFunction.address`."""
+        return self._called_back.address
 
     @cached_property
     def floats(self) -> Callable[..., list[float]]:
@@ -114,23 +153,6 @@ class Interpreted:
         from ..ir.straight_line import straight_line
 
         return straight_line(self.function)
-
-    def _called(self, blocks: Any, out: int, work: int) -> int:
-        """The function with the interface of generated C; slot w holds the parameters p."""
-        try:
-            if _RAISED.error is not None:
-                return RAISED
-            row = self._row.from_address(out)
-            try:
-                found: list[Any] = self.floats(*[blocks[k][:size] for k, size in self._places])
-                row[:] = found
-            except SolveError:
-                row[:] = [np.nan] * len(row)
-                return SINGULAR
-        except BaseException as error:
-            _RAISED.keep(error)
-            return RAISED
-        return 0
 
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array

@@ -43,6 +43,8 @@ RECORDS = {
     "cardan_state": "mesh.h",
     "cardan_sparse": "sparse.h",
     "cardan_sparse_factors": "sparse.h",
+    "cardan_target": "position.h",
+    "cardan_position": "position.h",
 }
 LANE_RECORDS = {"cardan_abreast": "abreast.h", "cardan_lane_method": "abreast.h"}
 # what the functions of an element give, in the order of mesh.h
@@ -226,6 +228,18 @@ class FactorsRecord(ctypes.Structure):
     """``cardan_sparse_factors``."""
 
     _fields_ = fields("cardan_sparse_factors")
+
+
+class TargetRecord(ctypes.Structure):
+    """``cardan_target``: what a position is to reach."""
+
+    _fields_ = fields("cardan_target")
+
+
+class PositionRecord(ctypes.Structure):
+    """``cardan_position``: a search for a position."""
+
+    _fields_ = fields("cardan_position")
 
 
 def check(library: ctypes.CDLL, record: str, structure: type[ctypes.Structure]) -> None:

@@ -1,0 +1,375 @@
+/* Positions that meet conditions: what must hold exactly, what should hold as well as it can.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ * Steps across what must hold and along it (least.c) are shortened until a merit falls in which the
+ * former counts more than anything they gain on the latter. The search is left after a budget of
+ * steps and goes on where it was, so that Ctrl-C is heard.
+ * Source: J. Nocedal, S. Wright, Numerical Optimization, 2nd ed., chapter 18 (merit functions).
+ */
+#include "position.h"
+#include <math.h>
+
+static const real SOUGHT = 1e-15, CLOSED = 1e-11; /* residuals: sought, and those that count as none */
+static const real LEAST_STEP = 1e-13, LONGEST = 0.7; /* radians, or sizes of the mechanism */
+static const real FIRST_DAMPING = 1e-3, LEAST_DAMPING = 1e-12, SHORTER = 0.3;
+enum { MOST_STEPS = 80, MOST_TRIALS = 12 };
+
+/* the parts of its memory */
+typedef struct parts {
+    real *trial;     /* (nq) */
+    real *residuals; /* (hard + soft) there */
+    real *step;      /* (nu) */
+    real *speeds;    /* (nu) */
+    real *results;   /* of a function */
+    real *rates;     /* (nq, nu) coordinates per step */
+    real *least;
+} parts;
+
+static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Numbers of the largest result of a function. */
+static ptrdiff_t widest(const cardan_position *p)
+{
+    ptrdiff_t width = larger(larger(p->positions, p->facings), larger(2 * p->nq, 16));
+
+    for (ptrdiff_t k = 0; k < p->target_count; k++)
+        width = larger(width, larger(6, p->targets[k].rows) * larger(p->nu, 1));
+    return width;
+}
+
+/* Numbers that a search needs. */
+ptrdiff_t cardan_position_length(const cardan_position *p)
+{
+    return p->nq * (1 + p->nu) + p->hard + p->soft + 2 * p->nu + widest(p)
+           + cardan_least_length(p->hard, p->soft, p->nu);
+}
+
+static parts parts_of(const cardan_position *p)
+{
+    parts m = {.trial = p->memory};
+
+    m.residuals = m.trial + p->nq;
+    m.step = m.residuals + p->hard + p->soft;
+    m.speeds = m.step + p->nu;
+    m.results = m.speeds + p->nu;
+    m.rates = m.results + widest(p);
+    m.least = m.rates + p->nq * p->nu;
+    return m;
+}
+
+/* Call a function; `along` is what it takes for u and for du. */
+static int call(const cardan_position *p, const cardan_call *function, const real *q,
+                const real *along, real *out)
+{
+    const cardan_in in = {.t = &p->t, .q = q, .u = along, .z = p->z, .s = p->s, .r = p->r,
+                          .w = function->w, .du = along};
+
+    return function->function(&in, out, p->work);
+}
+
+/* Move coordinates by a step. */
+static int advance(const cardan_position *p, const real *q, const real *step, real *moved)
+{
+    const parts m = parts_of(p);
+    int status;
+
+    for (ptrdiff_t i = 0; i < p->nu; i++)
+        m.speeds[i] = step[i] * (p->columns ? p->columns[i] : 1);
+    status = call(p, &p->integrate, q, m.speeds, moved);
+    for (ptrdiff_t k = 0; k < p->quaternion_count; k++) {
+        real *x = moved + p->quaternions[k];
+        const real length = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
+        for (int i = 0; i < 4; i++)
+            x[i] /= length;
+    }
+    return status;
+}
+
+/* Rotation vector (3) of the rotation that leads from a goal to where a frame is, poses (4, 4). */
+static void rotation_between(const real *pose, const real *goal, real *vector)
+{
+    real turned[9], sine, cosine, angle;
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            turned[3 * i + j] = 0;
+            for (int k = 0; k < 3; k++)
+                turned[3 * i + j] += pose[4 * i + k] * goal[4 * j + k];
+        }
+    vector[0] = 0.5 * (turned[7] - turned[5]);
+    vector[1] = 0.5 * (turned[2] - turned[6]);
+    vector[2] = 0.5 * (turned[3] - turned[1]);
+    sine = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    cosine = 0.5 * (turned[0] + turned[4] + turned[8] - 1);
+    angle = atan2(sine, cosine);
+    if (sine > 1e-6) {
+        for (int i = 0; i < 3; i++)
+            vector[i] *= angle / sine;
+    } else if (!(cosine > 0)) {
+        /* half a turn: the axis is the column of R + 1 that is longest */
+        int axis = turned[4] > turned[0] ? 1 : 0;
+        real length = 0;
+        axis = turned[8] > turned[4 * axis] ? 2 : axis;
+        for (int i = 0; i < 3; i++) {
+            vector[i] = turned[3 * i + axis] + (i == axis);
+            length += vector[i] * vector[i];
+        }
+        for (int i = 0; i < 3; i++)
+            vector[i] *= angle / sqrt(length);
+    }
+}
+
+/* What a target misses (rows). */
+static int target_residual(const cardan_position *p, const cardan_target *target, const real *q,
+                           real *residual)
+{
+    real *pose = parts_of(p).results;
+    int status = 0;
+
+    if (target->kind == CARDAN_COORDINATES)
+        for (ptrdiff_t i = 0; i < target->rows; i++)
+            residual[i] = (q[target->entries[i]] - target->value[i]) / target->scale[i];
+    else if (target->kind == CARDAN_GENERAL)
+        status = call(p, &target->residual, q, NULL, residual);
+    else {
+        status = call(p, &target->residual, q, NULL, pose);
+        if (target->kind == CARDAN_POSE)
+            rotation_between(pose, target->value, residual);
+        for (int i = 0; i < 3; i++)
+            residual[target->rows - 3 + i] = (pose[4 * i + 3] - target->value[4 * i + 3]) / p->size;
+    }
+    for (ptrdiff_t i = 0; i < target->rows && target->weight >= 0; i++)
+        residual[i] *= target->weight;
+    return status;
+}
+
+/* Where rows of a target stand among all: what must hold first. */
+static ptrdiff_t place_of(const cardan_position *p, ptrdiff_t number)
+{
+    const int soft = p->targets[number].weight >= 0;
+    ptrdiff_t place = soft ? p->hard : p->kept_count;
+
+    for (ptrdiff_t k = 0; k < number; k++)
+        if ((p->targets[k].weight >= 0) == soft)
+            place += p->targets[k].rows;
+    return place;
+}
+
+/* All residuals at a place. Returns a status of the functions. */
+static int residuals_at(const cardan_position *p, const real *q, real *residuals)
+{
+    real *open = parts_of(p).results;
+    int status = 0;
+
+    if (p->kept_count > 0)
+        status = call(p, &p->constraints, q, NULL, open);
+    for (ptrdiff_t i = 0; i < p->kept_count; i++) {
+        const ptrdiff_t row = p->kept ? p->kept[i] : i;
+        residuals[i] = open[row] / (p->rows ? p->rows[row] : 1);
+    }
+    for (ptrdiff_t k = 0; k < p->target_count; k++)
+        status |= target_residual(p, p->targets + k, q, residuals + place_of(p, k));
+    return status;
+}
+
+/* Coordinates per step (nq, nu): they are linear in the step. */
+static int kinematics(const cardan_position *p, real *rates)
+{
+    const parts m = parts_of(p);
+    real *still = m.results, *moving = m.results + p->nq;
+    int status;
+
+    if (p->kinematics.function)
+        return call(p, &p->kinematics, p->q, NULL, rates);
+    for (ptrdiff_t j = 0; j < p->nu; j++)
+        m.speeds[j] = 0;
+    status = call(p, &p->qdot, p->q, m.speeds, still);
+    for (ptrdiff_t j = 0; j < p->nu; j++) {
+        m.speeds[j] = p->columns ? p->columns[j] : 1;
+        status |= call(p, &p->qdot, p->q, m.speeds, moving);
+        m.speeds[j] = 0;
+        for (ptrdiff_t i = 0; i < p->nq; i++)
+            rates[i * p->nu + j] = moving[i] - still[i];
+    }
+    return status;
+}
+
+/* Derivatives of what a target misses (rows, nu). */
+static int target_jacobian(const cardan_position *p, const cardan_target *target,
+                           const real *rates, real *jacobian)
+{
+    real *moving = parts_of(p).results;
+    const ptrdiff_t nu = p->nu, first = 6 - target->rows;
+    int status = 0;
+
+    if (target->kind == CARDAN_COORDINATES)
+        for (ptrdiff_t i = 0; i < target->rows; i++)
+            for (ptrdiff_t j = 0; j < nu; j++)
+                jacobian[i * nu + j] = rates[target->entries[i] * nu + j] / target->scale[i];
+    else if (target->kind == CARDAN_GENERAL)
+        status = call(p, &target->jacobian, p->q, NULL, jacobian);
+    else {
+        status = call(p, &target->jacobian, p->q, NULL, moving);
+        for (ptrdiff_t i = 0; i < target->rows; i++)
+            for (ptrdiff_t j = 0; j < nu; j++)
+                jacobian[i * nu + j] = moving[(first + i) * nu + j]
+                                       * (p->columns ? p->columns[j] : 1)
+                                       / (first + i < 3 ? 1 : p->size);
+    }
+    for (ptrdiff_t i = 0; i < target->rows * nu && target->weight >= 0; i++)
+        jacobian[i] *= target->weight;
+    return status;
+}
+
+/* All residuals at q. Returns a status of the functions. */
+int cardan_position_residuals(cardan_position *p)
+{
+    return residuals_at(p, p->q, p->residuals);
+}
+
+/* Their derivatives along steps there. Returns a status of the functions. */
+int cardan_position_jacobian(cardan_position *p)
+{
+    const ptrdiff_t nu = p->nu;
+    real *rates = parts_of(p).rates;
+    int status = 0, moved = 0;
+
+    /* rows come in the order of the constraints: each is taken up where none is needed any more */
+    if (p->kept_count > 0)
+        status = call(p, &p->constraint_jacobian, p->q, NULL, p->jacobian);
+    for (ptrdiff_t i = 0; i < p->kept_count; i++) {
+        const ptrdiff_t row = p->kept ? p->kept[i] : i;
+        const real unit = p->rows ? p->rows[row] : 1;
+        for (ptrdiff_t j = 0; j < nu; j++)
+            p->jacobian[i * nu + j] = p->jacobian[row * nu + j]
+                                      * (p->columns ? p->columns[j] : 1) / unit;
+    }
+    for (ptrdiff_t k = 0; k < p->target_count; k++) {
+        const cardan_target *target = p->targets + k;
+        if (target->kind == CARDAN_COORDINATES && !moved) {
+            status |= kinematics(p, rates);
+            moved = 1;
+        }
+        status |= target_jacobian(p, target, rates, p->jacobian + place_of(p, k) * nu);
+    }
+    return status;
+}
+
+/* The largest of what must vanish; infinite where one is not a number. */
+static real size_of(const real *residuals, ptrdiff_t n)
+{
+    real largest = 0;
+
+    for (ptrdiff_t i = 0; i < n; i++) {
+        if (!(residuals[i] - residuals[i] == 0))
+            return INFINITY;
+        largest = fmax(largest, fabs(residuals[i]));
+    }
+    return largest;
+}
+
+static real square(const real *x, ptrdiff_t n)
+{
+    real sum = 0;
+
+    for (ptrdiff_t i = 0; i < n; i++)
+        sum += x[i] * x[i];
+    return sum;
+}
+
+static real merit(const cardan_position *p, const real *residuals, real price)
+{
+    return 0.5 * square(residuals + p->hard, p->soft) + price * sqrt(square(residuals, p->hard));
+}
+
+/* Take a step, shortened until the merit falls. Returns whether it does. */
+static int take(cardan_position *p, real price, real longest)
+{
+    const parts m = parts_of(p);
+    const real before = merit(p, p->residuals, price);
+    real share = longest > LONGEST ? LONGEST / longest : 1;
+
+    for (int trial = 0; trial < MOST_TRIALS; trial++) {
+        for (ptrdiff_t j = 0; j < p->nu; j++)
+            m.step[j] *= share;
+        if (advance(p, p->q, m.step, m.trial) == 0
+            && residuals_at(p, m.trial, m.residuals) == 0
+            && merit(p, m.residuals, price) < before) {
+            for (ptrdiff_t i = 0; i < p->nq; i++)
+                p->q[i] = m.trial[i];
+            for (ptrdiff_t i = 0; i < p->hard + p->soft; i++)
+                p->residuals[i] = m.residuals[i];
+            p->damping = trial == 0 && share == 1 ? fmax(LEAST_DAMPING, 0.2 * p->damping)
+                                                  : 2 * p->damping;
+            return 1;
+        }
+        share = SHORTER;
+    }
+    return 0;
+}
+
+/* Begin a search at q, with quaternions of unit length. Returns a status of the functions. */
+int cardan_position_begin(cardan_position *p)
+{
+    const parts m = parts_of(p);
+    int status;
+
+    p->iteration = 0;
+    p->damping = FIRST_DAMPING;
+    p->freedoms = p->nu;
+    p->turned = -1;
+    for (ptrdiff_t j = 0; j < p->nu; j++)
+        m.step[j] = 0;
+    status = advance(p, p->q, m.step, m.trial);
+    for (ptrdiff_t i = 0; i < p->nq; i++)
+        p->q[i] = m.trial[i];
+    return status | residuals_at(p, p->q, p->residuals);
+}
+
+/* Say where a search ended. */
+static int ended(cardan_position *p)
+{
+    real *values = parts_of(p).results;
+
+    p->open = size_of(p->residuals, p->hard);
+    p->cost = square(p->residuals + p->hard, p->soft);
+    if (p->facings > 0 && p->open <= fmax(CLOSED, p->slack)
+        && call(p, &p->facing, p->q, NULL, values) == 0)
+        for (ptrdiff_t i = p->facings - 1; i >= 0; i--)
+            if (values[i] <= 0)
+                p->turned = i;
+    return CARDAN_DONE;
+}
+
+/* Go on with a search for at most `budget` steps. Returns CARDAN_DONE or CARDAN_MORE. */
+int cardan_position_solve(cardan_position *p, ptrdiff_t budget)
+{
+    const parts m = parts_of(p);
+
+    for (; p->iteration < MOST_STEPS; p->iteration++) {
+        cardan_least least = {.hard = p->hard, .soft = p->soft, .nu = p->nu,
+                              .jacobian = p->jacobian, .residuals = p->residuals,
+                              .rank = p->rank, .damping = p->damping, .memory = m.least};
+        real longest;
+
+        if (budget-- <= 0)
+            return CARDAN_MORE;
+        if (cardan_position_jacobian(p) != 0
+            || size_of(p->jacobian, (p->hard + p->soft) * p->nu) == INFINITY
+            || size_of(p->residuals, p->hard + p->soft) == INFINITY)
+            break;
+        cardan_least_step(&least, m.step);
+        p->freedoms = least.freedoms;
+        longest = size_of(m.step, p->nu);
+        if (size_of(p->residuals, p->hard) <= SOUGHT && longest <= LEAST_STEP)
+            break;
+        /* what must hold counts more than anything the step gains on what should */
+        if (!take(p, 2 * least.price, longest))
+            break;
+    }
+    return ended(p);
+}
