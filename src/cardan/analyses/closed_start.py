@@ -54,7 +54,7 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     if not always or "constraints" not in manifest["available"]:
         # the run itself projects what it is given; what modes hold is not held before it begins
         return begin
-    m = Mechanism(model, t, r)
+    m = Mechanism.at(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
     place = positions(m, place, named_of("q", model, q))
     m.slack = m.slack or slack(m, place)

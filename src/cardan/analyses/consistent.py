@@ -101,13 +101,13 @@ def _meet(
     what: str,
 ) -> Array:
     """The vector without units next to a wanted one with G v = right and the held entries kept."""
-    free = np.setdiff1d(np.arange(len(wanted)), held)
-    missing_part = right - G @ wanted
-    L = _metric(m, q, free)
-    # the least change of the free entries that closes the gap
-    step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
-    v = wanted.copy()
-    v[free] += L @ step
+    missing_part, v = right - G @ wanted, wanted.copy()
+    if missing_part.any():
+        # the least change of the free entries that closes the gap
+        free = np.setdiff1d(np.arange(len(wanted)), held)
+        L = _metric(m, q, free)
+        step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
+        v[free] += L @ step
     left = right - G @ v
     scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
     worst = int(np.abs(left).argmax()) if len(left) else 0

@@ -20,10 +20,9 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     Raises:
         ModelError: constraints are fewer here than at a position beside it.
     """
-    G = m.jacobian(q)
-    U, s, _ = np.linalg.svd(G)
+    U, s = m.decomposition(q)
     rank = rank_of(s)
-    if rank == len(G):
+    if rank == len(U):
         return
     aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
     beside = PositionSolver(m).search(m.advance(q, aside)).q

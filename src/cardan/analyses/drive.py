@@ -6,7 +6,6 @@ corrector, step control).
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
@@ -68,14 +67,13 @@ class Drive:
         """The mechanism at values of its drivers, with their first and second derivatives."""
         if not self.inputs:
             return self.m
-        m, names = copy.copy(self.m), self.m.model.inputs
-        start = self.m.model._layout.start("r") if m.r is None else m.r
-        m.r = start.copy()
+        names, own = self.m.model.inputs, self.m.r
+        r = (self.m.model._layout.start("r") if own is None else own).copy()
         for k, name in enumerate(self.names):
             for ending, given in (("", values), (".rate", rates), (".acceleration", more)):
                 if f"{name}{ending}" in names and len(given):
-                    m.r[names.index(f"{name}{ending}")] = given[k]
-        return m
+                    r[names.index(f"{name}{ending}")] = given[k]
+        return self.m.moved_to(self.m.t, r)
 
     def targets(self, values: Array) -> list[Target]:
         """What is held at values of the drivers."""

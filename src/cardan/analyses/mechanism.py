@@ -7,9 +7,10 @@ can be compared, and a rank says something.
 from __future__ import annotations
 
 import copy
+import ctypes
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -18,11 +19,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import ModelError
 from ..runtime.closing import Closing, columns_of, size_of, unit
 from ..runtime.compiled import CompiledModel
+from ..runtime.initial import entries
 from ..runtime.interpreted import PythonFunction
 from ..runtime.states import random_state
-from ..schema.records import PositionRecord
+from ..schema.records import COUNT, PositionRecord, TargetRecord, check
 
 Array = NDArray[np.float64]
+REACHED = 1e-9  # beyond limits that counts as on them
 TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
 
@@ -32,6 +35,7 @@ class Connection:
     """What searches in C know of a mechanism at any time.
 
     Attributes:
+        library: The kernels.
         record: A ``cardan_position`` without targets.
         kept: What its pointers point to.
         rows: Of the Jacobian of the constraints.
@@ -39,6 +43,7 @@ class Connection:
         called_back: Whether some of these are Python.
     """
 
+    library: ctypes.CDLL
     record: PositionRecord
     kept: list[Any]
     rows: int
@@ -62,6 +67,24 @@ def called(function: Callable[..., Array], size: int, **blocks: int) -> PythonFu
     return PythonFunction(lists, [*blocks.items()], size)
 
 
+@lru_cache(maxsize=4)
+def searching(library: ctypes.CDLL) -> ctypes.CDLL:
+    """The kernels with the types of the functions of searches declared.
+
+    Raises:
+        BuildError: their records differ from those here.
+    """
+    for name, structure in (("position", PositionRecord), ("target", TargetRecord)):
+        check(library, f"cardan_{name}", structure)
+    record = ctypes.POINTER(PositionRecord)
+    for name in ("begin", "residuals", "jacobian"):
+        getattr(library, f"cardan_position_{name}").argtypes = [record]
+    library.cardan_position_length.argtypes = [record]
+    library.cardan_position_length.restype = COUNT
+    library.cardan_position_solve.argtypes = [record, COUNT]
+    return library
+
+
 class Mechanism:
     """A model at a time and with inputs.
 
@@ -78,7 +101,6 @@ class Mechanism:
     released: frozenset[str] = frozenset()
     slack: float = 0.0
     searches: int = 16
-    _known: tuple[bytes, Array] | None = None
 
     def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
         """Args:
@@ -92,6 +114,32 @@ class Mechanism:
         self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
         self.size = size_of(model)
         self.columns = columns_of(model, self.size)
+        self._known: dict[str, tuple[bytes, Any]] = {}
+
+    @classmethod
+    def at(cls, model: CompiledModel, t: float, r: Array | None) -> Mechanism:
+        """As the class itself; what is the same at all times is found once for a model."""
+        known = model._derived.get(cls)
+        if known is None:
+            known = cls(model)
+            # what copies share
+            _ = known.rows, known.turning, known.connection, known._bounds, known._unreleased
+            model._derived[cls] = known
+        assert isinstance(known, cls)
+        return known.moved_to(t, r)
+
+    def moved_to(self, t: float, r: Array | None) -> Mechanism:
+        """The same mechanism at another time, with other inputs (nr,)."""
+        other = copy.copy(self)
+        other.t, other.r, other._known = float(t), r, {}
+        return other
+
+    def _once(self, what: str, q: Array, function: Callable[[Array], Any]) -> Any:
+        """A function of the position, found again only at another one."""
+        key, known = q.tobytes(), self._known.get(what)
+        if known is None or known[0] != key:
+            known = self._known[what] = key, function(q)
+        return known[1]
 
     # constraints
 
@@ -141,10 +189,21 @@ class Mechanism:
 
     def jacobian(self, q: Array) -> Array:
         """G (m, nu), without units."""
+        found: Array = self._once("jacobian", q, self._jacobian)
+        return found
+
+    def _jacobian(self, q: Array) -> Array:
         if not self.closing.rows:
             return np.zeros((0, self.nu))
         found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
         return found[self._kept]
+
+    def decomposition(self, q: Array) -> tuple[Array, Array]:
+        """Left singular vectors (m, m) and singular values of G."""
+        found: tuple[Array, Array] = self._once(
+            "decomposition", q, lambda q: np.linalg.svd(self.jacobian(q))[:2]
+        )
+        return found
 
     @property
     def rank(self) -> float:
@@ -160,7 +219,9 @@ class Mechanism:
     def connection(self) -> Connection:
         """The mechanism as searches in C know it."""
         model, record, count = self.model, PositionRecord(), self.closing.positions
+        layout = model._layout
         arrays = {
+            **{letter: layout.start(letter).copy() for letter in "zsr"},
             "kept": np.flatnonzero(self._kept[:count]),
             "rows": self.rows[:count].copy(),
             "columns": self.columns,
@@ -168,7 +229,7 @@ class Mechanism:
         }
         for name, array in arrays.items():
             setattr(record, name, array.ctypes.data)
-        record.nq, record.nu, record.positions, record.size = model.nq, self.nu, count, self.size
+        record.nq, record.nu, record.positions = model.nq, self.nu, count
         record.kept_count, record.quaternion_count = len(arrays["kept"]), len(arrays["quaternions"])
         names = ["constraints", "constraint_jacobian"] if count else []
         names += ["facing"] if self.cuts and "facing" in model.manifest["available"] else []
@@ -186,13 +247,17 @@ class Mechanism:
             kept.append(moved)
         work = max((function.work_size for function in functions), default=0)
         python = self.chosen or any(function.interpreted for function in functions)
-        return Connection(record, kept, len(self.closing.rows), work, python)
+        return Connection(
+            searching(model._kernels()), record, kept, len(self.closing.rows), work, python
+        )
 
     def without(self, relations: Iterable[str]) -> Mechanism:
         """The same mechanism with relations of the user released."""
         other = copy.copy(self)
         other.released = frozenset(relations)
-        other.__dict__.pop("connection", None)
+        for name in ("connection", "_unreleased"):
+            other.__dict__.pop(name, None)
+        other._known = {}
         return other
 
     @property
@@ -201,9 +266,14 @@ class Mechanism:
         rows = self.closing.rows[: self.closing.positions]
         return [str(row["name"]) for row in rows if row["name"] == row["joint"]]
 
+    @cached_property
+    def _unreleased(self) -> NDArray[np.bool_]:
+        return np.array([row["name"] not in self.released for row in self.closing.rows], bool)
+
     @property
     def _kept(self) -> NDArray[np.bool_]:
-        return np.array([row["name"] not in self.released for row in self.closing.rows], bool)
+        """Which rows must hold."""
+        return self._unreleased
 
     def rates(self, q: Array, u: Array) -> Array:
         """Residuals (m,) of the constraints of velocities, lengths without units."""
@@ -245,10 +315,8 @@ class Mechanism:
 
     def kinematics(self, q: Array) -> Array:
         """N (nq, nu): coordinates per step without units."""
-        key = q.tobytes()
-        if self._known is None or self._known[0] != key:
-            self._known = key, self._kinematics(q)
-        return self._known[1]
+        found: Array = self._once("kinematics", q, self._kinematics)
+        return found
 
     def _kinematics(self, q: Array) -> Array:
         model = self.model
@@ -308,9 +376,10 @@ class Mechanism:
 
     def nearest(self, q: Array, to: Array) -> Array:
         """The same position with every angle within half a turn of that of another one."""
-        turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
-        if not turns.any():
+        away = (q - to)[self.turning]
+        if not len(away) or abs(away).max() < np.pi:
             return q
+        turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
         found: Array = q - 2 * np.pi * turns
         if self._open(found) <= self._open(q) + TIGHT:
             return found
@@ -326,6 +395,26 @@ class Mechanism:
     def _open(self, q: Array) -> float:
         """The largest residual of the constraints of positions."""
         return float(np.abs(self.residuals(q)).max(initial=0.0))
+
+    @cached_property
+    def _bounds(self) -> tuple[NDArray[np.intp], Array, Array]:
+        """Entries of q that have limits, and these."""
+        places, rows = entries(self.model.manifest, "q"), list[tuple[int, float, float]]()
+        for name, limits in self.model.limits.items():
+            low, high = (limits.get(side) for side in ("lower", "upper"))
+            place = places.get(name, slice(0, 0))
+            for k in range(place.start, place.stop):
+                rows.append((k, -np.inf if low is None else low, np.inf if high is None else high))
+        table = np.array(rows, dtype=np.float64).reshape(-1, 3)
+        return table[:, 0].astype(np.intp), table[:, 1], table[:, 2]
+
+    def outside(self, q: Array) -> int:
+        """How many coordinates are outside their limits."""
+        limited, low, high = self._bounds
+        if not len(limited):
+            return 0
+        values = q[limited]
+        return int(np.sum((values < low - REACHED) | (values > high + REACHED)))
 
     def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import SolveWarning, warn
-from ..runtime.initial import entries
 from .branches import Branch, refuse
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
@@ -46,7 +45,7 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
         ModelError: no position fulfills the goals.
     """
     first = PositionSolver(m, goals).search(q)
-    if first.met and not outside(m, first.q):
+    if first.met and not m.outside(first.q):
         return nearest(m, goals, q, first)
     found = search(m, goals, q, m.searches, 0)
     met = [one for one in found if one.met]
@@ -80,7 +79,7 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Sol
         solver = PositionSolver(m, goals)
         for begin in _around(m, q, found[0].q):
             end = solver.search(begin)
-            if not end.met or outside(m, end.q):
+            if not end.met or m.outside(end.q):
                 continue
             end = _drawn_near(near, wish, replace(end, q=m.nearest(end.q, q)))
             if not any(_same(m, end.q, other.q) for other in found):
@@ -124,7 +123,7 @@ def _drawn_near(near: Callable[[], PositionSolver], wish: Coordinates, found: So
     if not found.freedoms or wish.distance(found.q) <= EQUAL:
         return found
     end = near().search(found.q)
-    better = end.met and not outside(near().m, end.q)
+    better = end.met and not near().m.outside(end.q)
     return replace(end, freedoms=found.freedoms) if better else found
 
 
@@ -169,7 +168,7 @@ def choose(
     def order(one: Solution) -> tuple[bool, int, bool, float]:
         worse = one.cost > best + REACHED
         away = math.hypot(*m.between(begin, one.q))
-        return worse, outside(m, one.q), not one.first, float(np.rint(away / EQUAL))
+        return worse, m.outside(one.q), not one.first, float(np.rint(away / EQUAL))
 
     return min(allowed, key=order)
 
@@ -177,14 +176,3 @@ def choose(
 def places(m: Mechanism, q: Array) -> tuple[float, ...]:
     """Coordinates of the joints that are moved, for an order that rounding cannot turn."""
     return tuple(-np.round(q[m.led] / EQUAL))
-
-
-def outside(m: Mechanism, q: Array) -> int:
-    """How many coordinates are outside their limits."""
-    places, count = entries(m.model.manifest, "q"), 0
-    for name, limits in m.model.limits.items():
-        lower, upper = limits.get("lower"), limits.get("upper")
-        for value in q[places[name]] if name in places else ():
-            low = lower is not None and value < lower - REACHED
-            count += low or (upper is not None and value > upper + REACHED)
-    return count

@@ -21,7 +21,8 @@ from ..runtime.closing import Closing, unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.states import random_state
 from ..schema.records import PositionRecord
-from .mechanism import Connection, Mechanism, called
+from .mechanism import Connection, Mechanism, called, searching
+from .targets import turn
 
 Array = NDArray[np.float64]
 ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
@@ -142,7 +143,7 @@ class NodalMechanism(Mechanism):
         """As :meth:`Mechanism.residuals`, and what beams between two carried bodies miss."""
         return np.concatenate([super().residuals(q), self._missed(q)])
 
-    def jacobian(self, q: Array) -> Array:
+    def _jacobian(self, q: Array) -> Array:
         """As :meth:`Mechanism.jacobian`, along speeds of joints."""
         rows, steps = self._probe
         found = np.zeros((len(rows), self.nu))
@@ -155,7 +156,7 @@ class NodalMechanism(Mechanism):
 
     @property
     def _kept(self) -> NDArray[np.bool_]:
-        rows, count = super()._kept, self.closing.positions
+        rows, count = self._unreleased, self.closing.positions
         links = np.ones(6 * len(self.links), dtype=bool)
         return np.concatenate([rows[:count], links, rows[count:]])
 
@@ -163,7 +164,7 @@ class NodalMechanism(Mechanism):
     def positions(self) -> int:
         """As :attr:`Mechanism.positions`."""
         count = self.closing.positions
-        return int(super()._kept[:count].sum()) + 6 * len(self.links)
+        return int(self._unreleased[:count].sum()) + 6 * len(self.links)
 
     def turned(self, q: Array) -> str:
         """As :meth:`Mechanism.turned`."""
@@ -173,7 +174,7 @@ class NodalMechanism(Mechanism):
     def connection(self) -> Connection:
         """As :attr:`Mechanism.connection`: everything goes with the joints."""
         nq, nu, rows = self.model.nq, self.nu, self.positions
-        record = PositionRecord(nq=nq, nu=nu, positions=rows, kept_count=rows, size=self.size)
+        record = PositionRecord(nq=nq, nu=nu, positions=rows, kept_count=rows)
         functions = {
             "constraints": called(self.residuals, rows, q=nq),
             "constraint_jacobian": called(lambda q: self.jacobian(q)[:rows], rows * nu, q=nq),
@@ -182,7 +183,8 @@ class NodalMechanism(Mechanism):
         }
         for name, function in functions.items():
             setattr(record, name, function.address)
-        return Connection(record, [functions], rows, called_back=True)
+        library = searching(self.model._kernels())
+        return Connection(library, record, [functions], rows, called_back=True)
 
     # motion
 
@@ -356,23 +358,3 @@ class NodalMechanism(Mechanism):
         other.linked = False
         other.__dict__.pop("links", None)
         return other
-
-
-def turn(rotation: Array) -> Array:
-    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
-    vector = 0.5 * np.array(
-        [
-            rotation[2, 1] - rotation[1, 2],
-            rotation[0, 2] - rotation[2, 0],
-            rotation[1, 0] - rotation[0, 1],
-        ]
-    )
-    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
-    angle = float(np.arctan2(sine, cosine))
-    if sine > 1e-6:
-        return np.asarray(vector * (angle / sine))
-    if cosine > 0:
-        return vector
-    # half a turn: the axis is the column of R + 1 that is longest
-    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
-    return np.asarray(column / np.linalg.norm(column) * angle)

@@ -10,7 +10,7 @@ import ctypes
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,13 +18,12 @@ from numpy.typing import NDArray
 
 from ..errors import SolveError
 from ..runtime.interpreted import called_back
-from ..schema.records import COUNT, PositionRecord, TargetRecord, check
+from ..schema.records import PositionRecord, TargetRecord
 from .mechanism import Mechanism, called
 from .targets import Target
 
 Array = NDArray[np.float64]
 MET = 1e-11  # residuals without units that count as zero
-COORDINATES, PLACE, POSE, GENERAL = range(4)  # kinds of targets, as in position.h
 FARTHEST, ASIDE = 0.5, 0.3  # a step along a tangent; a part of it by which it may miss
 REACHED = 1e-9
 LOST = 1e-8  # singular values that hold nothing
@@ -76,16 +75,15 @@ class PositionSolver:
             targets: Those without a weight must hold.
         """
         self.m, self.targets = m, list(targets)
-        self._library = _library(m.model._kernels())
         parts = m.connection
+        self._library = parts.library
         self._keep: list[Any] = [parts]
         self.record = PositionRecord.from_buffer_copy(parts.record)
         self._work, self._interpreted = parts.work, parts.called_back
-        record, layout = self.record, m.model._layout
+        record = self.record
         record.t = m.t
-        for letter in "zsr":
-            block = layout.start(letter) if letter != "r" or m.r is None else m.r
-            setattr(record, letter, self._pointer(np.ascontiguousarray(block)))
+        if m.r is not None:
+            record.r = self._pointer(np.ascontiguousarray(m.r))
         record.hard = record.kept_count
         rows = (TargetRecord * max(1, len(self.targets)))()
         for row, target in zip(rows, self.targets, strict=False):
@@ -107,32 +105,22 @@ class PositionSolver:
         """Fill in a target."""
         m = self.m
         row.weight = -1.0 if target.weight is None else np.sqrt(target.weight)
-        row.value = self._pointer(np.ascontiguousarray(target.goal))
+        row.rows = target.rows
         if target.kind in ("coordinate", "coordinates"):
-            entries = np.ascontiguousarray(target.entries_of(m), dtype=np.intp)
-            row.kind, row.rows, row.entries = COORDINATES, len(entries), self._pointer(entries)
+            row.entries = self._pointer(np.ascontiguousarray(target.entries_of(m), dtype=np.intp))
+            row.value = self._pointer(np.ascontiguousarray(target.value))
             row.scale = self._pointer(target.scales_of(m))
             if not self.record.kinematics:
-                self._functions(self.record, qdot="qdot")
-        elif target.kind in ("position", "pose"):
-            row.kind, row.rows = (POSE, 6) if target.kind == "pose" else (PLACE, 3)
-            self._functions(row, residual="pose", jacobian="frame_jacobian", of=target.name)
-        else:
-            row.kind, row.rows = GENERAL, len(target.value)
-            for name, size in (("residual", row.rows), ("jacobian", row.rows * m.nu)):
-                made = called(partial(getattr(target, name), m), size, q=m.model.nq)
-                self._keep.append(made)
-                setattr(row, name, made.address)
-            self._interpreted = True
-
-    def _functions(self, record: Any, of: str | None = None, **names: str) -> None:
-        """Fill functions of the model into fields of a record."""
-        functions = self.m.model._load([(name, of) for name in names.values()])
-        for field, function in zip(names, functions, strict=True):
-            setattr(record, field, function.address)
-            setattr(record, f"{field}_w", self._pointer(function.w))
-            self._work = max(self._work, function.work_size)
-            self._interpreted |= function.interpreted
+                qdot = m.model._function("qdot")
+                self.record.qdot, self.record.qdot_w = qdot.address, self._pointer(qdot.w)
+                self._work = max(self._work, qdot.work_size)
+                self._interpreted |= qdot.interpreted
+            return
+        for name, size in (("residual", row.rows), ("jacobian", row.rows * m.nu)):
+            made = called(partial(getattr(target, name), m), size, q=m.model.nq)
+            self._keep.append(made)
+            setattr(row, name, made.address)
+        self._interpreted = True
 
     def _allocate(self, rows: int) -> None:
         """One block of numbers for everything. ``rows``: of the constraint Jacobian."""
@@ -169,16 +157,9 @@ class PositionSolver:
 
     def hard(self, q: Array) -> Array:
         """Residuals (n,) of what must vanish."""
-        return self._at(q)[: self.record.hard]
-
-    def soft(self, q: Array) -> Array:
-        """Residuals (n,) of what should be small, by their weights."""
-        return self._at(q)[self.record.hard :]
-
-    def _at(self, q: Array) -> Array:
         self._q[:] = q
         self._evaluate(self._library.cardan_position_residuals)
-        return self._residuals.copy()
+        return self._residuals[: self.record.hard].copy()
 
     def _evaluate(self, kernel: Callable[[PositionRecord], int]) -> None:
         with self._around():
@@ -227,9 +208,9 @@ class PositionSolver:
 
     def follow(self, q: Array) -> Solution | None:
         """The position that the tangent at another one (nq,) leads to; None where it is far."""
-        ahead, *_ = np.linalg.lstsq(self.hard_jacobian(q), -self.hard(q), rcond=LOST)
+        found = np.linalg.lstsq(self.hard_jacobian(q), -self.hard(q), rcond=LOST)[0]
+        ahead = np.asarray(found, dtype=np.float64)
         length = float(np.linalg.norm(ahead))
-        ahead = np.asarray(ahead, dtype=np.float64)
         return self.near(self.m.advance(q, ahead), length) if length < FARTHEST else None
 
     def search(self, begin: Array) -> Solution:
@@ -250,21 +231,3 @@ def missed(m: Mechanism, target: Target, q: Array) -> Array:
     """What a position (nq,) misses of a target, without units (n,)."""
     solver = PositionSolver(m, [replace(target, weight=None)])
     return solver.hard(q)[solver.record.kept_count :]
-
-
-@lru_cache(maxsize=4)
-def _library(library: ctypes.CDLL) -> ctypes.CDLL:
-    """The kernels with the types of the functions of searches declared.
-
-    Raises:
-        BuildError: their records differ from those here.
-    """
-    for name, structure in (("position", PositionRecord), ("target", TargetRecord)):
-        check(library, f"cardan_{name}", structure)
-    record = ctypes.POINTER(PositionRecord)
-    for name in ("begin", "residuals", "jacobian"):
-        getattr(library, f"cardan_position_{name}").argtypes = [record]
-    library.cardan_position_length.argtypes = [record]
-    library.cardan_position_length.restype = COUNT
-    library.cardan_position_solve.argtypes = [record, COUNT]
-    return library

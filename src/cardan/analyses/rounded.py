@@ -52,9 +52,10 @@ def slack(m: Mechanism, q: Array) -> float:
     Args:
         m, q: Mechanism and a position at which all conditions hold.
     """
-    G = m.jacobian(q)[: m.positions]
-    values = np.linalg.svd(G, compute_uv=False)
-    if not len(values) or (len(values) == len(G) and values[-1] > LOOSE * values[0]):
+    values, rows = m.decomposition(q)[1], m.positions
+    if rows < len(m.closing.rows):
+        values = np.asarray(np.linalg.svd(m.jacobian(q)[:rows], compute_uv=False), np.float64)
+    if not len(values) or (len(values) == rows and values[-1] > LOOSE * values[0]):
         return 0.0
     loose = m.without(m.released)
     loose.slack = ROUNDED

@@ -46,21 +46,36 @@ class Target:
         rows = m.model.manifest["coordinates"][self.place]
         return np.array([m.size if row["unit"] == "m" else 1.0 for row in rows])
 
+    def residual(self, m: Mechanism, q: Array) -> Array:
+        """What a frame misses of it, without units: its rotation vector, then its place."""
+        pose = m.model.pose(self.name, q, t=m.t, r=m.r)
+        away: Array = (pose[:3, 3] - self.goal) / m.size
+        if self.kind == "position":
+            return away
+        return np.concatenate([turn(pose[:3, :3] @ self.value[:3, :3].T), away])
+
+    def jacobian(self, m: Mechanism, q: Array) -> Array:
+        """Derivative of :meth:`residual` along steps (n, nu)."""
+        found = m.frame_jacobian(self.name, q)
+        found[3:] /= m.size
+        return found[3:] if self.kind == "position" else np.asarray(found)
+
+    @property
+    def rows(self) -> int:
+        """Number of residuals."""
+        return 6 if self.kind == "pose" else len(self.value)
+
     @property
     def goal(self) -> Array:
-        """Its values, or the pose (4, 4) that it gives a frame."""
-        if self.kind != "position":
-            return self.value
-        pose = np.eye(4)
-        pose[:3, 3] = self.value
-        return pose
+        """The place (3,) that it gives a frame."""
+        return self.value[:3, 3] if self.kind == "pose" else self.value
 
     @property
     def asked(self) -> str:
         """The wanted value in words."""
         if self.kind == "coordinate":
             return ", ".join(f"{x:.6g}" for x in self.value)
-        goal = self.goal[:3, 3]
+        goal = self.goal
         return f"{self.kind} at ({', '.join(f'{x:.6g}' for x in goal)}) m"
 
 
@@ -88,6 +103,26 @@ class Coordinates(Target):
     def distance(self, q: Array) -> float:
         """How far a position (nq,) is from them, in radians and sizes of the scene."""
         return float(np.linalg.norm((q[self.entries] - self.value) / self.scales))
+
+
+def turn(rotation: Array) -> Array:
+    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
+    vector = 0.5 * np.array(
+        [
+            rotation[2, 1] - rotation[1, 2],
+            rotation[0, 2] - rotation[2, 0],
+            rotation[1, 0] - rotation[0, 1],
+        ]
+    )
+    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
+    angle = float(np.arctan2(sine, cosine))
+    if sine > 1e-6:
+        return np.asarray(vector * (angle / sine))
+    if cosine > 0:
+        return vector
+    # half a turn: the axis is the column of R + 1 that is longest
+    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
+    return np.asarray(column / np.linalg.norm(column) * angle)
 
 
 def read(

@@ -17,7 +17,6 @@ from ..runtime.evaluation import State
 from .assemble import assemble
 from .branches import branches
 from .mechanism import Mechanism, refuse_nodes
-from .nearest import outside
 from .position_solver import PositionSolver
 from .searches import drawn
 from .targets import read
@@ -123,7 +122,7 @@ def workspace(
         # from a neighbor, else from where that does not lead to the branch
         for begin in (*near_by, *(drawn(m, first, rng) for _ in range(AGAIN if ranges else 1))):
             found = solver.search(begin)
-            if found.met and all(one.holds(found.q) for one in wanted) and not outside(m, found.q):
+            if found.met and all(one.holds(found.q) for one in wanted) and not m.outside(found.q):
                 kept.append(found.q)
                 break
     q = np.array(kept).reshape(-1, model.nq)

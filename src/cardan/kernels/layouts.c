@@ -216,26 +216,24 @@ const size_t cardan_sparse_factors_layout[16] = {
     offsetof(cardan_sparse_factors, positive), offsetof(cardan_sparse_factors, negative)
 };
 
-extern const size_t cardan_target_layout[11];
-const size_t cardan_target_layout[11] = {
-    sizeof(cardan_target), offsetof(cardan_target, kind), offsetof(cardan_target, rows),
-    offsetof(cardan_target, weight), offsetof(cardan_target, entries), offsetof(cardan_target,
-    value), offsetof(cardan_target, scale), offsetof(cardan_target, residual.function),
-    offsetof(cardan_target, residual.w), offsetof(cardan_target, jacobian.function),
-    offsetof(cardan_target, jacobian.w)
+extern const size_t cardan_target_layout[10];
+const size_t cardan_target_layout[10] = {
+    sizeof(cardan_target), offsetof(cardan_target, rows), offsetof(cardan_target, weight),
+    offsetof(cardan_target, entries), offsetof(cardan_target, value), offsetof(cardan_target,
+    scale), offsetof(cardan_target, residual.function), offsetof(cardan_target, residual.w),
+    offsetof(cardan_target, jacobian.function), offsetof(cardan_target, jacobian.w)
 };
 
-extern const size_t cardan_position_layout[45];
-const size_t cardan_position_layout[45] = {
+extern const size_t cardan_position_layout[44];
+const size_t cardan_position_layout[44] = {
     sizeof(cardan_position), offsetof(cardan_position, nq), offsetof(cardan_position, nu),
     offsetof(cardan_position, positions), offsetof(cardan_position, kept_count),
     offsetof(cardan_position, kept), offsetof(cardan_position, rows), offsetof(cardan_position,
-    columns), offsetof(cardan_position, size), offsetof(cardan_position, quaternions),
-    offsetof(cardan_position, quaternion_count), offsetof(cardan_position, constraints.function),
-    offsetof(cardan_position, constraints.w), offsetof(cardan_position,
-    constraint_jacobian.function), offsetof(cardan_position, constraint_jacobian.w),
-    offsetof(cardan_position, integrate.function), offsetof(cardan_position, integrate.w),
-    offsetof(cardan_position, qdot.function), offsetof(cardan_position, qdot.w),
+    columns), offsetof(cardan_position, quaternions), offsetof(cardan_position, quaternion_count),
+    offsetof(cardan_position, constraints.function), offsetof(cardan_position, constraints.w),
+    offsetof(cardan_position, constraint_jacobian.function), offsetof(cardan_position,
+    constraint_jacobian.w), offsetof(cardan_position, integrate.function), offsetof(cardan_position,
+    integrate.w), offsetof(cardan_position, qdot.function), offsetof(cardan_position, qdot.w),
     offsetof(cardan_position, kinematics.function), offsetof(cardan_position, kinematics.w),
     offsetof(cardan_position, facing.function), offsetof(cardan_position, facing.w),
     offsetof(cardan_position, facings), offsetof(cardan_position, t), offsetof(cardan_position, z),

@@ -122,12 +122,13 @@ static void orthogonalize(const cardan_least *least, parts *p)
         p->multiplier[i] = 1;
     for (ptrdiff_t k = 0; k < p->r; k++) {
         const ptrdiff_t best = longest(least, p, k, &length);
-        real *column = p->columns + k * hard, *v = p->reflected + best * nu;
+        real *column = p->columns + k * hard, *v;
         first = fmax(first, length);
         if (best < 0 || !(length > DEPENDENT * first)) {
             p->r = k;
             return;
         }
+        v = p->reflected + best * nu;
         p->order[k] = (real)best;
         p->factor[k] = 1 / (length * (length + fabs(v[k])));
         for (ptrdiff_t i = 0; i < hard; i++)

@@ -31,14 +31,10 @@ static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
     return a > b ? a : b;
 }
 
-/* Numbers of the largest result of a function. */
+/* Numbers of the largest result of a function, or of two states. */
 static ptrdiff_t widest(const cardan_position *p)
 {
-    ptrdiff_t width = larger(larger(p->positions, p->facings), larger(2 * p->nq, 16));
-
-    for (ptrdiff_t k = 0; k < p->target_count; k++)
-        width = larger(width, larger(6, p->targets[k].rows) * larger(p->nu, 1));
-    return width;
+    return larger(larger(p->positions, p->facings), 2 * p->nq);
 }
 
 /* Numbers that a search needs. */
@@ -89,59 +85,17 @@ static int advance(const cardan_position *p, const real *q, const real *step, re
     return status;
 }
 
-/* Rotation vector (3) of the rotation that leads from a goal to where a frame is, poses (4, 4). */
-static void rotation_between(const real *pose, const real *goal, real *vector)
-{
-    real turned[9], sine, cosine, angle;
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            turned[3 * i + j] = 0;
-            for (int k = 0; k < 3; k++)
-                turned[3 * i + j] += pose[4 * i + k] * goal[4 * j + k];
-        }
-    vector[0] = 0.5 * (turned[7] - turned[5]);
-    vector[1] = 0.5 * (turned[2] - turned[6]);
-    vector[2] = 0.5 * (turned[3] - turned[1]);
-    sine = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
-    cosine = 0.5 * (turned[0] + turned[4] + turned[8] - 1);
-    angle = atan2(sine, cosine);
-    if (sine > 1e-6) {
-        for (int i = 0; i < 3; i++)
-            vector[i] *= angle / sine;
-    } else if (!(cosine > 0)) {
-        /* half a turn: the axis is the column of R + 1 that is longest */
-        int axis = turned[4] > turned[0] ? 1 : 0;
-        real length = 0;
-        axis = turned[8] > turned[4 * axis] ? 2 : axis;
-        for (int i = 0; i < 3; i++) {
-            vector[i] = turned[3 * i + axis] + (i == axis);
-            length += vector[i] * vector[i];
-        }
-        for (int i = 0; i < 3; i++)
-            vector[i] *= angle / sqrt(length);
-    }
-}
-
 /* What a target misses (rows). */
 static int target_residual(const cardan_position *p, const cardan_target *target, const real *q,
                            real *residual)
 {
-    real *pose = parts_of(p).results;
     int status = 0;
 
-    if (target->kind == CARDAN_COORDINATES)
+    if (!target->residual.function)
         for (ptrdiff_t i = 0; i < target->rows; i++)
             residual[i] = (q[target->entries[i]] - target->value[i]) / target->scale[i];
-    else if (target->kind == CARDAN_GENERAL)
+    else
         status = call(p, &target->residual, q, NULL, residual);
-    else {
-        status = call(p, &target->residual, q, NULL, pose);
-        if (target->kind == CARDAN_POSE)
-            rotation_between(pose, target->value, residual);
-        for (int i = 0; i < 3; i++)
-            residual[target->rows - 3 + i] = (pose[4 * i + 3] - target->value[4 * i + 3]) / p->size;
-    }
     for (ptrdiff_t i = 0; i < target->rows && target->weight >= 0; i++)
         residual[i] *= target->weight;
     return status;
@@ -202,24 +156,15 @@ static int kinematics(const cardan_position *p, real *rates)
 static int target_jacobian(const cardan_position *p, const cardan_target *target,
                            const real *rates, real *jacobian)
 {
-    real *moving = parts_of(p).results;
-    const ptrdiff_t nu = p->nu, first = 6 - target->rows;
+    const ptrdiff_t nu = p->nu;
     int status = 0;
 
-    if (target->kind == CARDAN_COORDINATES)
+    if (!target->jacobian.function)
         for (ptrdiff_t i = 0; i < target->rows; i++)
             for (ptrdiff_t j = 0; j < nu; j++)
                 jacobian[i * nu + j] = rates[target->entries[i] * nu + j] / target->scale[i];
-    else if (target->kind == CARDAN_GENERAL)
+    else
         status = call(p, &target->jacobian, p->q, NULL, jacobian);
-    else {
-        status = call(p, &target->jacobian, p->q, NULL, moving);
-        for (ptrdiff_t i = 0; i < target->rows; i++)
-            for (ptrdiff_t j = 0; j < nu; j++)
-                jacobian[i * nu + j] = moving[(first + i) * nu + j]
-                                       * (p->columns ? p->columns[j] : 1)
-                                       / (first + i < 3 ? 1 : p->size);
-    }
     for (ptrdiff_t i = 0; i < target->rows * nu && target->weight >= 0; i++)
         jacobian[i] *= target->weight;
     return status;
@@ -250,7 +195,7 @@ int cardan_position_jacobian(cardan_position *p)
     }
     for (ptrdiff_t k = 0; k < p->target_count; k++) {
         const cardan_target *target = p->targets + k;
-        if (target->kind == CARDAN_COORDINATES && !moved) {
+        if (!target->jacobian.function && !moved) {
             status |= kinematics(p, rates);
             moved = 1;
         }

@@ -8,23 +8,15 @@
 
 #include "run.h"
 
-enum {
-    CARDAN_COORDINATES = 0, /* (q[entries] - value) / scale */
-    CARDAN_PLACE = 1,       /* of the origin of a frame (3) */
-    CARDAN_POSE = 2,        /* of a frame: the rotation vector that is missing, then its place (6) */
-    CARDAN_GENERAL = 3      /* residuals by functions of the caller */
-};
-
-/* What a position is to reach. */
+/* What a position is to reach: coordinates, (q[entries] - value) / scale, or what functions say. */
 typedef struct cardan_target {
-    ptrdiff_t kind;
     ptrdiff_t rows;
     real weight;              /* root of what its square counts; negative: it must hold */
-    const ptrdiff_t *entries; /* (rows) of q */
-    const real *value;        /* (rows); of a frame its pose (16) */
-    const real *scale;        /* (rows) what every row counts in */
-    cardan_call residual;     /* of a frame: its pose (16); else residuals (rows) */
-    cardan_call jacobian;     /* of a frame: (6, nu); else (rows, nu) per step */
+    const ptrdiff_t *entries; /* (rows) of q, where there are no functions */
+    const real *value;        /* (rows) */
+    const real *scale;        /* (rows) */
+    cardan_call residual;     /* (rows) */
+    cardan_call jacobian;     /* (rows, nu) per step */
 } cardan_target;
 
 typedef struct cardan_position {
@@ -36,7 +28,6 @@ typedef struct cardan_position {
     const ptrdiff_t *kept;           /* (kept_count), all if NULL */
     const real *rows;                /* (positions) what they count in, 1 if NULL */
     const real *columns;             /* (nu) what steps count in, 1 if NULL */
-    real size;                       /* in which places of frames count */
     const ptrdiff_t *quaternions;    /* where they start in q */
     ptrdiff_t quaternion_count;
     cardan_call constraints;         /* (positions) */

@@ -155,7 +155,8 @@ cdef class Fast:
         cdef Py_buffer views[ARGUMENTS]
         cdef int used = 0, i, ready
         cdef Py_ssize_t k
-        if len(values) != self.count:
+        cdef Py_ssize_t given = len(values)
+        if given > self.count:
             return self.caller(out, *values)
         memset(at, 0, sizeof(at))
         at[self.w_slot] = self.w
@@ -163,7 +164,8 @@ cdef class Fast:
         try:
             # every argument becomes a pointer, or the call is not a plain one
             for i in range(self.count):
-                value = values[i]
+                # those at the end that are left out have their defaults too
+                value = values[i] if i < given else None
                 if value is None:
                     if self.fallback[i] == NULL and self.size[i]:
                         ready = 0

@@ -136,8 +136,14 @@ def level() -> Level:
         CompilerMissing: nothing was compiled when cardan was installed, and nothing can be.
         BuildError: CARDAN_LEVEL names none that this processor has.
     """
-    highest = _highest(None if prebuilt.level_object() else _without_level())
     wanted = os.environ.get("CARDAN_LEVEL", "").strip()
+    return _level(wanted, None if prebuilt.level_object() else _without_level())
+
+
+@lru_cache(maxsize=8)
+def _level(wanted: str, by: Compiler | None) -> Level:
+    """The level of a name, else the highest."""
+    highest = _highest(by)
     levels = {one.name: one for one in family() if one.number <= highest.number}
     if not wanted or wanted in levels:
         return levels.get(wanted, highest)

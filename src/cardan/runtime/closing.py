@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,7 +52,7 @@ class Closing:
         """The same where residuals up to a slack, without units, count as none."""
         return replace(self, size=self.size * max(1.0, slack / CLOSED))
 
-    @property
+    @cached_property
     def positions(self) -> int:
         """Number of constraints of positions."""
         return sum(row["level"] == "position" for row in self.rows)

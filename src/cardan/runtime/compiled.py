@@ -90,6 +90,8 @@ class CompiledModel(Analyzed):
         self._doubted: set[str] = set()
         # of the mechanism with these parameters, once it is known
         self._size: float | None = None
+        # what analyses have found out about it, by what it is
+        self._derived: dict[type, object] = {}
         self._calls = _Calls(self._function)
         self._source = self._source_of()
 
