@@ -7,10 +7,8 @@ can be compared, and a rank says something.
 from __future__ import annotations
 
 import copy
-import ctypes
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -20,69 +18,13 @@ from ..errors import ModelError
 from ..runtime.closing import Closing, columns_of, size_of, unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
-from ..runtime.interpreted import PythonFunction
 from ..runtime.states import random_state
-from ..schema.records import COUNT, PositionRecord, TargetRecord, check
+from .connection import Connection, connect
 
 Array = NDArray[np.float64]
 REACHED = 1e-9  # beyond limits that counts as on them
 TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
-
-
-@dataclass(frozen=True, eq=False)
-class Connection:
-    """What searches in C know of a mechanism at any time.
-
-    Attributes:
-        library: The kernels.
-        record: A ``cardan_position`` without targets.
-        kept: What its pointers point to.
-        rows: Of the Jacobian of the constraints.
-        work: Numbers of work memory of its functions.
-        called_back: Whether some of these are Python.
-    """
-
-    library: ctypes.CDLL
-    record: PositionRecord
-    kept: list[Any]
-    rows: int
-    work: int = 0
-    called_back: bool = False
-
-
-def called(function: Callable[..., Array], size: int, **blocks: int) -> PythonFunction:
-    """A function of arrays for kernels.
-
-    Args:
-        function: Blocks -> array.
-        size: Numbers of the latter.
-        blocks: Name -> numbers of each.
-    """
-
-    def lists(*values: list[float]) -> list[float]:
-        found: list[float] = np.ravel(function(*map(np.array, values))).tolist()
-        return found
-
-    return PythonFunction(lists, [*blocks.items()], size)
-
-
-@lru_cache(maxsize=4)
-def searching(library: ctypes.CDLL) -> ctypes.CDLL:
-    """The kernels with the types of the functions of searches declared.
-
-    Raises:
-        BuildError: their records differ from those here.
-    """
-    for name, structure in (("position", PositionRecord), ("target", TargetRecord)):
-        check(library, f"cardan_{name}", structure)
-    record = ctypes.POINTER(PositionRecord)
-    for name in ("begin", "residuals", "jacobian"):
-        getattr(library, f"cardan_position_{name}").argtypes = [record]
-    library.cardan_position_length.argtypes = [record]
-    library.cardan_position_length.restype = COUNT
-    library.cardan_position_solve.argtypes = [record, COUNT]
-    return library
 
 
 class Mechanism:
@@ -218,38 +160,7 @@ class Mechanism:
     @cached_property
     def connection(self) -> Connection:
         """The mechanism as searches in C know it."""
-        model, record, count = self.model, PositionRecord(), self.closing.positions
-        layout = model._layout
-        arrays = {
-            **{letter: layout.start(letter).copy() for letter in "zsr"},
-            "kept": np.flatnonzero(self._kept[:count]),
-            "rows": self.rows[:count].copy(),
-            "columns": self.columns,
-            "quaternions": np.array(model.manifest["quaternions"], dtype=np.intp),
-        }
-        for name, array in arrays.items():
-            setattr(record, name, array.ctypes.data)
-        record.nq, record.nu, record.positions = model.nq, self.nu, count
-        record.kept_count, record.quaternion_count = len(arrays["kept"]), len(arrays["quaternions"])
-        names = ["constraints", "constraint_jacobian"] if count else []
-        names += ["facing"] if self.cuts and "facing" in model.manifest["available"] else []
-        names += [] if self.chosen else ["integrate"]
-        functions = model._load([(name, None) for name in names])
-        kept: list[Any] = [arrays, functions]
-        for name, function in zip(names, functions, strict=True):
-            setattr(record, name, function.address)
-            setattr(record, f"{name}_w", function.w.ctypes.data)
-            if name == "facing":
-                record.facings = function.caller.size
-        if self.chosen:
-            moved = called(self._integrate, model.nq, q=model.nq, du=self.nu)
-            record.integrate = moved.address
-            kept.append(moved)
-        work = max((function.work_size for function in functions), default=0)
-        python = self.chosen or any(function.interpreted for function in functions)
-        return Connection(
-            searching(model._kernels()), record, kept, len(self.closing.rows), work, python
-        )
+        return connect(self, self._kept[: self.closing.positions])
 
     def without(self, relations: Iterable[str]) -> Mechanism:
         """The same mechanism with relations of the user released."""
@@ -285,10 +196,10 @@ class Mechanism:
 
     def advance(self, q: Array, step: Array) -> Array:
         """Coordinates a step (nu,) without units away."""
-        moved = self._integrate(q, step * self.columns)
+        moved = self.moved(q, step * self.columns)
         return unit(moved, self.model.manifest["quaternions"])
 
-    def _integrate(self, q: Array, along: Array) -> Array:
+    def moved(self, q: Array, along: Array) -> Array:
         """Coordinates moved along speeds (nu,), whatever these are."""
         if self.chosen:
             along = self._joint_speeds(q) @ along

@@ -21,7 +21,8 @@ from ..runtime.closing import Closing, unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.states import random_state
 from ..schema.records import PositionRecord
-from .mechanism import Connection, Mechanism, called, searching
+from .connection import Connection, called, searching
+from .mechanism import Mechanism
 from .targets import turn
 
 Array = NDArray[np.float64]

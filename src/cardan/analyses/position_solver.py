@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from ..errors import SolveError
 from ..runtime.interpreted import called_back
 from ..schema.records import PositionRecord, TargetRecord
-from .mechanism import Mechanism, called
+from .connection import called
+from .mechanism import Mechanism
 from .targets import Target
 
 Array = NDArray[np.float64]
