@@ -19,9 +19,9 @@ from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime import folder as cache
-from .runtime.absolute.evaluated import FUNCTIONS as OF_ELEMENTS
 from .runtime.compiled import CompiledModel
 from .runtime.judged import unjudged
+from .schema.functions import OF_ELEMENTS, STANDARD
 
 if TYPE_CHECKING:
     from .ir.function import Function
@@ -31,16 +31,6 @@ if TYPE_CHECKING:
 
 COORDINATES = ("auto", "relative", "absolute")
 PLANES = ("auto", "x", "y", "z")
-# what compile() may be asked for unless functions= says otherwise
-STANDARD = (
-    "rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "gravity", "coriolis",
-    "applied", "qdot", "energy", "pose", "velocity", "acceleration", "frame_jacobian", "com",
-    "momentum", "momenta", "momentum_rates", "hamiltonian", "reaction", "outputs", "power",
-    "dependents", "constraints", "constraint_rates", "constraint_jacobian", "closure", "facing",
-    "multipliers", "close_position", "close_velocity", "events", "transition", "balance",
-    "balance_tangent", "move", "regressor", "energy_regressor", "inertial_parameters",
-    "integrate", "difference", "derivative", "rhs_jacobian",
-)  # fmt: skip
 
 
 @overload

@@ -64,7 +64,6 @@ RUNNING_MAY_IMPORT = RUNNING | {
 
 # public methods whose work lives further down: (module, function) -> module imported inside it
 DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
-    ("cardan.codegen.languages.cython", "_arguments"): {"cardan.runtime.layout"},
     ("cardan.equations.counts", "Counts.__init__"): frozenset(
         {"cardan.codegen.owners", "cardan.passes"}
     ),

@@ -21,7 +21,7 @@ from cardan.peers.contest import Time, contest
 from cardan.peers.ours import Ours
 from cardan.peers.peer import States
 from cardan.peers.processor import Peak, peak
-from cardan.pipeline import STANDARD
+from cardan.schema.functions import STANDARD
 
 BUILDING = Path(__file__).with_name("building.py")
 COUNTS = Path(__file__).parents[1] / "golden" / "counts.json"

@@ -15,8 +15,8 @@ import cardan as cd
 from cardan.codegen import companions
 from cardan.codegen.export import export
 from cardan.codegen.layout import KERNELS
-from cardan.equations.recipes import RECIPES
 from cardan.errors import CodegenError, DerivationError
+from cardan.schema.functions import FUNCTIONS
 from codegen.lanes import aligned
 from codegen.models import arm
 from codegen.running import SPEED, STRICT, Inputs, compilers, pointer
@@ -276,7 +276,7 @@ def test_scenes_with_states_and_events(tmp_path: Path) -> None:
     directory = cd.derive(scene).export(tmp_path / "c", integrators=("dop853",))
     assert {"events.c", "transition.c", "stopped.pyx"} <= {p.name for p in directory.iterdir()}
     # files of integrators and of functions lie side by side
-    assert not {path.stem for path in KERNELS.glob("*.c")} & (set(RECIPES) - {"derivative"})
+    assert not {path.stem for path in KERNELS.glob("*.c")} & (set(FUNCTIONS) - {"derivative"})
     assert "int events(" in (directory / "events.c").read_text("utf-8")
     assert "This model has events" in (directory / "README.md").read_text("utf-8")
     sources = sorted(map(str, directory.glob("*.c")))

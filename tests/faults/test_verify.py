@@ -12,7 +12,6 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.equations.recipes import RECIPES
 from cardan.errors import BuildError, SolveWarning
 from cardan.runtime import truth
 from cardan.runtime.joint_motion import JointData, joint_data
@@ -22,6 +21,7 @@ from cardan.runtime.verification.elements import judged
 from cardan.runtime.verification.members import Members, members_of
 from cardan.runtime.verify import verify
 from cardan.runtime.verify_tree import BOUND
+from cardan.schema.functions import FUNCTIONS
 from mechanisms import ZOO, flexible
 
 BEAM = ("balance", "balance_tangent", "energy", "momentum", "stress", "mixed", "mixed_step")
@@ -90,7 +90,7 @@ def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
         warnings.simplefilter("error")
         # in a folder of its own: the cache may hold functions that others asked for
         model = cd.compile(ZOO["parabola"].build(), directory=tmp_path)
-    names = [name for name in model.manifest["available"] if not RECIPES[name].of]
+    names = [name for name in model.manifest["available"] if not FUNCTIONS[name].of]
     model.prepare(*names)
     found = model.verify()
     assert found.states == 3

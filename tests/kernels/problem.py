@@ -12,7 +12,7 @@ import numpy as np
 
 from cardan.analyses.simulate import simulate
 from cardan.runtime import abi, cache, kernels, prebuilt
-from cardan.runtime.kinematics import Energy
+from cardan.runtime.methods import Energy
 from cardan.runtime.trajectory import Trajectory
 from cardan.schema.integrators import INTEGRATORS
 

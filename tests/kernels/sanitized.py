@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from cardan.runtime.slots import ORDER
+from cardan.schema.blocks import ORDER
 
 HEAD = """\
 #include "functions.h"

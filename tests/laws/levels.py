@@ -12,7 +12,6 @@ from cardan.equations.blocks import blocks
 from cardan.equations.constraints import POSITION, rows
 from cardan.equations.dynamics import Dynamics
 from cardan.equations.kinematics import Kinematics
-from cardan.equations.record import ABI_ORDER
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
@@ -22,6 +21,7 @@ from cardan.runtime.absolute.mesh import Mesh
 from cardan.runtime.interpreted import Interpreted
 from cardan.runtime.objects import Code
 from cardan.runtime.verification.differences import input_rates
+from cardan.schema.blocks import ABI_ORDER
 
 H = 1e-30
 TIME = 0.3

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.functions import RECIPES
 from cardan.ir.interpreter import evaluate
+from cardan.schema.functions import FUNCTIONS
 from laws.cases import EPS, SEED, derived, states, values
 from mechanisms import ZOO
 from spread import some
@@ -23,7 +23,7 @@ COMPILED = tuple(ZOO)[::3]
 
 def looped(name: str) -> list[str]:
     e = derived(name, METHOD[name])
-    return [function for function in RECIPES if e.loops(function)]
+    return [function for function in FUNCTIONS if e.loops(function)]
 
 
 def given(name: str) -> dict:

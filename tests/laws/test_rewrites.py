@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.functions import RECIPES
 from cardan.equations.record import Equations
 from cardan.errors import DerivationError
 from cardan.ir.interpreter import evaluate
+from cardan.schema.functions import FUNCTIONS
 from cardan.topology.rewrites import REWRITES
 from laws.cases import EPS, derived, states, values
 from mechanisms import ZOO
 from spread import some
 
-TOLD = tuple(name for name, recipe in RECIPES.items() if recipe.told)
+TOLD = tuple(name for name, row in FUNCTIONS.items() if row.rewritable and not row.rare)
 METHODS = ("composite", "articulated", "newton_euler")
 COUNTED = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 # operations a rewrite may cost where it does not fit: an origin moved off a zero of the inertia

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import FunctionError, ModelError, SolveError, SolveWarning, warn
-from ..runtime.absolute.evaluated import FUNCTIONS
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
+from ..schema.functions import OF_ELEMENTS
 from ..schema.integrators import INTEGRATORS
 from . import record as abi
 from .accounting import excess
@@ -207,7 +207,7 @@ def runner_of(
         if name not in available:
             cure = f"cd.compile(..., functions=[..., '{name}'])"
             cure = model.manifest.get("absent", {}).get(name, cure)
-            if "mesh" in model.manifest and name not in FUNCTIONS:
+            if "mesh" in model.manifest and name not in OF_ELEMENTS:
                 cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
             raise ModelError(
                 f"{what} needs the function '{name}', which model '{model.name}' lacks: {cure}"

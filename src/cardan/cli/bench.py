@@ -50,7 +50,8 @@ def run(options: argparse.Namespace) -> int:
     """Compile, compare, print."""
     from ..peers import processor
     from ..peers.comparison import compare
-    from ..pipeline import STANDARD, compile, derive
+    from ..pipeline import compile, derive
+    from ..schema.functions import STANDARD
     from .terminal import progress
 
     scene = scene_options.read(options)

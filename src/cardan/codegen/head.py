@@ -8,6 +8,7 @@ from typing import NamedTuple
 from ..ir.function import Block, Function, Output
 from ..ir.ops import LEAVES
 from ..ir.recursion import Recursion
+from ..schema.blocks import BLOCKS
 from .naming import comment
 from .routines import Built
 
@@ -23,24 +24,6 @@ class Cost(NamedTuple):
 
 # blocks longer than this are not listed entry by entry
 LONG = 150
-
-MEANING = {
-    "t": "time",
-    "q": "generalized coordinates",
-    "u": "generalized speeds",
-    "z": "internal continuous states",
-    "s": "discrete states",
-    "r": "inputs of the model",
-    "p": "parameters",
-    "udot": "derivatives of the speeds",
-    "zdot": "derivatives of the internal states",
-    "lam": "Lagrange multipliers",
-    "tau": "applied generalized forces",
-    "wrench": "wrenches on bodies: torque, force",
-    "du": "finite increment along the speeds",
-    "q0": "coordinates at the start of the increment",
-    "e": "events that happened, 1 or 0",
-}
 
 
 def operations(built: Built) -> dict[str, int]:
@@ -89,7 +72,7 @@ def _counts(counts: dict[str, int]) -> str:
 
 
 def _input(block: Block) -> tuple[str, ...]:
-    meaning = MEANING.get(block.name, "input")
+    meaning = BLOCKS[block.name].meaning if block.name in BLOCKS else "input"
     if block.name == "p":
         return (f"Input p ({len(block)}): {meaning}, read by prepare_ only",)
     return (

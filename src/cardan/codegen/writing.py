@@ -12,6 +12,7 @@ from ..ir.collector import collector_paused
 from ..ir.function import Function, Output
 from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
+from ..schema.blocks import ORDER
 from . import loops
 from .languages import LANGUAGES
 from .lowering import lower
@@ -100,18 +101,11 @@ def _entry(
     }
 
 
-# the blocks of cardan_in in their order, and parameters
-BLOCKS = (
-    *("t", "q", "u", "z", "s", "r", "p", "w"),
-    *("udot", "zdot", "lam", "tau", "wrench", "du", "q0", "e"),
-)
-
-
 def _sizes(function: Function | Recursion, program: Program) -> list[int]:
     """Of out, work and w, and of every block as far as it is read."""
     read = {block.name: len(block) for block in function.inputs if block.name in program.blocks}
     out = sum(output.size for output in function.outputs)
-    return [out, program.work_size, program.prepared_size, *(read.get(b, 0) for b in BLOCKS)]
+    return [out, program.work_size, program.prepared_size, *(read.get(b, 0) for b in ORDER)]
 
 
 def _result(output: Output) -> dict[str, Any]:

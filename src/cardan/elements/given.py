@@ -15,28 +15,21 @@ from ..ir.graph import ONE
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
+from ..schema.functions import FUNCTIONS
 from .forces.force import Action, ForceElement, JointLoad, Places
 from .joints.joint import Component, Joint
 from .quantity import JointName, Quantity, Ready
 
-BODIES = "written equations tell of no bodies and frames; declare what is wanted as an output"
-# what only bodies have, and parts of the bias that written equations do not tell apart
+# what functions need of a model that written equations do not tell
+UNKNOWN = {
+    "bodies": "written equations tell of no bodies and frames; declare what is wanted as an output",
+    "inertias": "written equations do not tell masses and inertias from other parameters",
+    "kinetic energy": "written equations tell of no kinetic energy to differentiate",
+    "causes of forces": "written equations do not tell gravity and velocity products from other "
+    "forces; 'applied' has all of them",
+}
 ABSENT = {
-    **dict.fromkeys(("pose", "velocity", "acceleration", "frame_jacobian"), BODIES),
-    **dict.fromkeys(("com", "momentum", "reaction"), BODIES),
-    **dict.fromkeys(
-        ("regressor", "energy_regressor", "inertial_parameters"),
-        "written equations do not tell masses and inertias from other parameters",
-    ),
-    **dict.fromkeys(
-        ("momenta", "momentum_rates", "hamiltonian"),
-        "written equations tell of no kinetic energy to differentiate",
-    ),
-    **dict.fromkeys(
-        ("gravity", "coriolis"),
-        "written equations do not tell gravity and velocity products from other forces; "
-        "'applied' has all of them",
-    ),
+    row.name: UNKNOWN[need] for row in FUNCTIONS.values() for need in row.needs if need in UNKNOWN
 }
 
 

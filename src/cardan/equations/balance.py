@@ -15,7 +15,7 @@ from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from .binding import constraint_rates, constraints
-from .context import Context, settled
+from .context import Context, recipe, settled
 from .derivatives import columns_of, inverse_columns
 from .directions import Direction, directions
 from .increments import integrated
@@ -28,6 +28,7 @@ def _constraint_forces(c: Context) -> Matrix:
     return jacobian.T @ c.d.block("lam", jacobian.rows)
 
 
+@recipe
 def balance(c: Context) -> tuple[Output, ...]:
     """M udot + h - f - Gᵀ lam, then g and G u + g_t."""
     force = c.d.inverse(c.udot)
@@ -37,6 +38,7 @@ def balance(c: Context) -> tuple[Output, ...]:
     return (*moved, *constraints(c), *constraint_rates(c))
 
 
+@recipe
 def balance_tangent(c: Context) -> tuple[Output, ...]:
     """Derivatives of the balance along q, u and udot, those of the rates along q, and G."""
     g, nu = c.k.graph, c.k.system.nu
@@ -86,6 +88,7 @@ def _square(
     return Output(name, (len(rows), len(names)), nodes, _named(rows, names))
 
 
+@recipe
 def move(c: Context) -> tuple[Output, ...]:
     """q moved by du, and T: a change of du moves the result along the speeds by T times it."""
     system = c.k.system

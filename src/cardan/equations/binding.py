@@ -7,7 +7,7 @@ from ..ir.function import Output
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from .constraints import VELOCITY
-from .context import Context
+from .context import Context, recipe
 
 
 def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -20,6 +20,7 @@ def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]
     return tuple(r.name for r in rows), tuple(units)
 
 
+@recipe
 def dependents(c: Context) -> tuple[Output, ...]:
     system, found = c.k.system, dict[str, tuple[list[str], list[int], list[str]]]()
     for block, values in (("q", c.k.coordinates), ("u", c.k.speeds)):
@@ -37,22 +38,26 @@ def dependents(c: Context) -> tuple[Output, ...]:
     )
 
 
+@recipe
 def constraints(c: Context) -> tuple[Output, ...]:
     g = c.d.constraints.position
     return (Output("g", (g.rows,), g.nodes, *_rows(c, True)),)
 
 
+@recipe
 def constraint_rates(c: Context) -> tuple[Output, ...]:
     rates = c.d.constraints.rates
     return (Output("rates", (rates.rows,), rates.nodes, *_rows(c, False)),)
 
 
+@recipe
 def constraint_jacobian(c: Context) -> tuple[Output, ...]:
     G = c.d.constraints.jacobian
     names = tuple(f"{r.name},{u}" for r in c.d.constraints.rows for u in c.names["u"])
     return (Output("G", (G.rows, G.columns), G.nodes, names),)
 
 
+@recipe
 def constraint_bias(c: Context) -> tuple[Output, ...]:
     gamma, own = c.d.constraints.gamma, c.d.constraints.rows
     # a row of positions is differentiated twice, one of velocities once
@@ -60,6 +65,7 @@ def constraint_bias(c: Context) -> tuple[Output, ...]:
     return (Output("gamma", (gamma.rows,), gamma.nodes, tuple(r.name for r in own), units),)
 
 
+@recipe
 def closure(c: Context) -> tuple[Output, ...]:
     cuts = c.k.system.cuts
     names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.held)
@@ -67,12 +73,14 @@ def closure(c: Context) -> tuple[Output, ...]:
     return (Output("closure", (len(names),), c.d.constraints.closure.nodes, names, units),)
 
 
+@recipe
 def facing(c: Context) -> tuple[Output, ...]:
     owners, numbers = c.d.constraints.facing
     names = tuple(f"{owner}.facing{k}" for k, owner in enumerate(owners))
     return (Output("facing", (len(names),), numbers.nodes, names),)
 
 
+@recipe
 def multipliers(c: Context) -> tuple[Output, ...]:
     _, lam = c.d.bound(c.d.tau)
     rows = c.d.constraints.rows
@@ -80,6 +88,7 @@ def multipliers(c: Context) -> tuple[Output, ...]:
     return (Output("lam", (lam.rows,), lam.nodes, names, units),)
 
 
+@recipe
 def close_position(c: Context) -> tuple[Output, ...]:
     own, g = c.d.constraints, c.d.constraints.position
     jacobian = own.jacobian.block(slice(0, own.positions))
@@ -94,6 +103,7 @@ def close_position(c: Context) -> tuple[Output, ...]:
     return (*c.vector("q", moved, "q"), Output("g", (g.rows,), g.nodes, *_rows(c, True)))
 
 
+@recipe
 def close_velocity(c: Context) -> tuple[Output, ...]:
     own = c.d.constraints
     speeds = c.d.block("u", c.k.system.nu)

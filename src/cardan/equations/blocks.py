@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,6 +127,18 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("e", happening, ("",) * len(happening)),
     ]
     return {block.name: block for block in listed}
+
+
+def labels(
+    listed: Mapping[str, Block],
+) -> tuple[dict[str, tuple[str, ...]], dict[str, tuple[str, ...]]]:
+    """Names and units of the entries of every block, and of the rates of q and z."""
+    names = {block.name: block.entries for block in listed.values()}
+    units = {block.name: block.units for block in listed.values()}
+    for letter in ("q", "z"):
+        names[f"{letter}dot"] = tuple(f"{name}dot" for name in names[letter])
+        units[f"{letter}dot"] = tuple(f"{unit}/s" if unit else "1/s" for unit in units[letter])
+    return names, units
 
 
 def identifier(name: str) -> str:

@@ -9,13 +9,14 @@ from __future__ import annotations
 from ..ir.function import Output
 from ..ir.matrix import Matrix
 from . import energies
-from .context import Context
+from .context import Context, recipe
 from .pressing import pressed
 from .quasi_velocities import carried_along, slopes
 
 UNITS = {"N*m": "kg*m^2/s", "N": "kg*m/s"}
 
 
+@recipe
 def momenta(c: Context) -> tuple[Output, ...]:
     """p = dT/du."""
     p = energies.momenta(c.k, c.d.loads.rotors)
@@ -24,6 +25,7 @@ def momenta(c: Context) -> tuple[Output, ...]:
     return (Output("momenta", (p.rows,), p.nodes, names, units),)
 
 
+@recipe
 def momentum_rates(c: Context) -> tuple[Output, ...]:
     """pdot under tau, the forces of the model and those of constraints.
 
@@ -42,6 +44,7 @@ def momentum_rates(c: Context) -> tuple[Output, ...]:
     return (Output("momentum_rates", (rates.rows,), rates.nodes, names, c.units["tau"]),)
 
 
+@recipe
 def hamiltonian(c: Context) -> tuple[Output, ...]:
     """H = p . u - T + V, the energy where no motion is prescribed."""
     d, k = c.d, c.k

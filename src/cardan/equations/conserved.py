@@ -30,6 +30,7 @@ from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
 from . import blocks
 from .context import Context
+from .functions import power
 from .momenta import (
     ANGULAR,
     AXES,
@@ -42,7 +43,6 @@ from .momenta import (
     observed,
     watched,
 )
-from .recipes import RECIPES
 from .states import States, context_of, divisors, function_of
 
 if TYPE_CHECKING:
@@ -329,9 +329,9 @@ def _same(a: Array, b: Array, weights: Array | float) -> bool:
 
 def _powers(equations: Equations, c: Context, states: States) -> dict[str, str]:
     """What each source of power does in the states that were drawn."""
-    (output,) = RECIPES["power"].build(c)
-    power = Matrix(c.k.graph, len(output.nodes), 1, output.nodes)
-    found = np.nan_to_num(states.of(function_of(equations, c, {"power": power}))["power"][..., 0])
+    (output,) = power(c)
+    values = Matrix(c.k.graph, len(output.nodes), 1, output.nodes)
+    found = np.nan_to_num(states.of(function_of(equations, c, {"power": values}))["power"][..., 0])
     does = {}
     for name, column in zip(output.entries, found.T, strict=True):
         takes, gives = column.min(initial=0.0) < 0.0, column.max(initial=0.0) > 0.0

@@ -1,4 +1,4 @@
-"""What the builders of functions work with, and what is known about a function."""
+"""What the builders of functions work with, and which there are."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from ..errors import DerivationError, near
 from ..ir.function import Output
 from ..ir.matrix import Matrix
 from ..ir.rewrite import rebuild
+from ..schema.functions import FUNCTIONS
 from ..topology.system import System
 from .dynamics import Dynamics
 from .kinematics import Kinematics
@@ -80,33 +81,15 @@ class Context:
 Builder = Callable[[Context], tuple[Output, ...]]
 
 
-@dataclass(frozen=True)
-class Recipe:
-    """How a function comes about.
+# of every function of the table, by name
+RECIPES: dict[str, Builder] = {}
 
-    Attributes:
-        about: One line for the reader.
-        build: Its builder.
-        of: What ``of`` names.
-        told: Whether it is the same in whatever frames and by whatever grouping of inertia the
-            bodies are told.
-        bound: Whether there is one only of systems with constraints.
-        solved: Whether there is one only of systems with circuits in closed form.
-        moves: Whether it moves coordinates along the speeds of the joints, whatever speeds the
-            user chose.
-        happens: Whether there is one only of systems with events.
-        linear: Whether there is one only where forces are linear in masses and first moments.
-    """
 
-    about: str
-    build: Builder
-    of: str = ""
-    told: bool = False
-    bound: bool = False
-    solved: bool = False
-    moves: bool = False
-    happens: bool = False
-    linear: bool = False
+def recipe(builder: Builder) -> Builder:
+    """Let a builder derive the function of its name."""
+    assert builder.__name__ in FUNCTIONS, f"the table has no function {builder.__name__}"
+    RECIPES[builder.__name__] = builder
+    return builder
 
 
 def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:

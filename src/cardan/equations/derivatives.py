@@ -21,22 +21,14 @@ from ..ir.matrix import Matrix
 from ..ir.request import Request
 from ..ir.rewrite import rebuild
 from ..ir.solve import solve
-from .context import Context, settled
+from ..schema.functions import DIFFERENTIABLE, FUNCTIONS
+from .context import RECIPES, Context, recipe, settled
 from .directions import Direction, directions, is_single
 from .dynamics import Dynamics
-from .functions import RECIPES
 from .newton_euler_derivatives import Derivatives
 from .pressing import pressed
 from .treatments import Bound
 from .treatments.treatment import by_multipliers
-
-# they move along speeds: what they give is no function of entries of a vector space
-UNSUITED = ("integrate", "difference")
-
-
-def differentiable() -> list[str]:
-    """Functions that have derivatives."""
-    return [name for name in RECIPES if name not in UNSUITED]
 
 
 def request_of(text: str) -> Request:
@@ -49,25 +41,26 @@ def request_of(text: str) -> Request:
         request = Request.read(text)
     except ValueError as problem:
         raise DerivationError(f"derivative: {problem}") from problem
-    if request.function not in differentiable():
+    if request.function not in DIFFERENTIABLE:
         raise DerivationError(
             f"derivative of '{request.function}' does not exist."
-            f"{near(request.function, differentiable())}"
+            f"{near(request.function, DIFFERENTIABLE)}"
         )
     return request
 
 
+@recipe
 def derivative(c: Context) -> tuple[Output, ...]:
     """Results of a derivative: one per block or name, the axis of columns last."""
     request = request_of(c.of or "")
-    recipe = RECIPES[request.function]
-    if bool(recipe.of) != (request.of is not None):
-        wanted = f"needs a {recipe.of}" if recipe.of else "takes no frame or joint"
+    kind = FUNCTIONS[request.function].of
+    if bool(kind) != (request.of is not None):
+        wanted = f"needs a {kind}" if kind else "takes no frame or joint"
         raise DerivationError(f"derivative: '{request.function}' {wanted}: '{request}'")
     c = with_mass_matrix(c)
     parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
     flat = [d for part in parts.values() for d in part]
-    outputs = settled(c, recipe.build(replace(c, of=request.of)))
+    outputs = settled(c, RECIPES[request.function](replace(c, of=request.of)))
     columns = columns_of(c, request.function, outputs, flat)
     shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
     rows, found, start = [name for o in outputs for name in _entries(o)], [], 0

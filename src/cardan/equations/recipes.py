@@ -1,4 +1,4 @@
-"""All functions of a system: those of :mod:`.functions` and their derivatives."""
+"""Which functions of the table a system has, and what its C calls them."""
 
 from __future__ import annotations
 
@@ -7,28 +7,15 @@ import re
 from collections.abc import Sequence
 
 from ..errors import DerivationError, near
+from ..schema.functions import FUNCTIONS
 from ..topology.system import System
-from . import balance, blocks, functions
-from .context import Recipe
-from .derivatives import derivative, request_of
-from .directions import BLOCKS
-from .rhs_jacobian import rhs_jacobian
 
-RECIPES: dict[str, Recipe] = functions.RECIPES | {
-    "balance": Recipe("M udot + h - f - Gᵀ lam, then g and G u + g_t", balance.balance, told=True),
-    "balance_tangent": Recipe(
-        "derivatives of the balance along q, u, udot, of the rates along q, and G",
-        balance.balance_tangent,
-        told=True,
-    ),
-    "move": Recipe("q moved by the increment du along the speeds, and its tangent", balance.move),
-    "derivative": Recipe("derivative, q along the speeds, of", derivative, "function"),
-    "rhs_jacobian": Recipe(
-        "d rhs / d x, / d t and / d r, x as it is stored", rhs_jacobian, told=True
-    ),
-}
-# functions that displace bodies as a whole
-DIFFERENTIATED = ("derivative", "rhs_jacobian", "balance_tangent")
+# to import them is to know their recipes
+from . import balance, binding, blocks, canonical, functions, regressor, rhs_jacobian  # noqa: F401
+from .context import RECIPES as RECIPES
+from .derivatives import request_of
+from .directions import BLOCKS
+
 # characters of a C name before it is cut
 LONGEST = 80
 
@@ -41,9 +28,9 @@ def c_name(system: System, name: str, of: str | None) -> str:
     """
     if not of:
         return name
-    if RECIPES[name].of == "function":
+    if FUNCTIONS[name].of == "function":
         return _derivative_name(of)
-    if RECIPES[name].of == "joint":
+    if FUNCTIONS[name].of == "joint":
         known = [*system.moving_joints, *system.fixed]
     else:
         known = [f.name for f in system.frames]
@@ -60,17 +47,17 @@ def _derivative_name(of: str) -> str:
     return f"derivative__{re.sub('_+', '_', plain)}"
 
 
-def is_told(name: str, of: str | None) -> bool:
-    """Whether a function is the same however the bodies are told; see :class:`.Recipe`."""
-    if RECIPES[name].of == "function":
-        return functions.RECIPES[request_of(of or "").function].told
-    return RECIPES[name].told
+def is_rewritable(name: str, of: str | None) -> bool:
+    """Whether a function is the same however the bodies are described."""
+    if FUNCTIONS[name].of == "function":
+        name = request_of(of or "").function
+    return FUNCTIONS[name].rewritable
 
 
 def about(name: str, of: str | None) -> str:
     """One line for the reader of the C."""
-    recipe = RECIPES[name]
-    return f"{recipe.about} {of}" if recipe.of == "function" else recipe.about
+    row = FUNCTIONS[name]
+    return f"{row.about} {of}" if row.of == "function" else row.about
 
 
 def blocks_of(wrt: str | Sequence[str]) -> tuple[str, ...]:
@@ -90,12 +77,12 @@ def check(name: str, of: str | None) -> None:
     Raises:
         DerivationError: there is none of that name, or it takes a frame or joint and has none.
     """
-    if name not in RECIPES:
-        raise DerivationError(f"function '{name}' does not exist.{near(name, RECIPES)}")
-    recipe = RECIPES[name]
-    if bool(recipe.of) != (of is not None):
-        if recipe.of:
-            raise DerivationError(f"function '{name}' needs a {recipe.of}: {name}(?)")
+    if name not in FUNCTIONS:
+        raise DerivationError(f"function '{name}' does not exist.{near(name, FUNCTIONS)}")
+    kind = FUNCTIONS[name].of
+    if bool(kind) != (of is not None):
+        if kind:
+            raise DerivationError(f"function '{name}' needs a {kind}: {name}(?)")
         raise DerivationError(f"function '{name}' takes no frame or joint: leave out of='{of}'")
 
 
@@ -104,23 +91,29 @@ def missing(system: System, name: str) -> str:
     for joint in system.joints:
         if name in joint.element.lacks:
             return f"'{system.name}' has no function '{name}': {joint.element.lacks[name]}"
-    if RECIPES[name].bound and not system.closed:
+    unmet = (_unmet(system, name, need) for need in FUNCTIONS[name].needs)
+    return next(filter(None, unmet), "")
+
+
+def _unmet(system: System, name: str, need: str) -> str:
+    """Why a system has not what a function needs, "" where it has."""
+    if need == "constraints" and not system.closed:
         return (
             f"function '{name}' is one of systems with constraints; nothing binds the speeds of "
             f"'{system.name}'"
         )
     pulls = [force for force in system.forces if force.element.masses() is not None]
-    if RECIPES[name].linear and pulls:
+    if need == "linear" and pulls:
         return (
             f"'{system.name}' has no function '{name}': force '{pulls[0].name}' "
             f"({pulls[0].element.kind}) acts on masses where their centers are, and is not linear "
             "in first moments and inertias. Take the force out to identify the bodies"
         )
-    if RECIPES[name].happens and not system.events:
+    if need == "events" and not system.events:
         return (
             f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"
         )
-    if RECIPES[name].solved and not system.closures:
+    if need == "closed form" and not system.closures:
         return (
             f"function '{name}' is one of systems with circuits in closed form, as "
             f"derive(constraints='closed_form') makes them; '{system.name}' has none"

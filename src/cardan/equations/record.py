@@ -15,6 +15,8 @@ from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
 from ..ir.request import Request
 from ..ir.stage import stage
+from ..schema.blocks import ABI_ORDER
+from ..schema.functions import FUNCTIONS
 from ..topology.system import Named, System
 from . import blocks
 from .base import BaseParameters, base_parameters
@@ -31,7 +33,7 @@ from .linearized.linear import Linearizable
 from .looped import FOLDED, LOOPED, by_bodies, repeats
 from .pressing import pressed
 from .readable import Readable
-from .recipes import DIFFERENTIATED, RECIPES, about, blocks_of, c_name, check, is_told, missing
+from .recipes import RECIPES, about, blocks_of, c_name, check, is_rewritable, missing
 from .relative import FORMALISMS
 from .relative.formalism import Formalism
 from .rewritten import Told, candidates
@@ -41,7 +43,6 @@ if TYPE_CHECKING:
     from .mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
-ABI_ORDER = ("t", "q", "u", "z", "s", "r", "p", "udot", "lam", "tau", "wrench", "du", "q0", "e")
 
 
 @dataclass(frozen=True, repr=False)
@@ -126,7 +127,7 @@ class Equations(Readable, Linearizable, Explained):
 
     def names(self) -> list[str]:
         """Functions that :meth:`function` can derive; those of frames and joints take ``of``."""
-        return [name for name in RECIPES if not missing(self.system, name)]
+        return [name for name in FUNCTIONS if not missing(self.system, name)]
 
     def c_name(self, name: str, of: str | None = None) -> str:
         """C name of a function."""
@@ -167,9 +168,9 @@ class Equations(Readable, Linearizable, Explained):
     def ways(self, name: str, of: str | None) -> list[Told]:
         """How the system may be told for a function."""
         # friction that follows from reactions: regrouped inertia has others
-        if not is_told(name, of) or pressed(self.system) or self.system.written:
+        if not is_rewritable(name, of) or pressed(self.system) or self.system.written:
             return [((), self.system)]
-        rigid = name in DIFFERENTIATED
+        rigid = FUNCTIONS[name].displaces
         if rigid not in self._systems:
             wanted = () if self.chosen else self.rewrites
             self._systems[rigid] = candidates(self.system, self.formalism, wanted, rigid)
@@ -177,7 +178,7 @@ class Equations(Readable, Linearizable, Explained):
 
     def _fewest(self, name: str, symbol: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
         """A function by the rewrites that leave the fewest operations."""
-        chosen = () if RECIPES[name].moves else self.chosen
+        chosen = () if FUNCTIONS[name].joint_speeds else self.chosen
         made = [
             (self._derive(name, symbol, of, Kinematics(system, chosen)), names)
             for names, system in self.ways(name, of)
@@ -220,7 +221,7 @@ class Equations(Readable, Linearizable, Explained):
         if not self.loops(name):
             raise DerivationError(
                 f"function '{name}' by method '{self.method}' is no recursion over the bodies. "
-                f"Those that are: {', '.join(n for n in RECIPES if self.loops(n)) or 'none'}"
+                f"Those that are: {', '.join(n for n in FUNCTIONS if self.loops(n)) or 'none'}"
             )
         with collector_paused():
             return by_bodies(
@@ -262,14 +263,9 @@ class Equations(Readable, Linearizable, Explained):
         return plain._derive(name, self.c_name(name), None, k), following
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
-        names = {b.name: b.entries for b in self.blocks.values()}
-        units = {b.name: b.units for b in self.blocks.values()}
-        names["qdot"] = tuple(f"{n}dot" for n in names["q"])
-        units["qdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["q"])
-        names["zdot"] = tuple(f"{n}dot" for n in names["z"])
-        units["zdot"] = tuple(f"{u}/s" if u else "1/s" for u in units["z"])
-        context = Context(Dynamics(k, self.method, self.treatment), names, units, of)
-        results = settled(context, RECIPES[name].build(context))
+        labels = blocks.labels(self.blocks)
+        context = Context(Dynamics(k, self.method, self.treatment), *labels, of)
+        results = settled(context, RECIPES[name](context))
         owners = [
             owner
             for joint, body in zip(self.system.joints, self.system.bodies, strict=True)

@@ -25,7 +25,7 @@ from ..ir.matrix import Matrix
 from ..spatial.moments import moved, turn_symmetric
 from ..topology.internals import dotted, slides
 from .base import ENTRIES
-from .context import Context
+from .context import Context, recipe
 from .inertia import of_body
 from .kinematics import Kinematics
 from .loads import Loads, places, summed
@@ -215,6 +215,7 @@ def _power(k: Kinematics, loads: Loads, bare: Loads) -> Scalar:
     return total
 
 
+@recipe
 def regressor(c: Context) -> tuple[Output, ...]:
     """Y (nu, n) with tau = Y phi + what does not depend on phi."""
     columns = Columns(c).all
@@ -223,6 +224,7 @@ def regressor(c: Context) -> tuple[Output, ...]:
     return (Output("Y", (c.k.system.nu, len(columns)), nodes, names),)
 
 
+@recipe
 def energy_regressor(c: Context) -> tuple[Output, ...]:
     """Rows (3, n): kinetic energy, potential energy, power without a potential; times phi.
 
@@ -250,6 +252,7 @@ def energy_regressor(c: Context) -> tuple[Output, ...]:
     return (Output("E", (len(rows), len(columns)), nodes, names),)
 
 
+@recipe
 def inertial_parameters(c: Context) -> tuple[Output, ...]:
     """phi (n,): what forces and energies are linear in, as functions of the parameters."""
     columns = Columns(c).all

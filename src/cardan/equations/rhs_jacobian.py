@@ -12,15 +12,16 @@ from collections.abc import Sequence
 from ..ir.function import Output
 from ..ir.graph import ONE, ZERO
 from ..ir.matrix import inner
-from .context import Context
+from .context import Context, recipe
 from .derivatives import columns_of, with_mass_matrix
 from .directions import Direction, directions
-from .functions import RECIPES
+from .functions import rhs
 
 # column of a coordinate: numbers of directions and the node by which each counts
 Shares = list[tuple[int, int]]
 
 
+@recipe
 def rhs_jacobian(c: Context) -> tuple[Output, ...]:
     """d rhs / d x (nx, nx), x = [q, u, z], / d t (nx), and, where there are inputs, / d r.
 
@@ -29,7 +30,7 @@ def rhs_jacobian(c: Context) -> tuple[Output, ...]:
     c, g = with_mass_matrix(c), c.k.graph
     along, shares = _coordinates(c)
     blocks = [directions(c.k, block, c.names) for block in ("u", "z", "t", "r")]
-    outputs = RECIPES["rhs"].build(c)
+    outputs = rhs(c)
     found = columns_of(c, "rhs", outputs, [*along, *(d for block in blocks for d in block)])
     by_q = [
         [inner(g, [found[n][i] for n, _ in s], [f for _, f in s]) for i in range(len(found[0]))]

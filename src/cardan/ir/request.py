@@ -10,6 +10,8 @@ import json
 import re
 from dataclasses import dataclass
 
+from ..schema.functions import FUNCTIONS
+
 _NAME = r'"(?:[^"\\]|\\.)*"|[\w.]+'
 _LINE = re.compile(rf"\s*(\w+)\s*(?:\(\s*({_NAME})\s*\))?\s*:((?:\s*(?:{_NAME}))*)\s*")
 
@@ -47,6 +49,13 @@ class Request:
     def __str__(self) -> str:
         of = "" if self.of is None else f"({_quoted(self.of)})"
         return f"{self.function}{of}: {' '.join(map(_quoted, self.wrt))}"
+
+
+def reads(function: str, of: str | None) -> list[str]:
+    """Names of the arguments of a function; a derivative has those of its function."""
+    if function == "derivative":
+        function = Request.read(of or "").function
+    return FUNCTIONS[function].arguments
 
 
 def _quoted(name: str) -> str:

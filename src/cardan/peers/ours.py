@@ -19,7 +19,7 @@ from ..runtime.compiled import CompiledModel
 from ..runtime.derivatives import Derivative
 from ..runtime.lanes import States as Many
 from ..runtime.loaded import LoadedFunction
-from ..runtime.slots import ORDER, SLOT
+from ..schema.blocks import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
 from .peer import FUNCTIONS, Array, States
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from ..schema.blocks import ORDER
 from . import abi_ctypes
-from .slots import ORDER
 
 __all__ = ["NAME", "fast", "first_bad", "prepare", "run"]
 

@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import BuildError, BuildWarning, warn
+from ..schema.blocks import ORDER, SLOT
 from .lanes import Answer, Lanes, Recipe, States, width
-from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
 Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
+from ..schema.blocks import ORDER, SLOT
 from . import abi
 from .batch import Batch
 from .interpreted import Interpreted
-from .slots import ORDER, SLOT
 
 Array = NDArray[np.float64]
 SHOWN = 12

@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike
 
 from ..arguments import Count, Seed, checked, kinds_of, read
 from ..errors import ArgumentError, ModelError, counted, shown
+from ..schema.functions import FUNCTIONS, STANDARD
 from . import kernels
 from .analyzed import Analyzed
 from .calling import Array, by_name, numbers
 from .evaluation import Values
 from .generated import Generated, Source
-from .layout import FUNCTIONS, Layout
+from .layout import Layout
 from .loaded import LoadedFunction
 from .objects import Key, Objects, Provide
 from .parameters import Parameters
@@ -191,7 +192,7 @@ class CompiledModel(Analyzed):
         """Keys of the functions whose C is in the directory."""
         rows = self.manifest["functions"].items()
         keys = [(name.split("__")[0], entry.get("of")) for name, entry in rows]
-        return [key for key in keys if key[0] in FUNCTIONS]
+        return [key for key in keys if key[0] in STANDARD]
 
     @property
     def saved(self) -> tuple[str, ...]:
@@ -219,7 +220,7 @@ class CompiledModel(Analyzed):
     ) -> Array:
         of = key[1]
         if of is not None and not isinstance(of, str):
-            kind = "joint" if key[0] == "reaction" else "frame"
+            kind = FUNCTIONS[key[0]].of
             raise ArgumentError(f"{key[0]}: {kind}={shown(of)}: give the name of a {kind}")
         if parameters is None:
             result: Array = self._calls[key](out, *values)

@@ -13,10 +13,10 @@ import numpy as np
 from ..arguments import checked
 from ..errors import ArgumentError, ModelError, near, shown
 from ..ir.request import Request
+from ..schema.functions import DIFFERENTIABLE, FUNCTIONS
 from .calling import Array
-from .constraints import Constraints
 from .evaluation import Values, into
-from .layout import NAMED, OPTIONAL, READS, SMOOTH
+from .functions import Functions
 from .wrenches import generalized, read_wrenches
 
 # in this order columns are computed; parameters and inputs by name follow
@@ -26,7 +26,7 @@ STANDARD = ("q", "u", "r", "p")
 PUSHED = ("forward_dynamics", "inverse_dynamics")
 
 
-class Derivatives(Constraints, ABC):
+class Derivatives(Functions, ABC):
     """Derivatives of all functions above."""
 
     @checked
@@ -60,13 +60,13 @@ class Derivatives(Constraints, ABC):
                 f"not {shown(function)}"
             )
         name, of = pair
-        if name not in SMOOTH:
-            raise ModelError(f"derivative of '{name}' does not exist.{near(name, SMOOTH)}")
-        if (name in NAMED) != (of is not None):
+        if name not in DIFFERENTIABLE:
+            raise ModelError(f"derivative of '{name}' does not exist.{near(name, DIFFERENTIABLE)}")
+        if bool(FUNCTIONS[name].of) != (of is not None):
             wanted = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
             raise ModelError(f"derivative: {name} {wanted}")
         self._check_of(name, of)
-        reads = {*READS[name].replace("x", "q u z").split(), "p"}
+        reads = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
                 "derivative: wrt is a block such as 'q', a parameter or input, or several of "
@@ -165,9 +165,8 @@ class Derivative:
 
     def _named(self, states: Sequence[Any], rest: Mapping[str, Any]) -> dict[str, Any]:
         """Arguments by name."""
-        reads = READS[self.function].split()
         # solvers call rhs(t, x, r)
-        order = reads if "x" in reads else [name for name in reads if name not in OPTIONAL]
+        order, reads = FUNCTIONS[self.function].required, self._reads
         known = [name for name in reads if name != "wrench"]
         if len(states) > len(order):
             raise ArgumentError(
@@ -202,7 +201,7 @@ class Derivative:
 
     @property
     def _reads(self) -> list[str]:
-        return READS[self.function].split()
+        return FUNCTIONS[self.function].arguments
 
     def _pushed(
         self, given: dict[str, Any], wrenches: Values, parameters: Values | None

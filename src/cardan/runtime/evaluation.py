@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError, ModelError, near
+from ..schema.functions import FUNCTIONS, STANDARD
 from .calling import Array
-from .layout import FUNCTIONS, NAMED
 from .objects import Key
 
 if TYPE_CHECKING:
@@ -46,15 +46,21 @@ class Evaluation(ABC):
         Raises:
             ModelError: there are not, or the system has no such function.
         """
-        if name not in FUNCTIONS:
-            raise ModelError(f"function '{name}' does not exist.{near(name, FUNCTIONS)}")
+        if name not in STANDARD:
+            raise ModelError(f"function '{name}' does not exist.{near(name, STANDARD)}")
         if name in self.manifest.get("absent", ()):
             raise ModelError(f"{name}: {self.manifest['absent'][name]}")
-        kind, known = ("joint", self.joints) if name == "reaction" else ("frame", self.frames)
-        if name in NAMED and of is None:
+        kind = FUNCTIONS[name].of
+        known = self.joints if kind == "joint" else self.frames
+        if kind in ("joint", "frame") and of is None:
             raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', known)}")
-        if name != "derivative" and of is not None and of not in known:
-            raise ModelError(f"{name}: {kind} '{of}' does not exist.{near(of, known)}")
+        if kind != "function" and of is not None and of not in known:
+            what = kind or "frame"
+            raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, known)}")
+
+    @abstractmethod
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
+        """Warn once where the reaction of a joint is not determined at states."""
 
     @abstractmethod
     def _vector(self, block: str, value: Any) -> Array:

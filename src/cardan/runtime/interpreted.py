@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ..errors import BuildWarning, SolveError, warn
 from ..processes import on_interrupt
-from .slots import SLOT
+from ..schema.blocks import SLOT
 
 if TYPE_CHECKING:
     from ..ir.function import Function

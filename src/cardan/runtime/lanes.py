@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import BuildError, CompilerMissing
+from ..schema.blocks import ORDER
 from . import cache, kernels, prebuilt
-from .slots import ORDER
 from .toolchain import Compiler
 
 Array = NDArray[np.float64]

@@ -8,78 +8,12 @@ from typing import Any, final
 
 import numpy as np
 
-from ..ir.request import Request
+from ..ir.request import reads
 from ..ir.rows import column
+from ..schema.blocks import ARGUMENTS, SLOT
 from .calling import Argument, Array
-from .slots import SLOT
-
-READS = {
-    "rhs": "t x r s",
-    "rhs_jacobian": "t x r s",
-    "forward_dynamics": "t q u z s r tau",
-    "inverse_dynamics": "t q u udot z s r",
-    "mass_matrix": "t q r",
-    "bias": "t q u r",
-    "gravity": "t q r",
-    "coriolis": "t q u r",
-    "applied": "t q u r z s",
-    "qdot": "t q u r",
-    "energy": "t q u r",
-    "pose": "t q r",
-    "velocity": "t q u r",
-    "acceleration": "t q u udot r",
-    "frame_jacobian": "t q r",
-    "com": "t q r",
-    "momentum": "t q u r",
-    "momenta": "t q u r",
-    "momentum_rates": "t q u r tau z s",
-    "hamiltonian": "t q u r",
-    "reaction": "t q u r tau wrench z s",
-    "outputs": "t q u r z s",
-    "power": "t q u r z s",
-    "dependents": "t q u r",
-    "constraints": "t q r",
-    "constraint_rates": "t q u r z s",
-    "constraint_jacobian": "t q r s",
-    "closure": "t q r",
-    "facing": "t q r",
-    "multipliers": "t q u r tau z s",
-    "close_position": "t q r",
-    "close_velocity": "t q u r z s",
-    "events": "t q u r z s",
-    "transition": "t q u r z s e",
-    "balance": "t q u udot lam r z s",
-    "balance_tangent": "t q u udot lam r z s",
-    "regressor": "t q u udot z s r",
-    "energy_regressor": "t q u r z s",
-    "inertial_parameters": "",
-    "move": "q du",
-    "integrate": "q du",
-    "difference": "q0 q",
-}
-
-# functions of one frame or joint
-NAMED = frozenset({"pose", "velocity", "acceleration", "frame_jacobian", "reaction"})
-# arguments that have a default
-OPTIONAL = frozenset({"t", "r", "z", "s", "tau", "wrench"})
-# functions that have no derivatives: along increments, or derivatives themselves
-APART = ("balance", "balance_tangent", "rhs_jacobian", "move", "integrate", "difference")
-SMOOTH = tuple(name for name in READS if name not in APART)
-FUNCTIONS = (*READS, "derivative")
-# those that only some methods call, and many never
-DEMANDED = (
-    *("derivative", "rhs_jacobian", "balance", "balance_tangent", "move"),
-    *("regressor", "energy_regressor", "inertial_parameters"),
-)
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
-
-
-def reads(function: str, of: str | None) -> list[str]:
-    """Names of the arguments of a function; a derivative has those of its function."""
-    if function == "derivative":
-        function = Request.read(of or "").function
-    return READS[function].split()
 
 
 @final
@@ -171,37 +105,26 @@ class Layout:
         wrench = tuple(f"{p}.{a}" for p in self.parts for a in AXES)
         state = ((SLOT["q"], 0), (SLOT["u"], nq), *(((SLOT["z"], nq + nu),) if nz else ()))
         names = self.coordinates + self.speeds + self.internals
-        listed = [
-            Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
-            Argument("x", (nq + nu + nz,), names, state, None, "entries"),
-            self._vector("q", "coordinates"),
-            self._vector("q0", "coordinates"),
-            self._vector("u", "speeds"),
-            self._vector("udot", "accelerations of"),
-            self._vector("du", "increments along"),
-            self._vector("lam", "multipliers"),
-            self._vector("tau", "forces along", np.zeros(nu)),
-            self._vector("r", "inputs", self.start("r")),
-            self._vector("z", "internal states", self.start("z")),
-            self._vector("s", "modes", self.start("s")),
-            self._vector("e", "events"),
-            Argument(
+        known = {
+            "t": Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
+            "x": Argument("x", (nq + nu + nz,), names, state, None, "entries"),
+            "wrench": Argument(
                 "wrench",
                 (len(self.parts), 6),
                 wrench,
                 ((SLOT["wrench"], 0),),
                 np.zeros((len(self.parts), 6)),
             ),
-        ]
-        return {argument.name: argument for argument in listed}
+        }
+        return {name: known.get(name) or self._vector(name) for name in ARGUMENTS}
 
-    def _vector(self, block: str, what: str, default: Array | None = None) -> Argument:
-        names = self.names(block)
+    def _vector(self, block: str) -> Argument:
+        names, start = self.names(block), self.start(block)
         slots, places = ((SLOT[block], 0),), self.places[block]
-        return Argument(
-            block, (len(names),), names, slots, default, what, places, self.start(block)
-        )
+        default = start if ARGUMENTS[block].default else None
+        what = ARGUMENTS[block].entries
+        return Argument(block, (len(names),), names, slots, default, what, places, start)
 
     def reads(self, function: str, of: str | None = None) -> list[Argument]:
-        """Arguments of a function in the order of :data:`READS`."""
+        """Arguments of a function in their order."""
         return [self.arguments[name] for name in reads(function, of)]

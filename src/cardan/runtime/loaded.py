@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import BuildError
+from ..schema.blocks import ORDER, SLOT
 from . import abi
 from .batch import Batch
 from .calling import Argument, Array, Caller
 from .objects import Code
-from .slots import ORDER, SLOT
 
 
 @dataclass(frozen=True)

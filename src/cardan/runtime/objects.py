@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ..ir.seal import unsealed
+from ..schema.blocks import ORDER
 from . import cache, schema
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
-from .slots import ORDER
 from .together import together
 
 if TYPE_CHECKING:

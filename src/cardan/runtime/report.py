@@ -12,12 +12,12 @@ import numpy as np
 
 from ..errors import CompilerMissing, DerivationError, ModelError, counted
 from ..ir.serialize import from_dict
+from ..schema.blocks import ORDER
 from . import abi, cache, measuring, samples
 from .batch import one_by_one
 from .calling import Argument, Array
 from .loaded import LoadedFunction
 from .measuring import BATCH, Row, timed
-from .slots import ORDER
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..schema.blocks import ORDER, SLOT
 from .calling import Array
 from .lanes import States
 from .loaded import LoadedFunction
-from .slots import ORDER, SLOT
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel

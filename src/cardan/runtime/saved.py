@@ -13,9 +13,9 @@ from .. import regular_file
 from ..arguments import checked
 from ..errors import BuildError, ModelError
 from ..ir.seal import unsealed
+from ..schema.functions import FUNCTIONS
 from ..version import PICKLE, VERSION
 from . import cache, folder, schema
-from .layout import DEMANDED, NAMED
 from .parameters import Parameters
 
 if TYPE_CHECKING:
@@ -91,8 +91,8 @@ def parts(model: CompiledModel) -> tuple[dict[str, str], list[float], bool, str]
 
     Functions of a frame or joint travel as far as they were used.
     """
-    single = (*NAMED, *DEMANDED)
-    model._objects.write(name for name in model.manifest["available"] if name not in single)
+    rows = (FUNCTIONS[name] for name in model.manifest["available"] if name in FUNCTIONS)
+    model._objects.write(row.name for row in rows if not row.of and not row.rare)
     files, values = texts(model.directory), model.parameters.vector.tolist()
     return files, values, model._objects.reproducible, digest(files)
 

@@ -13,10 +13,10 @@ from typing import Any
 
 from ..errors import ModelError
 from ..ir.rows import Rows
+from ..schema.blocks import ORDER
 from ..version import ABI, MANIFEST
 from . import motion_rows
 from .motion_rows import HAPPENING, Check, count, listed, named_numbers, number, row_of, text
-from .slots import ORDER
 
 LARGEST = 1 << 40  # numbers of a block, a result or work memory
 NAMED = ("coordinates", "speeds", "inputs", "parameters", "frames", "joints", "outputs")

@@ -19,8 +19,8 @@ from .calling import Array
 from .conduct import EVENT, FINISHED, Conduct
 from .dense import Dense
 from .events import Event, Happened
-from .kinematics import Energy
 from .ledger import Drift, Ledger
+from .methods import Energy
 from .placing import line, numbers, placed, pose
 from .recorded import Recorded
 

@@ -12,10 +12,10 @@ from ..errors import ArgumentError, ModelError, named, near
 from .calling import Array, numbers
 
 if TYPE_CHECKING:
-    from .kinematics import Kinematics
+    from .evaluation import Evaluation, State, Values
 
 
-def read_wrenches(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
+def read_wrenches(model: Evaluation, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
     """Wrenches as arrays (..., 6), their frames known."""
     result = {}
     for frame, value in named("wrenches", wrenches, "'hand': [0, 0, 0, 0, 0, 1]").items():
@@ -33,16 +33,29 @@ def read_wrenches(model: Kinematics, wrenches: Mapping[str, ArrayLike]) -> dict[
     return result
 
 
-def generalized(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+def _at(
+    model: Evaluation,
+    function: str,
+    frame: str,
+    q: State,
+    r: State | None = None,
+    t: ArrayLike = 0.0,
+    parameters: Values | None = None,
+) -> Array:
+    """What a function gives of a frame."""
+    return model._evaluate((function, frame), (t, q, r), parameters, None)
+
+
+def generalized(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
     """The generalized force (..., nu) of wrenches at frame origins in ground axes: sum of Jᵀ w."""
     total: Array = np.zeros(len(model.speeds))
     for frame, wrench in read_wrenches(model, wrenches).items():
-        jacobian = model.frame_jacobian(frame, q, **rest)
+        jacobian = _at(model, "frame_jacobian", frame, q, **rest)
         total = total + np.einsum("...ij,...i->...j", jacobian, wrench)
     return total
 
 
-def refuse_ground(model: Kinematics, wrenches: Mapping[str, ArrayLike], joint: str) -> None:
+def refuse_ground(model: Evaluation, wrenches: Mapping[str, ArrayLike], joint: str) -> None:
     """The reaction of a fixed joint may hold a wrench on the ground that the block has no row for.
 
     Raises:
@@ -56,7 +69,7 @@ def refuse_ground(model: Kinematics, wrenches: Mapping[str, ArrayLike], joint: s
         )
 
 
-def by_part(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+def by_part(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
     """The block ``wrench``: (..., parts, 6), each at the origin of the part's own frame."""
     parts, part_of = model.bodies, model.part_of
     rows: dict[str, Array] = {}
@@ -66,7 +79,8 @@ def by_part(model: Kinematics, wrenches: Mapping[str, ArrayLike], q: Any, **rest
             continue
         if part != frame:
             # the same force at the origin of the part has the moment of its arm
-            arm = model.pose(frame, q, **rest)[..., :3, 3] - model.pose(part, q, **rest)[..., :3, 3]
+            places = (_at(model, "pose", name, q, **rest)[..., :3, 3] for name in (frame, part))
+            arm = np.subtract(*places)
             moment = wrench[..., :3] + np.cross(arm, wrench[..., 3:])
             force = np.broadcast_to(wrench[..., 3:], moment.shape)
             wrench = np.concatenate([moment, force], axis=-1)

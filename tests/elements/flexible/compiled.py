@@ -15,7 +15,7 @@ from cardan.codegen import generate
 from cardan.ir.function import Function
 from cardan.runtime import abi_ctypes, cache
 from cardan.runtime.prebuilt import DIRECTORY
-from cardan.runtime.slots import ORDER
+from cardan.schema.blocks import ORDER
 
 Array = NDArray[np.float64]
 

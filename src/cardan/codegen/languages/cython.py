@@ -10,30 +10,12 @@ from pprint import pformat
 from typing import Any
 
 from ...errors import counted
+from ...ir.request import reads
+from ...schema.blocks import ARGUMENTS, ORDER
 from ..naming import mangle
 
 SUFFIX = ".pyx"
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
-# as cardan_in has them
-_BLOCKS = "t q u z s r p w udot zdot lam tau wrench du q0 e"
-BLOCKS = tuple(_BLOCKS.split())
-MEANING = {
-    "t": "time [s], (...)",
-    "x": "state [q, u] and internal states, (..., nx)",
-    "q": "coordinates, (..., nq)",
-    "u": "speeds, (..., nu)",
-    "udot": "derivatives of the speeds, (..., nu)",
-    "du": "finite increment along the speeds, (..., nu)",
-    "q0": "coordinates at the start of the increment, (..., nq)",
-    "tau": "generalized applied forces, (..., nu); by default none",
-    "wrench": "torque and force on every body, ground axes, (..., 6 per body); by default none",
-    "r": "inputs, (..., nr); by default those of the model",
-    "z": "internal states of elements, (..., nz); by default those at the start",
-    "s": "modes of elements, (..., ns); by default those at the start",
-    "e": "1 for every event that happens, else 0, (..., ne)",
-}
-# what may be left out
-OPTIONS = {"r": "None", "z": "None", "s": "None", "tau": "None", "wrench": "None", "t": "0.0"}
 
 HEAD = '''\
 # cython: language_level=3
@@ -248,7 +230,7 @@ def write(manifest: dict[str, Any]) -> str:
         starts=_literal(starts),
         **{key: _literal(value) for key, value in names.items()},
     )
-    slots = {block: k for k, block in enumerate(BLOCKS)}
+    slots = {block: k for k, block in enumerate(ORDER)}
     parts = [head + f"_SLOTS = {_literal(slots)}" + BODY]
     parts += [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions.items()]
     return "\n\n".join(parts)
@@ -258,7 +240,8 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
     """The Python function of one C function."""
     takes = _arguments(name, entry)
     # solvers call rhs(t, x)
-    left = {block: OPTIONS[block] for block in takes if block in OPTIONS}
+    optional = [block for block in takes if ARGUMENTS[block].default]
+    left = {block: "0.0" if block == "t" else "None" for block in optional}
     if "x" in takes:
         del left["t"]
     needed = [block for block in takes if block not in left]
@@ -273,7 +256,7 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
         "",
         "    Args:",
     ]
-    lines += [f"        {block}: {MEANING[block]}" for block in takes]
+    lines += [f"        {block}: {ARGUMENTS[block].text}" for block in takes]
     lines += ["", "    Returns:", f"        Array (..., {', '.join(map(str, shape))})"]
     lines[-1] += f": {_text(', '.join(entries))}" if len(entries) <= 12 else ""
     lines += ['    """']
@@ -298,10 +281,9 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
 
 def _arguments(name: str, entry: dict[str, Any]) -> list[str]:
     """Arguments as a compiled model takes them, as far as the C can read them."""
-    from ...runtime.layout import reads
-
     letters = reads(name.split("__")[0], entry["of"])
-    return [x for x in letters if x not in OPTIONS or x in (*entry["inputs"], "t", "r")]
+    usual = (*entry["inputs"], "t", "r")
+    return [x for x in letters if not ARGUMENTS[x].default or x in usual]
 
 
 def _named(output: dict[str, Any]) -> list[str]:

@@ -11,20 +11,21 @@ import numpy as np
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.function import Function
+from ...schema.blocks import ABI_ORDER
+from ...schema.functions import FUNCTIONS
 from ...spatial.plane import Plane
 from ...topology.system import System
-from ..blocks import blocks
+from ..blocks import blocks, labels
 from ..context import Context
 from ..dynamics import Dynamics
 from ..kinematics import Kinematics
 from ..recipes import RECIPES
-from ..record import ABI_ORDER
 from .cutting import Cutting
 from .plane import plane_node
 from .record import BlockKind, Integers
 from .scene import NODE, Key, Scene
 
-FUNCTIONS = ("move", "qdot", "difference")
+MOVING = ("move", "qdot", "difference")
 
 
 @dataclass(frozen=True)
@@ -122,19 +123,15 @@ def _block(name: str, element: JointElement, functions: dict[str, Function]) -> 
 def _functions(system: System, name: str) -> dict[str, Function]:
     """How the coordinates of a joint move."""
     listed = blocks(system)
-    names = {block.name: block.entries for block in listed.values()}
-    units = {block.name: block.units for block in listed.values()}
-    names["qdot"] = tuple(f"{entry}dot" for entry in names["q"])
-    units["qdot"] = tuple(f"{unit}/s" if unit else "1/s" for unit in units["q"])
-    context = Context(Dynamics(Kinematics(system), "composite"), names, units)
+    context = Context(Dynamics(Kinematics(system), "composite"), *labels(listed))
     return {
         key: Function(
             f"{name}__{key}",
             context.k.graph,
             tuple(listed[letter] for letter in ABI_ORDER),
-            RECIPES[key].build(context),
+            RECIPES[key](context),
             (name,),
-            RECIPES[key].about,
+            FUNCTIONS[key].about,
         )
-        for key in FUNCTIONS
+        for key in MOVING
     }

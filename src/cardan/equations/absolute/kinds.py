@@ -14,6 +14,7 @@ from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
+from ...schema.blocks import ABI_ORDER
 from ...topology.system import System
 from .. import balance, happening, outputs
 from ..blocks import blocks
@@ -24,7 +25,6 @@ from ..dynamics import Dynamics
 from ..functions import WRENCH
 from ..joint_forces import driving_force, joint_forces
 from ..kinematics import Kinematics
-from ..record import ABI_ORDER
 from .holding import Held, increments
 from .pieces import Piece
 from .record import BlockKind, Kind

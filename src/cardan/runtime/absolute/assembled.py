@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 
 from ...errors import ModelError
+from ...schema.blocks import ORDER
+from ...schema.functions import OF_ELEMENTS
 from ..calling import Array, Caller
 from ..generated import Source
 from ..loaded import LoadedFunction
 from ..objects import Code, Key
-from ..slots import ORDER
-from .evaluated import FUNCTIONS, Results
+from .evaluated import Results
 from .loading import load
 
 if TYPE_CHECKING:
@@ -46,8 +47,8 @@ class Assembled(Source):
     def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
         """Make functions callable."""
         for name, of in missing:
-            if name not in FUNCTIONS:
-                known = ", ".join(FUNCTIONS)
+            if name not in OF_ELEMENTS:
+                known = ", ".join(OF_ELEMENTS)
                 raise ModelError(
                     f"model '{model.name}' is in absolute coordinates, which offer no '{name}'. "
                     f"There are: {known}"

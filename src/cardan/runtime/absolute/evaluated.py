@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.sparse
 
 from ...errors import ModelError
+from ...schema.functions import FUNCTIONS
 from ..calling import Array
 from .elements import State
 from .frames import Frames
@@ -18,32 +20,6 @@ from .mesh import Mesh
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
-FUNCTIONS = (
-    "rhs",
-    "forward_dynamics",
-    "inverse_dynamics",
-    "mass_matrix",
-    "bias",
-    "qdot",
-    "energy",
-    "power",
-    "momentum",
-    "pose",
-    "velocity",
-    "acceleration",
-    "frame_jacobian",
-    "reaction",
-    "outputs",
-    "constraints",
-    "constraint_rates",
-    "constraint_jacobian",
-    "multipliers",
-    "close_position",
-    "close_velocity",
-    "balance",
-    "move",
-    "integrate",
-)
 # matrices that are written out are for looking at
 WHOLE = 600
 Given = dict[str, Array]
@@ -63,7 +39,15 @@ class Results:
         self.manifest = model.manifest
         self.name = model.name
         self.frames = Frames.of(model)
-        self._names = {"q": model.coordinates, "u": model.speeds, "lam": model.multipliers_of}
+        outputs = [row["name"] for row in self.manifest["outputs"]]
+        lam = model.multipliers_of
+        self._names: dict[str, Sequence[str]] = {
+            **{"q": model.coordinates, "u": model.speeds, "z": model.internals, "lam": lam},
+            **{"positions": lam[: mesh.tables.mp], "y": outputs, "sources": mesh.tables.powers},
+        }
+        # q as it is moved comes without its tangent
+        self._counts = {f"n{name}": len(entries) for name, entries in self._names.items()}
+        self._counts |= {"nx": model.nx, "ntangent": 0}
 
     def of(self, name: str, of: str | None) -> Callable[[Given], Array]:
         """A function of given blocks."""
@@ -72,41 +56,12 @@ class Results:
 
     def shape(self, name: str) -> tuple[tuple[int, ...], list[str]]:
         """Shape of a result, and names of its numbers."""
-        tables, outputs = self.tables, [row["name"] for row in self.manifest["outputs"]]
-        nq, nu, m, mp = tables.nq, tables.nu, tables.m, tables.mp
-        shapes: dict[str, tuple[int, ...]] = {
-            "rhs": (nq + nu + tables.nz,),
-            "mass_matrix": (nu, nu),
-            "qdot": (nq,),
-            "energy": (3,),
-            "power": (len(tables.powers),),
-            "momentum": (6,),
-            "pose": (4, 4),
-            "velocity": (6,),
-            "acceleration": (6,),
-            "frame_jacobian": (6, nu),
-            "reaction": (6,),
-            "outputs": (len(outputs),),
-            "constraints": (mp,),
-            "constraint_rates": (m,),
-            "constraint_jacobian": (m, nu),
-            "multipliers": (m,),
-            "balance": (nu + mp + m,),
-            "close_position": (nq + mp,),
-            "close_velocity": (nu + m,),
-            "move": (nq,),
-            "integrate": (nq,),
-        }
-        shape = shapes.get(name, (nu,))
-        named = {"outputs": outputs, "rhs": [*self._names["q"], *self._names["u"]]}
-        named |= {"qdot": list(self._names["q"]), "constraints": list(self._names["lam"][:mp])}
-        named |= {"multipliers": list(self._names["lam"])}
-        named |= {"power": list(tables.powers)}
-        if name in named and len(named[name]) == shape[0]:
-            return shape, named[name]
-        if shape == (nu,):
-            return shape, list(self._names["u"])
-        return shape, [f"{name}[{k}]" for k in range(int(np.prod(shape)))]
+        row, names = FUNCTIONS[name], self._names
+        shape = row.sizes(self._counts)
+        entries = [entry for block in row.like.split() for entry in names[block]]
+        if len(entries) != prod(shape):
+            entries = [f"{name}[{k}]" for k in range(prod(shape))]
+        return shape, entries
 
     # what elements are asked at
 

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...ir.serialize import from_dict
+from ...schema.blocks import ORDER, SLOT
 from .. import abi, loaded, measuring
 from ..calling import Array
 from ..initial import start_of
 from ..lanes import width
 from ..measuring import Row
 from ..objects import Code
-from ..slots import ORDER, SLOT
 from .elements import State
 from .mesh import NEEDED, WORTH
 from .tables import Table

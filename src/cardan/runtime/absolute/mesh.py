@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import SolveError
+from ...schema.blocks import ORDER
 from ...schema.records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
@@ -19,7 +20,6 @@ from ..interpreted import SINGULAR, called_back
 from ..lanes import Lanes
 from ..loaded import prepare
 from ..objects import Code
-from ..slots import ORDER
 from ..together import together
 from .blocks import plan_record
 from .elements import INNER, Elements, State

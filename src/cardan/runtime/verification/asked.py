@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...errors import SolveWarning
+from ...ir.request import reads
 from ..closed_states import RANK
 from ..joint_motion import Array, times
-from ..layout import reads
 from ..newton_euler import Moving, Scene, moving
 from ..objects import Key
 from ..truth import Truth

@@ -11,13 +11,13 @@ import numpy as np
 
 from ...ir.interpreter import evaluate
 from ...ir.serialize import from_dict
+from ...schema.blocks import ORDER, SLOT
 from .. import abi, loaded
 from ..absolute.elements import Elements, State
 from ..absolute.tables import PlaceKind, Table, Tables
 from ..initial import start_of
 from ..joint_motion import Array
 from ..objects import Code
-from ..slots import ORDER, SLOT
 from .differences import slope
 from .written import results
 
