@@ -15,7 +15,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from .version import VERSION as __version__
+from .version import VERSION
+
+__version__ = VERSION
 
 # public name -> module that holds it (None: the module itself), in the order of use
 _PUBLIC: dict[str, str] = {
@@ -32,65 +34,6 @@ _PUBLIC: dict[str, str] = {
     "material": "elements.material",
     "arc": "elements.centerlines",
     "spline": "elements.centerlines",
-    **dict.fromkeys(
-        (
-            "Fixed",
-            "Revolute",
-            "Prismatic",
-            "Cylindrical",
-            "Screw",
-            "Universal",
-            "ConstantVelocity",
-            "Spherical",
-            "Planar",
-            "Free",
-            "PointOnPlane",
-            "PointOnCurve",
-            "Distance",
-            "Gear",
-            "Wheel",
-            "RollingDisk",
-            "Custom",
-        ),
-        "elements.joints",
-    ),
-    **dict.fromkeys(
-        (
-            "Force",
-            "Torque",
-            "SpringDamper",
-            "Maxwell",
-            "TorsionSpring",
-            "JointForce",
-            "Damping",
-            "Friction",
-            "Actuator",
-            "Controller",
-            "Stop",
-            "Lock",
-            "Contact",
-            "Watch",
-            "Drive",
-            "Rotor",
-            "LineLoad",
-            "CentralGravity",
-            "GravityGradient",
-            "J2",
-        ),
-        "elements.forces",
-    ),
-    **dict.fromkeys(
-        (
-            "Multipliers",
-            "Elimination",
-            "NullSpace",
-            "Baumgarte",
-            "Penalty",
-            "Augmented",
-            "Perturbed",
-        ),
-        "equations.treatments",
-    ),
     "derive": "pipeline",
     "compile": "pipeline",
     "GeneralizedAlpha": "analyses.alpha",
@@ -125,24 +68,45 @@ _PUBLIC: dict[str, str] = {
         "errors",
     ),
 }
+# families whose members are public by the names of their classes: module -> table of them
+_FAMILIES = {
+    "elements.joints": "JOINTS",
+    "elements.forces": "FORCES",
+    "equations.treatments": "TREATMENTS",
+}
 _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it
 _PICKLED = {"_unpickled_model": "runtime.saved", "_unpickled_motion": "runtime.pickled"}
 
-__all__ = ["__version__", *_PUBLIC]
+
+def _members(module: str) -> dict[str, type]:
+    """The classes of a family by their names."""
+    table = getattr(import_module(f".{module}", __name__), _FAMILIES[module])
+    return {member.__name__: member for member in table.values()}
+
+
+def _named(name: str) -> object:
+    """What a public name stands for; None where there is none."""
+    if name == "__all__":
+        return ["__version__", *_PUBLIC, *(one for module in _FAMILIES for one in _members(module))]
+    if name in _PUBLIC or name in _PICKLED:
+        module = import_module(f".{_PUBLIC.get(name) or _PICKLED[name]}", __name__)
+        return module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
+    # names of classes begin with a capital: others may be modules that Python asks for
+    found = (_members(module).get(name) for module in _FAMILIES if name[0].isupper())
+    return next(filter(None, found), None)
 
 
 def __getattr__(name: str) -> Any:
     """Public names are loaded when they are first used."""
-    if name not in _PUBLIC and name not in _PICKLED:
+    value = _named(name)
+    if value is None:
         raise AttributeError(f"module 'cardan' has no attribute '{name}'")
-    module = import_module(f".{_PUBLIC.get(name) or _PICKLED[name]}", __name__)
-    value = module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return sorted(__getattr__("__all__"))

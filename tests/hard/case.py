@@ -13,7 +13,6 @@ import cardan as cd
 from cardan.schema.integrators import INTEGRATORS
 
 FINISHED = "finished"
-DAMPED = ("GeneralizedAlpha", "HHT", "Newmark")
 
 
 @dataclass(frozen=True)
@@ -92,7 +91,7 @@ class Case:
             return dict(own.how)
         if not INTEGRATORS[method].adaptive:
             return {"step": self.step}
-        return dict(self.coarse if method in DAMPED else self.fine)
+        return dict(self.coarse if kind(method) == "damped" else self.fine)
 
 
 @dataclass(frozen=True)
@@ -157,12 +156,25 @@ def alike(
         damped: GeneralizedAlpha, HHT, Newmark. fixed: RK4, RKMK4. energy: EnergyMidpoint.
         others: Methods with a cell of their own.
     """
-    kinds: dict[tuple[str, ...], float] = {
-        ("DOP853", "RKMK853"): explicit,
-        ("RK45", "RKMK45"): lower,
-        ("Radau", "Rosenbrock"): implicit,
-        DAMPED: damped,
-        ("RK4", "RKMK4"): fixed,
-        ("EnergyMidpoint",): energy,
-    }
-    return table({name: bound for names, bound in kinds.items() for name in names} | others)
+    bounds = {
+        "explicit": explicit, "lower": lower, "implicit": implicit, "damped": damped,
+        "fixed": fixed, "energy": energy,
+    }  # fmt: skip
+    return table({name: bounds[kind(name)] for name in METHODS} | others)
+
+
+def kind(name: str) -> str:
+    """Which bound of :func:`alike` is for a method, by its record."""
+    method = INTEGRATORS[name]
+    if method.multipliers:
+        return "damped"
+    if "energy" in method.needs:
+        return "energy"
+    if "rhs_jacobian" in method.needs:
+        return "implicit"
+    if not method.adaptive:
+        return "fixed"
+    return "explicit" if method.order > 5 else "lower"
+
+
+DAMPED = tuple(name for name in METHODS if kind(name) == "damped")

@@ -9,7 +9,7 @@ import numpy as np
 
 import cardan as cd
 
-from .case import DAMPED, METHODS, Case, Cell, Never
+from .case import DAMPED, METHODS, Case, Cell, Never, kind
 
 STEP = 2e-3
 SPIN = [0.4, 1.0, 0.02]
@@ -50,13 +50,18 @@ def expected(count: int) -> dict[str, Cell | Never]:
     """
     walk = 3e-15 * math.sqrt(count)
     close = Cell(walk, AS_MANY)
+    cells = {
+        "explicit": close,
+        "lower": close,
+        "fixed": Cell(walk),
+        "implicit": Cell(3e-16 * count, AS_MANY),
+        "energy": Cell(2e-6),
+        "damped": Cell(3e-6, {"step": STEP}),
+    }
     return {
-        "DOP853": close, "RK45": close, "RKMK853": close, "RKMK45": close,
-        "RK4": Cell(walk), "RKMK4": Cell(walk),
-        "Radau": Cell(3e-16 * count, AS_MANY), "Rosenbrock": Cell(1e-17 * count, AS_MANY),
-        "EnergyMidpoint": Cell(2e-6),
-        **{name: Cell(3e-6, {"step": STEP}) for name in DAMPED},
-    }  # fmt: skip
+        **{name: cells[kind(name)] for name in METHODS},
+        "Rosenbrock": Cell(1e-17 * count, AS_MANY),
+    }
 
 
 CASE = Case(

@@ -97,5 +97,5 @@ def test_period_error_is_of_the_order(name: str) -> None:
 def test_mistakes() -> None:
     with pytest.raises(cd.ModelError, match="holds nothing: its states are projected"):
         cd.stability.amplification("RK4", 0.1, index=3)
-    with pytest.raises(cd.ModelError, match="a response is known of the kernels rk4"):
+    with pytest.raises(cd.ModelError, match=r"a response is known of the kernels .*rk4,"):
         cd.stability.response("HHT", 0.1)

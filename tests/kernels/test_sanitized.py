@@ -21,7 +21,9 @@ from mechanisms.random_trees import random_tree
 from spread import some
 
 FLAGS = ("-std=c99", "-O0", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-METHODS = tuple(companions.INTEGRATORS)
+# an order in which scenes meet methods that can run them to 9 digits; what is new follows
+KNOWN = ("dop853", "radau", "rosenbrock", "alpha", "rk4", "rk45", "midpoint")
+METHODS = (*KNOWN, *sorted({*companions.INTEGRATORS} - {*KNOWN}))
 COUNT = 7
 SEED = 20
 DYNAMICS = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy", "power")

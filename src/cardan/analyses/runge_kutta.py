@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..errors import ModelError
 from ..runtime import prebuilt
-from ..schema.integrators import Integrator
+from ..schema.integrators import KERNELS, Integrator
 
 Matrix = NDArray[np.complexfloating[Any, Any]]
 Array = NDArray[np.float64]
@@ -38,10 +37,11 @@ def response(method: Integrator, z: Matrix) -> Matrix:
     """
     if method.kernel == "rosenbrock":
         return _rosenbrock(z)
-    if method.kernel not in TABLEAUX:
-        known = ", ".join([*TABLEAUX, "rosenbrock"])
-        raise ModelError(f"'{method.name}': a response is known of the kernels {known}")
-    a, b = TABLEAUX[method.kernel]()
+    tableau = _tableau(KERNELS[method.kernel])
+    if tableau is None:
+        known = ", ".join(name for name, one in KERNELS.items() if _tableau(one))
+        raise ModelError(f"'{method.name}': a response is known of the kernels {known}, rosenbrock")
+    a, b = tableau
     unit = np.broadcast_to(np.eye(z.shape[-1], dtype=np.complex128), z.shape)
     stages = _solved(a, z) if a.any(where=np.triu(np.ones_like(a, dtype=bool))) else _followed(a, z)
     result: Matrix = unit + sum(weight * k for weight, k in zip(b, stages, strict=True))
@@ -71,46 +71,18 @@ def _kronecker(a: Array, z: Matrix) -> Matrix:
     return product.reshape(*z.shape[:-2], a.shape[0] * m, a.shape[1] * m)
 
 
-# coefficients a (stages, stages) and b (stages,)
-
-
-def _classical() -> tuple[Array, Array]:
-    a = np.zeros((4, 4))
-    a[1, 0] = a[2, 1] = 0.5
-    a[3, 2] = 1.0
-    return a, np.array([1, 2, 2, 1]) / 6
-
-
-def _midpoint() -> tuple[Array, Array]:
-    return np.array([[0.5]]), np.array([1.0])
-
-
-def _of_scipy(name: str) -> tuple[Array, Array]:
+def _tableau(method: Integrator) -> tuple[Array, Array] | None:
+    """Coefficients a (stages, stages) and b (stages,) of a Runge-Kutta method."""
     import scipy.integrate
 
-    kind = getattr(scipy.integrate, name)
-    b = np.asarray(kind.B, dtype=np.float64)
+    kind = getattr(scipy.integrate, method.name, None)
+    *rows, b = method.tableau or (*getattr(kind, "A", ()), getattr(kind, "B", ()))
+    if not len(b):
+        return None
     a = np.zeros((len(b), len(b)))
-    a[:, : kind.A.shape[1]] = kind.A
-    return a, b
-
-
-def _collocation() -> tuple[Array, Array]:
-    """Radau IIA of 3 stages: stages integrate the polynomial through their derivatives."""
-    nodes = np.array([(4 - 6**0.5) / 10, (4 + 6**0.5) / 10, 1.0])
-    powers = np.arange(1, 4)
-    # integrals of 1, x, x^2 up to every node, by their values at the nodes
-    a = (nodes[:, None] ** powers / powers) @ np.linalg.inv(nodes[:, None] ** (powers - 1))
-    return a, a[-1]
-
-
-TABLEAUX: dict[str, Callable[[], tuple[Array, Array]]] = {
-    "rk4": _classical,
-    "rk45": lambda: _of_scipy("RK45"),
-    "dop853": lambda: _of_scipy("DOP853"),
-    "radau": _collocation,
-    "midpoint": _midpoint,
-}
+    for full, row in zip(a, rows, strict=True):
+        full[: len(row)] = row
+    return a, np.asarray(b, dtype=np.float64)
 
 
 # Rosenbrock: stages that are solved for with the Jacobian

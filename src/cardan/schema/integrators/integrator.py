@@ -27,6 +27,8 @@ class Integrator:
             order; some choose options for the model.
         lanes: Whether ``kernels/lane_<kernel>.c`` takes its steps side by side.
         elements: Whether it is one for elements in absolute coordinates alone.
+        tableau: Of a Runge-Kutta method without a class in SciPy: rows of a, those of an explicit
+            one up to the diagonal, then b.
     """
 
     name: str
@@ -45,3 +47,4 @@ class Integrator:
     conditions: tuple[str, ...] = ()
     lanes: bool = False
     elements: bool = False
+    tableau: tuple[tuple[float, ...], ...] = ()

@@ -14,4 +14,5 @@ METHOD = Integrator(
     needs=("energy",),
     applies="very many long steps whose energy balance must hold",
     source="O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467",
+    tableau=((0.5,), (1.0,)),
 )

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from .integrator import Integrator
 
+ROOT = 6**0.5
+LAST = ((16 - ROOT) / 36, (16 + ROOT) / 36, 1 / 9)
+
 METHOD = Integrator(
     name="Radau",
     kernel="radau",
@@ -14,4 +17,10 @@ METHOD = Integrator(
     source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8",
     needs=("rhs_jacobian",),
     differenced=("rhs_jacobian",),
+    tableau=(
+        ((88 - 7 * ROOT) / 360, (296 - 169 * ROOT) / 1800, (3 * ROOT - 2) / 225),
+        ((296 + 169 * ROOT) / 1800, (88 + 7 * ROOT) / 360, -(3 * ROOT + 2) / 225),
+        LAST,
+        LAST,
+    ),
 )
