@@ -19,6 +19,7 @@ from analyses.test_events import servo
 from cardan.analyses import run
 from cardan.runtime.trajectory import Trajectory
 from hostile.kinds import records, together
+from hostile.kinds import servo as sampled
 
 __all__ = ["servo"]
 
@@ -99,6 +100,14 @@ def test_samples_and_modes_go_on_too(servo: cd.CompiledModel, tmp_path: Path) ->
     motion = servo.simulate(**kept)
     alike(motion, servo.simulate(**options))
     assert len(motion.ticks) == 601
+
+
+def test_a_run_goes_on_whatever_the_model_has_done_before(tmp_path: Path) -> None:
+    """A model is the same model, whether or not its functions have been called."""
+    path, fresh = tmp_path / "run", sampled()
+    whole = fresh.simulate(1.5, checkpoint=path)
+    for model in (fresh, sampled()):
+        alike(model.simulate(1.5, checkpoint=path), whole)
 
 
 def test_a_run_goes_on_from_every_place(

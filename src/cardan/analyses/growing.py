@@ -210,12 +210,14 @@ def build_key(model: CompiledModel) -> str:
 
 def model_key(model: CompiledModel) -> str:
     """Hash of the equations and parameters of a model."""
+    # a function is in the manifest once it is there to be called
+    model._function("rhs")
     manifest = model.manifest
     if "mesh" in manifest:
         # every function of its elements, and the tables
         return digest(model.name, dict(manifest["sha256"]), model.parameters.vector)
-    texts = {name: entry["sha256"] for name, entry in manifest["functions"].items()}
-    return digest(model.name, texts.get("rhs"), model.parameters.vector)
+    text = manifest["functions"]["rhs"]["sha256"]
+    return digest(model.name, text, model.parameters.vector)
 
 
 def digest(*values: Any) -> str:
