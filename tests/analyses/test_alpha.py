@@ -16,6 +16,7 @@ from cardan.analyses.simulate import runner_of
 from cardan.errors import ModelError, SolveWarning
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING
+from spread import some
 
 Array = np.ndarray
 SPEED = 150.0
@@ -195,11 +196,11 @@ def test_speeds_that_come_open_fail_their_step(longer: float, rtol: float) -> No
     assert missed <= 1.5 * rtol
 
 
-MECHANISMS = ("four_bar", "bricard", "stewart")
+# of the largest one index by default
+MECHANISMS = [(name, index) for name in ("stewart", "four_bar", "bricard") for index in (2, 3)]
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
-@pytest.mark.parametrize("index", [2, 3])
+@pytest.mark.parametrize(("name", "index"), [*some(MECHANISMS[:2], 2, 1), *MECHANISMS[2:]])
 def test_circuits(name: str, index: int) -> None:
     """Redundant rows too: Bricard's has one more than it has conditions."""
     model = cd.compile(CLOSED[name].build())

@@ -16,6 +16,7 @@ from cardan.runtime.absolute.blocks import BlockSolver, solver
 from cardan.runtime.absolute.plan import Plan
 from equations.absolute.test_circuits import circuit
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line
+from table import each
 
 Array = NDArray[np.float64]
 
@@ -36,7 +37,7 @@ def parts(structure: Structure, mixed: bool = False) -> tuple[Blockwise, Array, 
     return by, a[np.ix_(speeds, speeds)], a[np.ix_(~speeds, speeds)][order]
 
 
-@pytest.mark.parametrize("name", STRUCTURES)
+@each("name", STRUCTURES)
 def test_solutions_are_those_of_dense_systems(name: str) -> None:
     by, K, G = parts(STRUCTURES[name], mixed=True)
     rng = np.random.default_rng(2)

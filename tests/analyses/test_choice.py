@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from cardan.analyses.choice import RULES, Case, choose
 from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
+from table import each
 
 CHOICES: list[tuple[Case, str, str]] = [
     (Case(1e-6), "DOP853", "not stiff as far as seen"),
@@ -30,7 +30,7 @@ CHOICES: list[tuple[Case, str, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("case", "method", "words"), CHOICES, ids=str)
+@each(("case", "method", "words"), CHOICES)
 def test_the_first_rule_that_holds(case: Case, method: str, words: str) -> None:
     rule = choose(case)
     assert rule.method == method

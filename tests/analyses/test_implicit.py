@@ -10,12 +10,13 @@ import pytest
 import cardan as cd
 from laws.circuits import compiled, start
 from mechanisms.closed import CLOSED
+from table import each
 
 BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
 
 
-@pytest.mark.parametrize("index", [3, 2, 1])
-@pytest.mark.parametrize("name", CLOSED)
+@each("index", [3, 2, 1])
+@each("name", CLOSED)
 def test_vanishes_on_motions(name: str, index: int) -> None:
     model = compiled(name)
     q, u = start(model, name, 0.3)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 from cardan.schema.integrators import INTEGRATORS, Integrator
+from table import each
 
 PAGE = Path(__file__).parents[2] / "docs" / "integrators.md"
 
@@ -24,7 +23,7 @@ def test_the_page_has_the_table() -> None:
     assert table() in PAGE.read_text("utf-8"), f"docs/integrators.md needs\n{table()}"
 
 
-@pytest.mark.parametrize("method", INTEGRATORS.values(), ids=INTEGRATORS)
+@each("method", INTEGRATORS.values())
 def test_a_record_is_told_in_a_line(method: Integrator) -> None:
     assert INTEGRATORS[method.name] is method
     assert 10 < len(method.applies) <= 90

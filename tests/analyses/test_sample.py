@@ -10,6 +10,7 @@ from scipy import stats
 
 import cardan as cd
 from cardan.analyses import sample
+from table import each
 
 
 def test_grid() -> None:
@@ -95,7 +96,7 @@ REFUSED: list[tuple[Any, type[Exception], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("call", "kind", "words"), REFUSED)
+@each(("call", "kind", "words"), REFUSED)
 def test_refused(call: Any, kind: type[Exception], words: str) -> None:
     with pytest.raises(kind, match=words):
         call()

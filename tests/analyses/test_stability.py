@@ -7,6 +7,7 @@ import pytest
 
 import cardan as cd
 from cardan.errors import ArgumentError, ModelError
+from table import each
 
 RHO = (0.0, 0.5, 0.8, 0.9, 1.0)
 # reference "time_integration_theory": Chung and Hulbert 1993; Hilber, Hughes and Taylor 1977;
@@ -58,8 +59,8 @@ def test_period_error(method: str) -> None:
         np.testing.assert_allclose(error, exact, rtol=0, atol=1e-15 / omega.min() ** 2)
 
 
-@pytest.mark.parametrize("rho", RHO)
-@pytest.mark.parametrize("omega", [0.0, 0.1, 10.0])
+@each("rho", RHO)
+@each("omega", [0.0, 0.1, 10.0])
 def test_constrained_oscillator(rho: float, omega: float) -> None:
     alpha, radius = cd.Alpha.chung_hulbert(rho), cd.stability.spectral_radius
     # held by its position the oscillator is one of infinite frequency, whatever the step: errors

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import pytest
-
 from architecture.sources import PACKAGE, imports, modules
 from architecture.table import FAMILIES
+from table import each
 
 
 def members(family: str) -> set[str]:
@@ -17,7 +16,7 @@ def members(family: str) -> set[str]:
     return {f"cardan.{family}.{name}" for name in (files | folders) - shared}
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@each("family", FAMILIES)
 def test_every_file_is_listed(family: str) -> None:
     listed = {found.target for found in imports() if found.source == f"cardan.{family}"}
     # commands, passes and readers may be listed by name and loaded on demand
@@ -31,7 +30,7 @@ def test_every_file_is_listed(family: str) -> None:
     assert not missing
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@each("family", FAMILIES)
 def test_members_do_not_import_each_other(family: str) -> None:
     inside = members(family)
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from functools import cache
 from graphlib import TopologicalSorter
 
-import pytest
-
 from architecture.sources import Import, imports, modules, reached, room
 from architecture.table import DOWNWARD, ORDER, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
+from table import each
 
 
 @cache
@@ -43,7 +42,7 @@ def test_downward_imports_inside_functions_are_the_listed_ones() -> None:
     assert present == {key: set(targets) for key, targets in DOWNWARD.items()}
 
 
-@pytest.mark.parametrize("target", sorted({t for targets in DOWNWARD.values() for t in targets}))
+@each("target", sorted({t for targets in DOWNWARD.values() for t in targets}))
 def test_downward_imports_load_no_sympy(target: str) -> None:
     assert "sympy" not in {name.split(".")[0] for name in reached(target)}
 

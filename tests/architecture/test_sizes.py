@@ -6,10 +6,9 @@ import ast
 import re
 from pathlib import Path
 
-import pytest
-
 from architecture.sources import PACKAGE, ROOT, tree
 from architecture.table import FILE_LINES, FUNCTION_LINES
+from table import each
 
 PYTHON = sorted(
     path for folder in ("src", "tests", "examples") for path in (ROOT / folder).rglob("*.py")
@@ -48,7 +47,7 @@ def test_files_are_short() -> None:
     assert not {name: n for name, n in lines.items() if n > FILE_LINES}
 
 
-@pytest.mark.parametrize("path", PYTHON, ids=relative)
+@each("path", PYTHON)
 def test_functions_are_short(path: Path) -> None:
     sizes = {
         f"{node.name}:{node.lineno}": (node.end_lineno or node.lineno) - node.lineno + 1

@@ -17,6 +17,7 @@ import cardan as cd
 from cardan import cli
 from cardan.cli import COMMANDS, build_parser, main
 from cardan.cli import inspect as inspect_command
+from table import each
 
 ARM = str(Path(__file__).parents[2] / "examples" / "arm.urdf")
 
@@ -72,7 +73,7 @@ def test_every_command_is_here() -> None:
     assert set(COMMANDS) - with_json == {"demo"}
 
 
-@pytest.mark.parametrize("line", SHOWN)
+@each("line", SHOWN)
 def test_lines_of_the_help_are_understood(line: str) -> None:
     words = shlex.split(line.partition(" > ")[0])
     if "--help" not in words:

@@ -86,13 +86,17 @@ def call(
     values: Mapping[str, Sequence[float]],
     compiler: str = "",
     flags: Sequence[str] = EXACT,
+    text: str = "",
 ) -> Answer:
     """Prepare and call a generated function.
 
     The arrays have guard values behind them, and blocks that the entry does not name are NULL.
+
+    Args:
+        text: C that holds the function among others.
     """
     compiler = compiler or next(iter(compilers()))
-    library, entry = shared(cfile.text, compiler, tuple(flags)), cfile.entry
+    library, entry = shared(text or cfile.text, compiler, tuple(flags)), cfile.entry
     w, out, work = (guarded(entry[f"{k}_size"]) for k in ("prepared", "output", "work"))
     p = np.array(values.get("p", [0.0]), dtype=float)
     getattr(library, f"prepare_{cfile.name}")(pointer(p), pointer(w))

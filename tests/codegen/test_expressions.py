@@ -4,11 +4,10 @@ import math
 import random
 import re
 
-import pytest
-
 from cardan.codegen.languages.expressions import definitions
 from cardan.codegen.program import Scope
 from cardan.ir.graph import Graph
+from table import each
 
 NAMES = "abcdef"
 
@@ -72,7 +71,7 @@ def test_numbers_are_complete_and_never_integers() -> None:
         assert "." in number[0] or "e" in number[0]
 
 
-@pytest.mark.parametrize("seed", range(200))
+@each("seed", range(200))
 def test_random_arithmetic_evaluates_to_the_same_bits(seed: int) -> None:
     # C and Python read + - * / and signs alike: Python judges the text
     rng = random.Random(seed)

@@ -15,6 +15,7 @@ from codegen.lanes import WIDTHS, call_lanes
 from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from codegen.test_solve import PIVOTING, system
 from equations.test_sweeps import chain
+from table import each
 
 FLAGS = {name: (*STRICT, *SPEED, "-march=native", *CONTRACT[name]) for name in CONTRACT}
 # every vector is emulated where the processor has none of its width
@@ -45,9 +46,9 @@ def states_of(seed: int, own: bool) -> States:
     return found if own else [state | {"p": found[0]["p"]} for state in found]
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("own", [False, True], ids=["shared", "own"])
-@pytest.mark.parametrize("seed", range(2))
+@each("compiler", COMPILERS)
+@each("own", [False, True])
+@each("seed", range(2))
 def test_random_functions(seed: int, own: bool, compiler: str) -> None:
     operators = f"{EXACT} {LIBRARY} stumpff table"
     cfile = generate(random_function(seed, 150, operators))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from cardan.codegen import generate
 from cardan.ir.function import Function
 from codegen.running import call, compilers, expected
 from equations.test_sweeps import chain
+from table import each
 
 
 def written(n: int, name: str = "forward_dynamics") -> tuple[cd.Equations, str, Function]:
@@ -18,8 +18,8 @@ def written(n: int, name: str = "forward_dynamics") -> tuple[cd.Equations, str, 
     return equations, generate(recursion, model="chain").text, recursion.straight()
 
 
-@pytest.mark.parametrize("compiler", compilers())
-@pytest.mark.parametrize("name", ["forward_dynamics", "inverse_dynamics", "energy", "rhs"])
+@each("compiler", compilers())
+@each("name", ["forward_dynamics", "inverse_dynamics", "energy", "rhs"])
 def test_numbers(name: str, compiler: str) -> None:
     equations = cd.derive(chain(11), method="articulated")
     recursion = equations.recursion(name)

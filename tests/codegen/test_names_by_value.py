@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 import cardan as cd
@@ -25,6 +24,7 @@ from cardan.runtime.truth import truth_of
 from cardan.runtime.verification.differences import REACH, central
 from golden.scenes import EXAMPLES
 from golden.scenes import scene_of as example
+from table import each
 
 Array = NDArray[np.float64]
 Values = dict[tuple[str, str], float]
@@ -190,7 +190,7 @@ def named(judge: Judge) -> dict[tuple[str, str], float]:
     return {name: float(x) for (_, name), x in zip(reversed(names), reversed(values), strict=True)}
 
 
-@pytest.mark.parametrize("name", SCENES)
+@each("name", SCENES)
 def test_names_say_what_they_hold(name: str) -> None:
     path = next(path for path in EXAMPLES if path.stem == name)
     judge = Judge(cd.derive(example(path), rewrites=()))

@@ -10,6 +10,7 @@ from cardan.codegen.naming import RESERVED, Names, comment, mangle
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from codegen.running import call, compilers, expected
+from table import each
 
 NASTY = [
     "*/ int evil(void); /*",
@@ -90,7 +91,7 @@ def test_comments_cannot_be_left() -> None:
     assert "??" not in text
 
 
-@pytest.mark.parametrize("name", NASTY)
+@each("name", NASTY)
 def test_identifiers_are_plain_and_free(name: str) -> None:
     found = Names().new(mangle(name))
     assert re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", found)
@@ -116,7 +117,7 @@ def test_names_are_unique_whatever_is_asked() -> None:
     assert not set(found) & (RESERVED | {"b"})
 
 
-@pytest.mark.parametrize("text", [*NASTY, "?" * 7, "*/" * 3, "/*/*/", "*" + "/" * 5])
+@each("text", [*NASTY, "?" * 7, "*/" * 3, "/*/*/", "*" + "/" * 5])
 def test_comment_text_is_one_harmless_line(text: str) -> None:
     shown = comment(text)
     assert "\n" not in shown

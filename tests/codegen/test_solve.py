@@ -8,6 +8,7 @@ from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
 from codegen.functions import solving
 from codegen.running import call, compilers
+from table import each
 
 PIVOTING = ("symmetric_indefinite", "rank_revealing")
 
@@ -23,9 +24,9 @@ def system(kind: str, seed: int, n: int = 4, m: int = 2) -> tuple[np.ndarray, np
     return a, rng.uniform(-1, 1, (n, m))
 
 
-@pytest.mark.parametrize("compiler", sorted(compilers()))
-@pytest.mark.parametrize("kind", [*PIVOTING, "spd"])
-@pytest.mark.parametrize("of", ["q", "p"])
+@each("compiler", sorted(compilers()))
+@each("kind", [*PIVOTING, "spd"])
+@each("of", ["q", "p"])
 def test_solution_has_a_small_residual(kind: str, of: str, compiler: str) -> None:
     cfile = generate(solving(kind, of=of))
     for seed in range(10):

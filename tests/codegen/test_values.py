@@ -1,5 +1,7 @@
 """Compiled C against the interpreter."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,7 @@ from cardan.ir.interpreter import evaluate
 from cardan.ir.ops import OPERATORS
 from codegen.functions import EXACT, LIBRARY, apply, blocks, random_function, values
 from codegen.running import SPEED, STRICT, call, compilers, expected
+from table import each
 
 COMPILERS = sorted(compilers())
 
@@ -19,8 +22,14 @@ def same(a: np.ndarray, b: np.ndarray) -> bool:
     return bool(np.array_equal(a, b, equal_nan=True))
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("seed", range(8))
+@cache
+def all_operators() -> str:
+    """C of the functions of all operators: compiled at once."""
+    return "\n".join(generate(function).text for function in FUNCTIONS.values())
+
+
+@each("compiler", COMPILERS)
+@each("seed", range(8))
 def test_exact_operators_agree_to_the_bit(seed: int, compiler: str) -> None:
     function, given = random_function(seed), values(seed)
     answer = call(generate(function), given, compiler)
@@ -40,10 +49,8 @@ def test_contraction_changes_only_rounding(seed: int) -> None:
     assert np.abs(fast.out - exact).max() <= 60 * np.finfo(float).eps * max(scale, 1.0) * 8
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("op", sorted(OPERATORS))
-def test_every_operator(op: str, compiler: str) -> None:
-    # one function of each operator: of q, of p (in the prepare stage) and nested
+def of_operator(op: str) -> Function:
+    """Values of an operator: of q, of p (in the prepare stage) and nested."""
     g = Graph()
     nodes = []
     for k in range(4):
@@ -53,9 +60,17 @@ def test_every_operator(op: str, compiler: str) -> None:
                 nodes.append(apply(g, op, k + 1, x[0]))
             else:
                 nodes.append(apply(g, op, *x[: OPERATORS[op].arity]))
-    function = Function("one", g, blocks(), (Output("y", (len(nodes),), tuple(nodes)),))
-    given = values(3)
-    answer = call(generate(function), given, compiler).out
+    return Function(f"of_{op}", g, blocks(), (Output("y", (len(nodes),), tuple(nodes)),))
+
+
+FUNCTIONS = {op: of_operator(op) for op in sorted(OPERATORS)}
+
+
+@each("compiler", COMPILERS)
+@each("op", FUNCTIONS)
+def test_every_operator(op: str, compiler: str) -> None:
+    function, given = FUNCTIONS[op], values(3)
+    answer = call(generate(function), given, compiler, text=all_operators()).out
     exact = evaluate(function, given, "mp")["y"]
     if op in EXACT.split():
         assert same(answer, expected(function, given))
@@ -64,8 +79,8 @@ def test_every_operator(op: str, compiler: str) -> None:
     assert max(error) <= 8 * np.finfo(float).eps * max(1.0, *(abs(float(x)) for x in exact))
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("seed", range(4))
+@each("compiler", COMPILERS)
+@each("seed", range(4))
 def test_mixed_functions_with_the_mathematical_library(seed: int, compiler: str) -> None:
     operators = f"{LIBRARY} stumpff table add sub mul div select lt"
     function, given = random_function(100 + seed, 60, operators), values(seed)

@@ -20,6 +20,7 @@ from cardan.ir.matrix import Matrix
 from cardan.spatial.exponential import exp
 from elements.force_bench import BY_MASS, INSTANCES, RATES, STATE, Bench
 from spatial.numbers_of import block, close, difference, moving, numbers
+from table import each
 
 
 @pytest.fixture(params=INSTANCES)
@@ -64,7 +65,7 @@ BETWEEN = [n for n, e in INSTANCES.items() if e.kind in ("spring_damper", "maxwe
 BETWEEN += BY_MASS
 
 
-@pytest.mark.parametrize("name", BETWEEN)
+@each("name", BETWEEN)
 def test_forces_between_frames_are_balanced(name: str) -> None:
     """Force and moment about the origin of what acts between two frames sum to zero."""
     bench = Bench(INSTANCES[name])
@@ -243,7 +244,7 @@ BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
 }
 
 
-@pytest.mark.parametrize("make", BAD)
+@each("make", BAD)
 def test_bad_input_is_named(make: str) -> None:
     call, message = BAD[make]
     with pytest.raises(cd.ModelError, match=message):

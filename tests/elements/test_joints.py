@@ -16,6 +16,7 @@ from cardan.model.units import unit
 from elements.joint_bench import CURVE, INSTANCES, Bench, a
 from elements.written_of import converted
 from spatial.numbers_of import block, close, difference, unskew
+from table import each
 
 
 @pytest.fixture(params=INSTANCES)
@@ -171,7 +172,7 @@ BAD: dict[str, tuple[Callable[[], Joint], str]] = {
 }
 
 
-@pytest.mark.parametrize("make", BAD)
+@each("make", BAD)
 def test_bad_input_is_named(make: str) -> None:
     call, message = BAD[make]
     with pytest.raises(cd.ModelError, match=message):

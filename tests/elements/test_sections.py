@@ -13,6 +13,7 @@ import cardan as cd
 from cardan.elements.sections import SECTIONS, Section
 from cardan.errors import ModelError
 from cardan.topology import build
+from table import each
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 G = E / (2 * (1 + NU))
@@ -202,7 +203,7 @@ WRONG: Mapping[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("words", WRONG)
+@each("words", WRONG)
 def test_nonsense_is_refused(words: str) -> None:
     with pytest.raises(ModelError, match=words):
         WRONG[words]()

@@ -15,6 +15,7 @@ from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
 from cardan.ir.sympy_bridge import from_sympy
+from table import each
 
 X = [-1.0, 0.0, 0.5, 2.0, 3.0, 4.5]
 Y = [0.3, 1.0, -0.7, 0.4, 2.0, 1.9]
@@ -48,8 +49,8 @@ def test_a_periodic_table_ends_as_it_begins() -> None:
         cd.table(X, Y, "periodic")
 
 
-@pytest.mark.parametrize("kind", SCIPY)
-@pytest.mark.parametrize("order", [0, 1, 2, 3, 4])
+@each("kind", SCIPY)
+@each("order", [0, 1, 2, 3, 4])
 def test_expressions_and_their_derivatives(kind: str, order: int) -> None:
     """The SymPy expression, differentiated, as ir expression at many points."""
     x = sympy.Symbol("x")
@@ -85,7 +86,7 @@ def test_two_points_make_a_straight_line(kind: str) -> None:
     np.testing.assert_allclose(line(np.array([0.0, 2.0, 4.0])), [4.0, 0.0, -4.0], atol=1e-15)
 
 
-@pytest.mark.parametrize(
+@each(
     ("x", "y", "message"),
     [
         ([0, 1, 2], [0, 1], r"x has 3 entries and y has 2.*one y for every x"),

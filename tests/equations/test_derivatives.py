@@ -14,6 +14,7 @@ from cardan.errors import DerivationError
 from cardan.ir.interpreter import evaluate
 from laws.cases import bound, derived, states, values
 from mechanisms import ZOO
+from table import each
 
 SEED = 11
 DIGITS, STEP = 40, "1e-13"
@@ -82,13 +83,13 @@ def judge(
         assert error <= allowed * max(largest, 1.0), f"{function} by {name}: {error:.1e}"
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_inverse_dynamics(name: str) -> None:
     q, u = states(name)
     judge(derived(name), "inverse_dynamics", (*FORCES, "udot"), (q[-1], u[-1]))
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_forward_dynamics(name: str) -> None:
     q, u = states(name)
     judge(derived(name), "forward_dynamics", (*FORCES, "tau"), (q[-1], u[-1]))
@@ -104,8 +105,8 @@ JOINTS = {
 }
 
 
-@pytest.mark.parametrize("function", ["inverse_dynamics", "forward_dynamics"])
-@pytest.mark.parametrize("kind", JOINTS)
+@each("function", ["inverse_dynamics", "forward_dynamics"])
+@each("kind", JOINTS)
 def test_joints_that_are_carried(kind: str, function: str) -> None:
     # below two skew axes, so that all velocity products are there
     scene = cd.Model("carried", gravity=(0, 0, -9.81))
@@ -121,8 +122,8 @@ def test_joints_that_are_carried(kind: str, function: str) -> None:
     judge(equations, function, ("q", "u"), (q, rng.uniform(-2, 2, equations.system.nu)))
 
 
-@pytest.mark.parametrize("name", ["crane", "driven", "springs", "satellite", "free_mrp", "gripper"])
-@pytest.mark.parametrize("function", ["rhs", "outputs", "power", "energy", "bias", "qdot"])
+@each("name", ["crane", "driven", "springs", "satellite", "free_mrp", "gripper"])
+@each("function", ["rhs", "outputs", "power", "energy", "bias", "qdot"])
 def test_every_other_function(name: str, function: str) -> None:
     q, u = states(name)
     judge(derived(name), function, ("q", "u", "r", "p", "t"), (q[0], u[0]))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from cardan.equations.folded import fold
 from cardan.ir.interpreter import evaluate
+from table import each
 
 
 def rope(
@@ -68,8 +68,8 @@ WHOLE = {
 }
 
 
-@pytest.mark.parametrize("name", ["forward_dynamics", "inverse_dynamics"])
-@pytest.mark.parametrize("which", [*FOLDED, *WHOLE])
+@each("name", ["forward_dynamics", "inverse_dynamics"])
+@each("which", [*FOLDED, *WHOLE])
 def test_recursions_of_folded_trees(which: str, name: str) -> None:
     scene = (FOLDED | WHOLE)[which]()
     equations = cd.derive(scene, method="articulated", rewrites=())

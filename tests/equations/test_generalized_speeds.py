@@ -12,6 +12,7 @@ import cardan as cd
 from cardan.equations.relative import FORMALISMS
 from laws.cases import call
 from mechanisms.rolling import COIN, coin
+from table import each
 
 CHOOSING = [name for name, formalism in FORMALISMS.items() if formalism.chooses]
 EXACT = ("multipliers", "elimination", "null_space")
@@ -28,7 +29,7 @@ def bob() -> cd.Model:
     return scene
 
 
-@pytest.mark.parametrize(
+@each(
     ("method", "way"),
     [(m, EXACT[n % 3]) for n, m in enumerate(CHOOSING)] + [("kane", "null_space")],
 )

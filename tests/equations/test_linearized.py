@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
+from table import each
 
 ROOT = Path(__file__).parents[2]
 BICYCLE = json.loads((ROOT / "tests/references/bicycle_linear.json").read_text())["reference"]
@@ -71,7 +72,7 @@ def test_chosen_inputs_and_outputs() -> None:
         np.testing.assert_allclose(found[name], getattr(numbers, name), atol=1e-12)
 
 
-@pytest.mark.parametrize(
+@each(
     ("asked", "said"),
     [
         ({"q": {"rop": 0.1}}, "Did you mean 'rope'"),

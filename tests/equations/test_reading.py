@@ -21,6 +21,7 @@ from cardan.ir.sympy_bridge import to_sympy
 from equations.classical import CLASSICAL
 from mechanisms import ZOO
 from spread import some
+from table import each
 
 
 def chain(n: int, planar: bool = True) -> cd.Model:
@@ -166,7 +167,7 @@ def test_one_screen() -> None:
     assert max(map(len, text.splitlines())) <= 120
 
 
-@pytest.mark.parametrize(
+@each(
     ("name", "tex"),
     [
         ("theta1", r"\theta_{1}"),

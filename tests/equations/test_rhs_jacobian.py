@@ -15,6 +15,7 @@ from laws import circuits
 from laws.cases import bound, derived, states, values
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
+from table import each
 
 SEED = 3
 DIGITS, STEP = 40, "1e-13"
@@ -66,7 +67,7 @@ def judge(equations: Any, q: Array, u: Array, allowed: float, **more: Any) -> No
         assert np.abs(by_x[:, :nq][:, place] @ q[place]).max() <= allowed * size
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_trees(name: str) -> None:
     equations, (q, u) = derived(name), states(name)
     blocks = values(equations, q=q[-1], u=u[-1])

@@ -9,6 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.equations.relative import FORMALISMS
+from table import each
 
 G = 9.81
 BALL = (0.1, 0.1, 0.1)
@@ -97,7 +98,7 @@ def test_accelerations_stand_in_outputs_but_not_in_force_laws() -> None:
         cd.derive(scene).function("forward_dynamics")
 
 
-@pytest.mark.parametrize("method", FORMALISMS)
+@each("method", FORMALISMS)
 def test_a_massless_tip_is_named(method: str) -> None:
     scene = cd.Model("tip")
     arm = scene.body("arm", mass=1, com=(0.5, 0, 0), inertia=BALL)
@@ -131,7 +132,7 @@ def test_small_matrices_come_out_as_a_textbook_has_them() -> None:
         assert equations.bias == sympy.Matrix([turning, g * m * d * sympy.sin(angle)])
 
 
-@pytest.mark.parametrize("method", FORMALISMS)
+@each("method", FORMALISMS)
 def test_motion_as_an_expression_of_an_input(method: str) -> None:
     """A table that turns by twice an input carries a point mass on a pin.
 

@@ -7,7 +7,6 @@ import time
 from xml.etree import ElementTree
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from equations.classical import CLASSICAL
@@ -15,6 +14,7 @@ from equations.slider_crank import by_angles, by_relative_angle
 from equations.test_reading import chain
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
+from table import each
 
 
 def html(shown: object) -> ElementTree.Element:
@@ -72,7 +72,7 @@ def test_long_ones_say_how_many_intermediates() -> None:
     assert re.search(r"h: \d+ intermediates, equations.symbolic\('bias'\)", found)
 
 
-@pytest.mark.parametrize("name", [*list(ZOO)[::12], *list(CLOSED)[::2]])
+@each("name", [*list(ZOO)[::12], *list(CLOSED)[::2]])
 def test_nothing_takes_long(name: str) -> None:
     scene = (ZOO.get(name) or CLOSED[name]).build()
     equations = cd.derive(scene)

@@ -9,6 +9,7 @@ import sympy as sp
 import cardan as cd
 from cardan.equations.relative import FORMALISMS
 from equations.classical import CLASSICAL, Classical
+from table import each
 
 
 def terms(entry: sp.Expr) -> int:
@@ -16,8 +17,8 @@ def terms(entry: sp.Expr) -> int:
     return 0 if entry == 0 else len(sp.Add.make_args(sp.expand(entry)))
 
 
-@pytest.mark.parametrize("method", list(FORMALISMS))
-@pytest.mark.parametrize("name", CLASSICAL)
+@each("method", list(FORMALISMS))
+@each("name", CLASSICAL)
 def test_equal_to_the_book(name: str, method: str) -> None:
     book = CLASSICAL[name]
     equations = cd.derive(book.scene(), method=method)

@@ -18,6 +18,7 @@ import cardan as cd
 from cardan.analyses import outcome
 from cardan.cli import build_parser
 from cardan.runtime.conduct import EVENT, FINISHED
+from table import each
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
@@ -53,13 +54,13 @@ def test_python_prints_what_is_shown(page: Path, tmp_path: Path) -> None:
         assert re.search(pattern, done.stdout), f"{page.name} shows:\n{shown}\n{done.stdout}"
 
 
-@pytest.mark.parametrize("line", COMMANDS)
+@each("line", COMMANDS)
 def test_commands_can_be_typed(line: str) -> None:
     words = shlex.split(line)
     assert build_parser(words[0]).parse_args(words).command == words[0]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@each("page", PAGES)
 def test_links(page: Path) -> None:
     links = re.findall(r"\]\(([^)#]+)[^)]*\)", page.read_text(encoding="utf-8"))
     missing = [x for x in links if "://" not in x and not (page.parent / x).exists()]

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from cardan.cli import build_parser
+from table import each
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -41,6 +42,6 @@ def test_command_lines(line: str) -> None:
     assert build_parser(words[0]).parse_args(words).command == words[0]
 
 
-@pytest.mark.parametrize("link", re.findall(r"\]\(([^)]+)\)", TEXT))
+@each("link", re.findall(r"\]\(([^)]+)\)", TEXT))
 def test_links(link: str) -> None:
     assert (ROOT / link).exists()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from table import each
 
 DURATION, ROWS = 5.0, 50
 # roundings of 1e4 steps, each of some eps, as a random walk: 1e-14; with a margin
@@ -24,8 +25,8 @@ def top() -> cd.CompiledModel:
     return cd.compile(scene, coordinates="absolute")
 
 
-@pytest.mark.parametrize("step", [5e-4, 1e-3, 2e-3, 4e-3])
-@pytest.mark.parametrize("spin", [(0.1, 0.2, 5.0), (1.0, 2.0, 60.0)])
+@each("step", [5e-4, 1e-3, 2e-3, 4e-3])
+@each("spin", [(0.1, 0.2, 5.0), (1.0, 2.0, 60.0)])
 def test_b11_energy_is_kept_at_any_step(step: float, spin: tuple[float, float, float]) -> None:
     """Multipliers that move nothing grew with the angle since the last tangent, over all bounds."""
     model = top()

@@ -14,6 +14,7 @@ from cardan.errors import ModelWarning, SolveError
 from cardan.runtime import verify_constraints
 from mechanisms import ZOO
 from mechanisms.overconstrained import bennett, bennett_angles
+from table import each
 
 
 def door(last: str) -> cd.Model:
@@ -141,8 +142,8 @@ def test_a4_bodies_without_inertia_hide_no_others(how: dict[str, float]) -> None
     assert np.abs(motion.energy.total - motion.energy.total[0]).max() < 1e-4
 
 
-@pytest.mark.parametrize("method", ["DOP853", "Radau", "RK4"])
-@pytest.mark.parametrize("cut", ["j1", "j2", "j3"])
+@each("method", ["DOP853", "Radau", "RK4"])
+@each("cut", ["j1", "j2", "j3"])
 def test_a5_rows_that_pass_through_zero_are_no_dead_points(method: str, cut: str) -> None:
     """The rows that were kept were told by their own size: one that vanishes took others along."""
     scene = bennett()

@@ -12,6 +12,7 @@ import cardan as cd
 from analyses.interpreted import without_compiler
 from cardan.runtime.absolute.pattern import pattern
 from cardan.runtime.absolute.stages import stages
+from table import each
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -142,8 +143,8 @@ STEPS = {
 }
 
 
-@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
-@pytest.mark.parametrize("name", STEPS)
+@each("coordinates", ["relative", "absolute"])
+@each("name", STEPS)
 def test_step_loads_are_exact(name: str, coordinates: str) -> None:
     """Jumps of Piecewise were sampled: a momentum of 20.010 for 20."""
     model = pushed(STEPS[name], coordinates)
@@ -231,8 +232,8 @@ def test_at_gives_the_rows_of_a_run_with_output_times() -> None:
     np.testing.assert_array_equal(backward.at(0.1), backward.x[2])
 
 
-@pytest.mark.parametrize("exponent", [1.0, 1.5])
-@pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9, 1.0])
+@each("exponent", [1.0, 1.5])
+@each("restitution", [0.2, 0.5, 0.9, 1.0])
 def test_a_contact_has_the_restitution_that_is_asked_for(
     restitution: float, exponent: float
 ) -> None:

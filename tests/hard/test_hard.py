@@ -1,4 +1,7 @@
-"""Every method on every hard case: the status and the error that its table allows."""
+"""Every method on every hard case: the status and the error that its table allows.
+
+By default every method and every case some times; ``make slow`` runs the other cells.
+"""
 
 from __future__ import annotations
 
@@ -12,20 +15,30 @@ import pytest
 from hard import CASES
 from hard.case import METHODS, Case, Cell, Never, measure
 from hard.page import PAGE, expectation
+from spread import some
 
 ASKED = pytest.mark.skipif("CARDAN_HARD" not in os.environ, reason="asked for by CARDAN_HARD=1")
 
 
-def cells() -> Iterator[Any]:
-    """Every cell that is measured; the slow ones only where they are asked for."""
+def cells(slow: bool) -> Iterator[Any]:
+    """Cells that are measured; the slow ones of a case only where they are asked for."""
     for case in CASES.values():
         for method, cell in case.expected.items():
-            if isinstance(cell, Cell):
-                marks = [pytest.mark.slow, ASKED] if method in case.slow else []
+            if isinstance(cell, Cell) and slow == (method in case.slow):
+                marks = [pytest.mark.slow, ASKED] if slow else []
                 yield pytest.param(case, method, marks=marks, id=f"{case.name}-{method}")
 
 
-@pytest.mark.parametrize(("case", "method"), list(cells()))
+QUICK = some(cells(slow=False), 4)
+
+
+def test_a_spread_has_every_method_and_every_case() -> None:
+    by_default = [cell.values for cell in QUICK if not cell.marks]
+    assert {method for _, method in by_default} == {cell.values[1] for cell in QUICK}
+    assert {case.name for case, _ in by_default} == {cell.values[0].name for cell in QUICK}
+
+
+@pytest.mark.parametrize(("case", "method"), [*QUICK, *cells(slow=True)])
 def test_cell(case: Case, method: str) -> None:
     cell = case.expected[method]
     assert isinstance(cell, Cell)

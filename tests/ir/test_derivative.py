@@ -15,6 +15,7 @@ from cardan.ir.graph import ONE, ZERO, Graph
 from cardan.ir.matrix import Matrix
 from cardan.ir.solve import KINDS, solve
 from ir.expressions import STATE, function, functions, leaves, y
+from table import each
 
 KINDS_OF_NUMBERS = ("float", "complex", "numpy", "mp")
 
@@ -55,8 +56,8 @@ CORNERS = {
 }
 
 
-@pytest.mark.parametrize("kind", KINDS_OF_NUMBERS)
-@pytest.mark.parametrize("name", CORNERS)
+@each("kind", KINDS_OF_NUMBERS)
+@each("name", CORNERS)
 def test_corners_have_the_documented_derivative(name: str, kind: str) -> None:
     make, at, expected = CORNERS[name]
     g = Graph()

@@ -12,6 +12,7 @@ from cardan.ir.function import Block, Function, Output
 from cardan.ir.grammar import check
 from cardan.ir.graph import ONE, Graph
 from ir.expressions import function, functions
+from table import each
 
 
 @settings(max_examples=60, deadline=None)
@@ -45,7 +46,7 @@ WRONG: dict[str, tuple[Any, ...]] = {
 }
 
 
-@pytest.mark.parametrize("rule", WRONG)
+@each("rule", WRONG)
 def test_broken_rules_are_named(rule: str) -> None:
     g = Graph()
     q = g.var("q", 0)

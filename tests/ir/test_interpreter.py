@@ -16,6 +16,7 @@ from cardan.ir.interpreter import ARITHMETICS, evaluate
 from cardan.ir.matrix import Matrix
 from cardan.ir.solve import KINDS, solve
 from ir.expressions import STATE, function, functions, y
+from table import each
 
 
 @settings(max_examples=80, deadline=None)
@@ -103,8 +104,8 @@ def system(kind: str, n: int = 3, m: int = 2) -> Function:
     return Function("x", g, blocks, (Output("X", (n, m), x.nodes),))
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-@pytest.mark.parametrize("kind", KINDS)
+@each("arithmetic", ARITHMETICS)
+@each("kind", KINDS)
 def test_systems(kind: str, arithmetic: str) -> None:
     a, b = np.array(DENSE), np.array(RIGHT)
     if kind == "rank_revealing":
@@ -140,8 +141,8 @@ def test_contradictions_are_refused(arithmetic: str) -> None:
         evaluate(system("rank_revealing"), values, arithmetic)
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-@pytest.mark.parametrize("kind", ["spd", "symmetric_indefinite"])
+@each("arithmetic", ARITHMETICS)
+@each("kind", ["spd", "symmetric_indefinite"])
 def test_singular_systems_are_refused(kind: str, arithmetic: str) -> None:
     values = {"q": [1, 0, 0, 0, 0, 0, 0, 0, 1], "u": [1] * 6}
     with pytest.raises(SolveError, match="singular"):

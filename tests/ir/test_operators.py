@@ -11,6 +11,7 @@ from cardan.ir.derivative import forward, gradient
 from cardan.ir.graph import ONE, Graph, Table
 from cardan.ir.ops import OPERATORS
 from ir.expressions import function, y
+from table import each
 
 EPS = math.ulp(1.0)
 
@@ -45,7 +46,7 @@ SCALAR = sorted(set(OPERATORS) - {"stumpff", "table"})
 CASES = [(name, x) for name in SCALAR for x in arguments(name)]
 
 
-@pytest.mark.parametrize(("name", "x"), CASES)
+@each(("name", "x"), CASES)
 def test_derivative_is_the_limit_of_differences(name: str, x: tuple[float, ...]) -> None:
     g = Graph()
     q = [g.var("q", k) for k in range(len(x))]
@@ -65,7 +66,7 @@ def test_derivative_is_the_limit_of_differences(name: str, x: tuple[float, ...])
             assert abs(value - expected) <= mpmath.mpf(10) ** -18 * (1 + abs(expected))
 
 
-@pytest.mark.parametrize(("name", "x"), CASES)
+@each(("name", "x"), CASES)
 def test_complex_step_agrees_with_the_derivative(name: str, x: tuple[float, ...]) -> None:
     g = Graph()
     q = [g.var("q", k) for k in range(len(x))]
@@ -81,7 +82,7 @@ def test_complex_step_agrees_with_the_derivative(name: str, x: tuple[float, ...]
             assert step == pytest.approx(exact, rel=300 * EPS, abs=4 * EPS)
 
 
-@pytest.mark.parametrize(("name", "x"), CASES)
+@each(("name", "x"), CASES)
 def test_kinds_of_numbers_agree(name: str, x: tuple[float, ...]) -> None:
     g = Graph()
     f = function(g, [g.apply(name, *[g.var("q", k) for k in range(len(x))])])
@@ -126,8 +127,8 @@ def test_outside_the_domain_is_what_c_gives() -> None:
 TABLE = Table((0.0, 1.0, 2.5), ((2.0, -1.0, 0.5, 0.25), (0.5, 1.0, -2.0, 1.75)))
 
 
-@pytest.mark.parametrize("x", [-0.5, 0.0, 0.6, 1.0, 2.2, 4.0])
-@pytest.mark.parametrize("derivative", [0, 1, 2, 3, 4])
+@each("x", [-0.5, 0.0, 0.6, 1.0, 2.2, 4.0])
+@each("derivative", [0, 1, 2, 3, 4])
 def test_table_and_its_derivatives(x: float, derivative: int) -> None:
     g = Graph()
     q = g.var("q", 0)

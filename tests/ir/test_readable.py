@@ -16,6 +16,7 @@ from cardan.ir.function import live
 from cardan.ir.graph import Graph
 from cardan.ir.readable import TooLong, readable
 from cardan.ir.sympy_bridge import from_sympy, to_sympy
+from table import each
 
 a, b, c, m, l, k = sp.symbols("a b c m l k")
 SYMBOLS = (a, b, c, m, l, k)
@@ -32,7 +33,7 @@ def read(expression: sp.Expr) -> sp.Expr:
     return readable(scalar(expression))
 
 
-@pytest.mark.parametrize(
+@each(
     ("given", "form"),
     [
         (m * sp.sin(a) ** 2 + m * sp.cos(a) ** 2, m),

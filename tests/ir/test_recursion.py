@@ -13,6 +13,7 @@ from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
 from cardan.ir.recursion import OUT, STORE, Recursion, Sweep, Visit
 from cardan.ir.serialize import from_dict, to_dict
+from table import each
 
 
 def power() -> Recursion:
@@ -79,7 +80,7 @@ def damaged() -> dict[str, tuple[Any, str]]:
     return found
 
 
-@pytest.mark.parametrize("name", damaged())
+@each("name", damaged())
 def test_damaged_ones_are_refused(name: str) -> None:
     data, words = damaged()[name]
     with pytest.raises(ValueError, match=words):

@@ -15,6 +15,7 @@ from cardan.ir.matrix import Matrix
 from cardan.ir.serialize import from_dict, to_dict
 from cardan.ir.solve import solve
 from ir.expressions import function, functions, y
+from table import each
 
 
 @settings(max_examples=60, deadline=None)
@@ -84,7 +85,7 @@ DAMAGE: list[tuple[tuple[Any, ...], Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("path", "value", "message"), DAMAGE)
+@each(("path", "value", "message"), DAMAGE)
 def test_damaged_functions_are_refused(path: tuple[Any, ...], value: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         from_dict(put(path, value))

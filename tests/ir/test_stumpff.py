@@ -13,6 +13,7 @@ from cardan.ir.derivative import forward, gradient
 from cardan.ir.graph import ONE, Graph
 from cardan.ir.ops import stumpff
 from ir.expressions import function, y
+from table import each
 
 EPS = math.ulp(1.0)
 ORDERS = range(8)
@@ -34,8 +35,8 @@ def amplitude(k: int, x: float) -> float:
     return abs(float(exact(k, x)))
 
 
-@pytest.mark.parametrize("k", ORDERS)
-@pytest.mark.parametrize("x", POINTS)
+@each("k", ORDERS)
+@each("x", POINTS)
 def test_value(k: int, x: float) -> None:
     # root, sine, two divisions: half a dozen roundings; cosh and sinh amplify those of the root
     bound = (8 + math.sqrt(abs(x))) * EPS * amplitude(k, x)
@@ -44,7 +45,7 @@ def test_value(k: int, x: float) -> None:
     assert of_arrays(k, np.array([0.5]))[0] == pytest.approx(stumpff(k, 0.5), rel=4 * EPS)
 
 
-@pytest.mark.parametrize("k", ORDERS)
+@each("k", ORDERS)
 def test_no_step_where_the_formula_changes(k: int) -> None:
     change = (k + 1) * (k + 2) / 2
     for edge in (change, -change):
@@ -60,8 +61,8 @@ def test_half_turns_keep_their_digits() -> None:
     assert stumpff(2, x) == pytest.approx(float(expected), rel=1e-9)
 
 
-@pytest.mark.parametrize("k", range(6))
-@pytest.mark.parametrize("x", POINTS)
+@each("k", range(6))
+@each("x", POINTS)
 def test_derivative(k: int, x: float) -> None:
     g = Graph()
     q = g.var("q", 0)
@@ -79,8 +80,8 @@ def exact_mp(k: int, x: mpmath.mpf) -> mpmath.mpf:
     return mpmath.fsum((-x) ** i / mpmath.factorial(k + 2 * i) for i in range(120))
 
 
-@pytest.mark.parametrize("k", range(6))
-@pytest.mark.parametrize("x", POINTS)
+@each("k", range(6))
+@each("x", POINTS)
 def test_complex_step(k: int, x: float) -> None:
     g = Graph()
     q = g.var("q", 0)

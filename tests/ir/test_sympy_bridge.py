@@ -16,6 +16,7 @@ from cardan.ir.matrix import Matrix
 from cardan.ir.solve import solve
 from cardan.ir.sympy_bridge import from_sympy, to_sympy, to_sympy_shared
 from ir.expressions import STATE, function, functions, y
+from table import each
 
 a, b, c = sp.symbols("a b c")
 EPS = math.ulp(1.0)
@@ -53,7 +54,7 @@ def converted(expression: sp.Expr) -> Function:
     return function(g, [from_sympy(g, expression, symbols)])
 
 
-@pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
+@each("expression", EXPRESSIONS)
 def test_values_agree_with_sympy(expression: sp.Expr) -> None:
     exact = expression.subs(
         {a: sp.Float("0.7", 30), b: sp.Float("0.3", 30), c: sp.Float("1.4", 30)}
@@ -63,7 +64,7 @@ def test_values_agree_with_sympy(expression: sp.Expr) -> None:
     assert value == pytest.approx(float(exact), rel=20 * EPS)
 
 
-@pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
+@each("expression", EXPRESSIONS)
 def test_there_and_back(expression: sp.Expr) -> None:
     f = converted(expression)
     names = {("q", k): s for k, s in enumerate((a, b, c))}
@@ -71,7 +72,7 @@ def test_there_and_back(expression: sp.Expr) -> None:
     assert y(again, POINT)[0] == pytest.approx(y(f, POINT)[0], rel=4 * EPS)
 
 
-@pytest.mark.parametrize(
+@each(
     ("expression", "message"),
     [
         (sp.Symbol("aa") * b, r"symbol 'aa' in 'aa\*b' is not known.*Did you mean 'a'\?"),
@@ -84,7 +85,6 @@ def test_there_and_back(expression: sp.Expr) -> None:
         (sp.Piecewise((a, a > b)), "end it with the piece"),
         (sp.Heaviside(a).diff(a), "DiracDelta"),
     ],
-    ids=str,
 )
 def test_what_cannot_be_converted_is_named(expression: sp.Expr, message: str) -> None:
     with pytest.raises(ModelError, match=message):

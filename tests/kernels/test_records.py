@@ -12,6 +12,7 @@ from cardan.analyses import record
 from cardan.errors import BuildError
 from cardan.runtime import cache, kernels, prebuilt
 from cardan.schema import records
+from table import each
 
 ANSWERS = (
     *("DONE", "MORE", "FULL", "STOPPED", "EVENT", "NOT_FINITE", "TOO_SMALL", "MODEL", "INPUT"),
@@ -45,7 +46,7 @@ def test_every_record_is_known() -> None:
     assert set(STRUCTURES) == set(records.RECORDS)
 
 
-@pytest.mark.parametrize("name", STRUCTURES)
+@each("name", STRUCTURES)
 def test_fields_begin_where_c_has_them(name: str) -> None:
     records.check(kernels.library(), name, STRUCTURES[name])
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from codegen.running import CONTRACT, STRICT, compilers, shared
+from table import each
 
 # the two ways through cardan_sincos: one angle, several at once; and the way of lanes
 SOURCE = """
@@ -87,7 +88,7 @@ def check(way: tuple[str, int, int], x: np.ndarray) -> float:
     return worst
 
 
-@pytest.mark.parametrize("way", WAYS, ids=lambda way: "-".join(map(str, way)))
+@each("way", WAYS)
 def test_error_up_to_1e5(way: tuple[str, int, int]) -> None:
     assert check(way, arguments(20_000)) <= STATED
 
@@ -117,7 +118,7 @@ def test_one_result_for_all_compilers_without_contraction() -> None:
     assert first.tobytes() == second.tobytes()
 
 
-@pytest.mark.parametrize("way", WAYS, ids=lambda way: "-".join(map(str, way)))
+@each("way", WAYS)
 def test_special_values(way: tuple[str, int, int]) -> None:
     huge = [1e22, -1e300, np.finfo(float).max]
     tiny = [5e-324, -1e-310, 1e-200]

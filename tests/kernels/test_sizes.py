@@ -11,6 +11,7 @@ import pytest
 from cardan.analyses import record
 from cardan.runtime import abi, abi_ctypes, kernels
 from cardan.schema.records import Run
+from table import each
 
 MOST = 2**63 - 1
 NEVER = ctypes.CFUNCTYPE(ctypes.c_int, *[ctypes.c_void_p] * 3)
@@ -71,7 +72,7 @@ ABSURD = [
 ]
 
 
-@pytest.mark.parametrize(("name", "size"), ABSURD)
+@each(("name", "size"), ABSURD)
 def test_run_refuses(name: str, size: int) -> None:
     run = Run()
     run.n, run.nx, run.nq, run.nu, run.nr, run.stages, run.dense_rows = 4, 4, 2, 2, 1, 16, 7

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from cardan.errors import DerivationError
 from cardan.ir.function import Function
@@ -11,6 +10,7 @@ from cardan.ir.interpreter import evaluate
 from cardan.passes import PASSES
 from laws.cases import EPS, derived, states, values
 from mechanisms import ZOO
+from table import each
 
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "energy")
 
@@ -20,8 +20,8 @@ def flat(function: Function, blocks: dict) -> np.ndarray:
     return np.concatenate([np.atleast_1d(found[o.name]).ravel() for o in function.outputs])
 
 
-@pytest.mark.parametrize("of", FUNCTIONS)
-@pytest.mark.parametrize("name", ZOO)
+@each("of", FUNCTIONS)
+@each("name", ZOO)
 def test_values_with_each_pass_alone(name: str, of: str) -> None:
     equations = derived(name)
     q, u = states(name)
@@ -36,7 +36,7 @@ def test_values_with_each_pass_alone(name: str, of: str) -> None:
         assert np.abs(flat(run(function), blocks) - plain).max() <= allowed, key
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_no_pass_adds_operations_to_energy(name: str) -> None:
     function = derived(name).function("energy")
     before = sum(function.operations().values())
@@ -48,7 +48,7 @@ def test_no_pass_adds_operations_to_energy(name: str) -> None:
     assert {key: more for key, more in grown.items() if more > 0} == {}
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_passes_come_to_rest_and_add_nothing(name: str) -> None:
     for of in ("forward_dynamics", "inverse_dynamics", "mass_matrix", "bias"):
         try:

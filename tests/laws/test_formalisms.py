@@ -14,23 +14,22 @@ from laws.test_absolute import both, carried
 from mechanisms import METHODS, ZOO
 from mechanisms.rolling import ROLLING
 from spread import some
+from table import each
 
 # all formalisms against Kane's on the system as it was described; those that recursions leave far
 # behind in speed on a spread
 FAST = ("newton_euler", "composite", "articulated")
 PAIRS = [(name, method) for name, member in ZOO.items() for method in member.methods[1:]]
-SHOWN = [
-    *(pair for pair in PAIRS if pair[1] in FAST),
-    *some([pair for pair in PAIRS if pair[1] not in FAST], 11),
-]
+QUICK = [pair for pair in PAIRS if pair[1] in FAST]
+OTHERS = [pair for pair in PAIRS if pair[1] not in FAST]
 
 
 def udot_of(name: str) -> np.ndarray:
     return np.random.default_rng(SEED + 1).uniform(-3, 3, states(name)[1].shape)
 
 
-@pytest.mark.parametrize(("name", "method"), SHOWN)
-def test_agreement(name: str, method: str) -> None:
+def agree(name: str, method: str) -> None:
+    """A formalism gives the functions that Kane's gives."""
     q, u = states(name)
     first, other = derived(name, "kane").as_described, derived(name, method)
     mass = call(first, "mass_matrix", q=q)["M"]
@@ -48,6 +47,16 @@ def test_agreement(name: str, method: str) -> None:
     }
     errors = {key: deviation(*pair) / allowed for key, pair in found.items()}
     assert {key: error.max() for key, error in errors.items() if error.max() > 1} == {}
+
+
+@each(("name", "method"), QUICK)
+def test_recursions_agree(name: str, method: str) -> None:
+    agree(name, method)
+
+
+@pytest.mark.parametrize(("name", "method"), some(OTHERS, 11))
+def test_other_formalisms_agree(name: str, method: str) -> None:
+    agree(name, method)
 
 
 SLOW = [method for method in METHODS if method not in (*FAST, "kane")]
@@ -68,7 +77,7 @@ def test_compiled(name: str, method: str) -> None:
     assert np.all(deviation(model.forward_dynamics(q, u, t=at), exact) <= bound(mass))
 
 
-@pytest.mark.parametrize("method", METHODS)
+@each("method", METHODS)
 def test_agreement_with_absolute_coordinates(method: str) -> None:
     """Every body with the equations of Newton and Euler, every joint with its constraints."""
     name = "spatial_chain"
@@ -90,8 +99,8 @@ def held_by(ball: Any, method: str) -> Any:
     return cd.derive(scene, method=method)
 
 
-@pytest.mark.parametrize(("kind", "sequence"), [(cd.Spherical, "XYZ"), (cd.Free, "zyx")])
-@pytest.mark.parametrize("method", METHODS)
+@each(("kind", "sequence"), [(cd.Spherical, "XYZ"), (cd.Free, "zyx")])
+@each("method", METHODS)
 def test_gimbal_lock_does_no_harm(method: str, kind: Any, sequence: str) -> None:
     """Where qdot = N u is infinite M, h and udot are what they are by quaternions."""
     angles = [0.3, np.pi / 2, 0.4]
@@ -106,14 +115,14 @@ def test_gimbal_lock_does_no_harm(method: str, kind: Any, sequence: str) -> None
         np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13 * size, err_msg=function)
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_mass_matrix_is_symmetric_and_positive(name: str) -> None:
     mass = call(derived(name), "mass_matrix", q=states(name)[0])["M"]
     np.testing.assert_allclose(mass, np.swapaxes(mass, -1, -2), rtol=1e-14, atol=1e-14 * mass.max())
     assert np.linalg.eigvalsh(mass).min() > 0
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_inverse_dynamics_is_mass_matrix_and_bias(name: str) -> None:
     (q, u), udot, e = states(name), udot_of(name), derived(name)
     mass = call(e, "mass_matrix", q=q)["M"]
@@ -126,7 +135,7 @@ def test_inverse_dynamics_is_mass_matrix_and_bias(name: str) -> None:
     np.testing.assert_allclose(tau, expected, rtol=0, atol=100 * np.finfo(float).eps * size)
 
 
-@pytest.mark.parametrize("name", ZOO)
+@each("name", ZOO)
 def test_forward_undoes_inverse(name: str) -> None:
     (q, u), udot, e = states(name), udot_of(name), derived(name)
     tau = call(e, "inverse_dynamics", q=q, u=u, udot=udot)["tau"]

@@ -11,6 +11,7 @@ import pytest
 
 import cardan as cd
 from mechanisms.space import dual_spin
+from table import each
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-13}
 I1, I2, I3, J = 2.0, 2.6, 3.1, 0.4
@@ -87,9 +88,9 @@ def spinning() -> cd.CompiledModel:
     return cd.compile(dual_spin())
 
 
-@pytest.mark.parametrize("damping", [0.0, 0.05])
-@pytest.mark.parametrize("nu", [1.2, -1.2, 0.4])
-@pytest.mark.parametrize("hs", [-8.0, -1.0, 0.1, 0.6, 1.2, 6.0])
+@each("damping", [0.0, 0.05])
+@each("nu", [1.2, -1.2, 0.4])
+@each("hs", [-8.0, -1.0, 0.1, 0.6, 1.2, 6.0])
 def test_dual_spin_is_stable_where_it_should(nu: float, hs: float, damping: float) -> None:
     """Undamped: a product of two signs. With a damper: least energy at the momentum that is kept.
 

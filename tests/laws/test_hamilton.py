@@ -12,6 +12,7 @@ from laws.cases import EPS, call, derived, states, values
 from mechanisms import METHODS, ZOO
 from mechanisms.rolling import ROLLING
 from spread import some
+from table import each
 
 STEP = 1e-5
 # error of a central difference: STEP^2 of the third derivative, and eps / STEP of rounding
@@ -87,7 +88,7 @@ def test_hamiltons_equations(name: str) -> None:
         assert np.dot(rates + by_q, u) == pytest.approx(lost, abs=CLOSE * size)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@each("method", METHODS)
 def test_every_formalism_has_them(method: str) -> None:
     name = "springs"
     (q, u), e, other = states(name), derived(name, method), derived(name, "kane").as_described
@@ -173,7 +174,7 @@ def written() -> cd.Model:
     return cd.from_sympy(([x], [v], [v], sympy.Matrix([[mass]]), [force]))
 
 
-@pytest.mark.parametrize("method", METHODS)
+@each("method", METHODS)
 def test_written_equations_have_no_energy_to_differentiate(method: str) -> None:
     if method != "composite":
         with pytest.raises(cd.DerivationError, match="made of written equations"):

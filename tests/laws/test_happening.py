@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 import cardan as cd
 from mechanisms import closed_planar
+from table import each
 
 G = 9.81
 FINE = {"rtol": 1e-11, "atol": 1e-12}
@@ -242,7 +243,7 @@ def test_stribeck_friction_falls_with_speed() -> None:
         assert model.applied([0.0], [v]) == pytest.approx([wanted], rel=1e-14)
 
 
-@pytest.mark.parametrize(
+@each(
     ("make", "message"),
     [
         (lambda: cd.Friction("x"), "give either coulomb"),

@@ -23,6 +23,7 @@ from cardan.explain.writers import WRITERS
 from codegen.running import STRICT, compilers
 from explain.tex import problems
 from spread import some
+from table import each
 
 NAMES = {
     "comment end": "*/ int main(void) {} /*",
@@ -153,7 +154,7 @@ def test_notebooks(word: str) -> None:
         assert set(page.tags) <= set(expected.tags) | {"msub", "msup", "msubsup", "mtext"}
 
 
-@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+@each("word", NAMES.values())
 def test_graphs_and_formulas(word: str) -> None:
     scene, plain = scene_of(word), scene_of("plain")
     kinds = [element.tag for element in ET.fromstring(scene.graph._repr_svg_()).iter()]

@@ -20,6 +20,7 @@ from mechanisms.overconstrained import (
     five_angles,
     five_revolutes,
 )
+from table import each
 
 KINDS = ("relative", "absolute")
 TIGHT = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-14}
@@ -43,8 +44,8 @@ def swing(t: float, x: np.ndarray) -> list[float]:
     return [x[1], 2.0 * 0.4 * pull / (0.15 + 2.0 * 0.4**2)]
 
 
-@pytest.mark.parametrize("coordinates", KINDS)
-@pytest.mark.parametrize("ways", WAYS, ids="-".join)
+@each("coordinates", KINDS)
+@each("ways", WAYS)
 def test_a_door_on_two_hinges_moves_as_on_one(ways: tuple[str, str], coordinates: str) -> None:
     """Whichever side either hinge is declared from; angles count from its first side."""
     times = np.linspace(0.0, 1.0, 21)
@@ -179,8 +180,8 @@ def test_linkages_of_five_turn_as_their_closed_forms(name: str, coordinates: str
     assert error < 1e-9
 
 
-@pytest.mark.parametrize("rtol", [1e-4, 1e-8, 1e-11])
-@pytest.mark.parametrize("name", LINKAGES)
+@each("rtol", [1e-4, 1e-8, 1e-11])
+@each("name", LINKAGES)
 def test_redundant_rows_cost_no_steps(name: str, rtol: float) -> None:
     """Stages of steps are open, and rows follow from others where they are closed: 2000 steps, or
     another motion, where 40 do it, unless rank is told by what gaps explain."""

@@ -11,6 +11,7 @@ from cardan.schema.functions import FUNCTIONS
 from laws.cases import EPS, SEED, derived, states, values
 from mechanisms import ZOO
 from spread import some
+from table import each
 
 # by the formalism that eliminates body by body where it takes the system
 METHOD = {
@@ -48,7 +49,7 @@ def test_spliced(name: str) -> None:
             )
 
 
-@pytest.mark.parametrize("name", COMPILED)
+@each("name", COMPILED)
 def test_compiled(name: str) -> None:
     e, blocks = derived(name, METHOD[name]), given(name)
     wanted = [f for f in looped(name) if f in ("forward_dynamics", "inverse_dynamics", "energy")]

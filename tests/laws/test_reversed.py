@@ -12,6 +12,7 @@ import cardan as cd
 from laws.cases import EPS, call, derived, deviation, slots, states
 from laws.circuits import EVERY
 from mechanisms import ZOO
+from table import each
 
 # the rotor of a drive turns on the declared parent: with that exchanged it is another machine;
 # that of a body has a joint that nobody declares
@@ -84,8 +85,8 @@ def test_reactions_are_opposite(both: tuple[str, Any, Any]) -> None:
         assert np.abs(one + other).max() < 1e7 * EPS * (1 + np.abs(one).max()), joint.name
 
 
-@pytest.mark.parametrize("every", [1, 2, 3])
-@pytest.mark.parametrize("name", EVERY)
+@each("every", [1, 2, 3])
+@each("name", EVERY)
 def test_circuits_of_joints_in_either_direction(name: str, every: int) -> None:
     """Each n-th joint exchanged, in the tree or closing a circuit: the same accelerations."""
     forth = EVERY[name].build()

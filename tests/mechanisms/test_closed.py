@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from mechanisms.carried import CARRIED
 from mechanisms.closed import CLOSED, Closed
+from table import each
 
 EVERY = [*CLOSED.values(), *CARRIED.values()]
 PLACES = np.linspace(-0.8, 0.8, 9)
@@ -15,7 +15,7 @@ PLACES = np.linspace(-0.8, 0.8, 9)
 SPEEDS = 1e-11
 
 
-@pytest.mark.parametrize("mechanism", EVERY, ids=repr)
+@each("mechanism", EVERY)
 def test_motions_are_allowed(mechanism: Closed) -> None:
     model = cd.compile(mechanism.build())
     moving = {joint["name"] for joint in model.manifest["joints"] if joint["q"]}
@@ -28,7 +28,7 @@ def test_motions_are_allowed(mechanism: Closed) -> None:
         np.testing.assert_allclose(model.constraint_rates(q, u), 0, atol=SPEEDS * size)
 
 
-@pytest.mark.parametrize("mechanism", EVERY, ids=repr)
+@each("mechanism", EVERY)
 def test_freedoms(mechanism: Closed) -> None:
     model = cd.compile(mechanism.build())
     cuts = model.manifest["cuts"]

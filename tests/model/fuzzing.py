@@ -1,4 +1,4 @@
-"""How much is tried by chance: the same spread every day, or as many new cases as are asked for."""
+"""How much is tried by chance: the same few every day, or as many new cases as are asked for."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, settings
 
 CASES = os.environ.get("CARDAN_FUZZ")
 FUZZ = settings(
-    max_examples=int(CASES or 300),
+    max_examples=int(CASES or 100),
     derandomize=CASES is None,
     database=None,
     deadline=None,

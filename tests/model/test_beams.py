@@ -18,6 +18,7 @@ from model.scene_schema import schema
 from model.test_scene import assert_same
 from model.test_scene_round_trip import again
 from model.test_scene_schema import document
+from table import each
 
 STEEL = {"E": 2.1e11, "nu": 0.3, "rho": 7850}
 SECTION = cd.section.circle(0.01)
@@ -207,7 +208,7 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
 }
 
 
-@pytest.mark.parametrize("words", WRONG)
+@each("words", WRONG)
 def test_refusals(words: str) -> None:
     with pytest.raises(ModelError, match=words):
         WRONG[words](cd.Model("m"))

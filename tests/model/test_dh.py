@@ -11,6 +11,7 @@ import sympy as sp
 
 import cardan as cd
 from cardan.errors import ModelError
+from table import each
 
 ROWS = [
     {"a": 0.1, "alpha": math.pi / 2, "d": 0.3, "theta": 0.2},
@@ -107,7 +108,7 @@ def test_motors_and_damping() -> None:
     assert with_motor.applied([0.1], [2.0])[0] == pytest.approx(-2.0 * (0.3 + 10.0))
 
 
-@pytest.mark.parametrize(
+@each(
     ("rows", "convention", "words"),
     [
         ([{"alfa": 1.0}], "standard", "row 1: 'alfa' does not exist.*Did you mean 'alpha'"),

@@ -13,6 +13,7 @@ import sympy as sm
 from sympy.physics import mechanics as me
 
 import cardan as cd
+from table import each
 
 T = me.dynamicsymbols._t
 Q, U = me.dynamicsymbols("q u")
@@ -27,7 +28,7 @@ def written(**changed: Any) -> cd.Model:
     return cd.from_sympy(tuple(parts.values()), parameters=values)
 
 
-@pytest.mark.parametrize(
+@each(
     ("changed", "words"),
     [
         ({"f": [sm.Symbol("k") * Q]}, r"1 symbol has no value: give parameters=\{'k'"),

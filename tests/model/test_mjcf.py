@@ -15,12 +15,13 @@ from cardan.spatial.numbers import about, of_quaternion, to_quaternion, unit, up
 from cardan.topology import build
 from model.fuzzing import FUZZ
 from model.mjcf_texts import SOLID, linkage, mujoco, one
+from table import each
 from topology.numbers_of import body_mass, frame_pose
 
 # masses
 
 
-@pytest.mark.parametrize(
+@each(
     ("geom", "mass", "moments"),
     [
         ('type="sphere" size="0.2" mass="3"', 3, [0.048] * 3),

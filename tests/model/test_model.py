@@ -13,6 +13,7 @@ from cardan.elements.joints import Revolute, Spherical
 from cardan.errors import ModelError
 from cardan.model import Model, inertia, shape, t
 from cardan.model.units import unit
+from table import each
 
 
 def scene_with_arm():
@@ -42,7 +43,7 @@ def test_unknown_child_names_the_joint_and_a_near_body():
     )
 
 
-@pytest.mark.parametrize(
+@each(
     ("act", "words"),
     [
         (lambda s: s.body("upper"), "'upper': the name is taken"),
@@ -160,7 +161,7 @@ def test_solids_against_integrals():
         inertia.rod(1.0, 1.0, axis="w")
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "factor", "si"),
     [
         ("", 1.0, ""),

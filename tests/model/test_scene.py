@@ -19,6 +19,7 @@ from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
 from cardan.model.files.scene import from_text, keys
 from cardan.topology import build
+from table import each
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -112,7 +113,7 @@ NEEDED: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize("kind", JOINTS)
+@each("kind", JOINTS)
 def test_every_joint_takes_its_own_keys(kind: str) -> None:
     """Each field, at its default where it has one, is a key with the same meaning."""
     given = NEEDED.get(kind, {})
@@ -156,7 +157,7 @@ FITTING: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("kind", FORCES)
+@each("kind", FORCES)
 def test_every_force_takes_its_own_keys(kind: str) -> None:
     names = [entry.name for entry in fields(FORCES[kind])]
     given = {name: VALUES.get(name, 0.5 + i) for i, name in enumerate(names)}

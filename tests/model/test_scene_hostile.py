@@ -8,11 +8,12 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
+from table import each
 
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.yaml"))
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@each("path", FILES)
 def test_refused(path: Path) -> None:
     """The first line of the file says the words of the error."""
     first = path.read_text(encoding="utf-8").splitlines()[0]

@@ -13,6 +13,7 @@ from cardan.codegen.fingerprint import fingerprint
 from cardan.model.files.urdf import from_text
 from mechanisms.closed import four_bar
 from mechanisms.closed_planar import four_bar_angles
+from table import each
 
 EPS = float(np.finfo(float).eps)
 
@@ -70,7 +71,7 @@ def test_a_four_bar_is_that_of_the_mechanisms() -> None:
     np.testing.assert_allclose(ours.forward_dynamics(q, u), udot, rtol=1e-13)
 
 
-@pytest.mark.parametrize(
+@each(
     ("kind", "more", "element"),
     [
         ("revolute", "", cd.Revolute((0, 0, 1))),
@@ -137,7 +138,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", REFUSED)
+@each("case", REFUSED)
 def test_refused(case: str) -> None:
     text, words = REFUSED[case]
     with pytest.raises(cd.CardanError) as caught:

@@ -18,6 +18,7 @@ from cardan.ir.solve import solve
 from cardan.passes import PASSES, optimize, standard
 from equations.trees import TREES, state, tree
 from ir.expressions import function, functions, y
+from table import each
 
 Pass = Callable[[Function], Function]
 
@@ -65,8 +66,8 @@ METHODS = {
 }
 
 
-@pytest.mark.parametrize("name", TREES)
-@pytest.mark.parametrize("method", METHODS)
+@each("name", TREES)
+@each("method", METHODS)
 def test_functions_of_trees(name: str, method: str) -> None:
     system, p = TREES[name].system, TREES[name].exact
     f = Equations(system, method).function(METHODS[method])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
 import cardan as cd
 from cardan.ir.function import operands
 from cardan.ir.ops import LEAVES
@@ -11,10 +9,11 @@ from cardan.passes import optimize, standard
 from cardan.passes.schedule import schedule, waiting
 from laws.cases import derived
 from mechanisms import ZOO
+from table import each
 
 
-@pytest.mark.parametrize("of", ["inverse_dynamics", "bias", "mass_matrix"])
-@pytest.mark.parametrize("name", tuple(ZOO)[::2])
+@each("of", ["inverse_dynamics", "bias", "mass_matrix"])
+@each("name", tuple(ZOO)[::2])
 def test_order_of_the_zoo(name: str, of: str) -> None:
     plain = optimize(derived(name).function(of), ("unroll", "reassociate"))
     ordered = schedule(plain)

@@ -16,6 +16,7 @@ from cardan.peers.peer import FUNCTIONS, Contender, installed
 from cardan.peers.tree import central, depth_first
 from cardan.runtime.judged import scene_of
 from mechanisms import ZOO
+from table import each
 
 EPS = float(np.finfo(float).eps)
 NEEDED = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "applied", "integrate")
@@ -50,7 +51,7 @@ def test_peers_agree(name: str, mechanism: str) -> None:
         assert relative(theirs, ours[function]) <= allowed, function
 
 
-@pytest.mark.parametrize("how", [Convention(*row) for row in np.ndindex(2, 2, 2, 2)])
+@each("how", [Convention(*row) for row in np.ndindex(2, 2, 2, 2)])
 def test_coordinates_of_others_and_back(how: Convention) -> None:
     model = compiled("satellite")
     scene = scene_of(model)

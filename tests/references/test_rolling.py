@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from table import each
 
 HERE = Path(__file__).parent
 BICYCLE = HERE.parents[1] / "examples" / "bicycle.yaml"
@@ -41,8 +42,8 @@ def steady(model: cd.CompiledModel, case: dict[str, float]) -> tuple[np.ndarray,
     return q, u
 
 
-@pytest.mark.parametrize("treatment", EXACT)
-@pytest.mark.parametrize("case", reference("coin_steady")["reference"]["cases"])
+@each("treatment", EXACT)
+@each("case", reference("coin_steady")["reference"]["cases"])
 def test_coin_rolls_in_circles(case: dict[str, float], treatment: str) -> None:
     model = coin(treatment)
     q, u = steady(model, case)

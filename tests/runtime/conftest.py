@@ -1,4 +1,4 @@
-"""A private compile cache for every test, and the hand-made pendulum."""
+"""A private compile cache for tests that look into it or harm it, and the hand-made pendulum."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ except ImportError:
 WAYS = ["ctypes"] + (["cython"] if _abi else [])
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache, and no temporary one beside it."""
     path = tmp_path / "cache"

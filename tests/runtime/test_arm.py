@@ -11,6 +11,8 @@ import cardan as cd
 from cardan.errors import BuildError, DerivationError, ModelError
 from cardan.runtime.saved import load
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 EPS = np.finfo(float).eps
 GRAVITY = np.array([0.0, 0.0, -9.81])
 MASSES = {"upper": 2.0, "lower": 1.5, "tool": 0.5}

@@ -17,7 +17,7 @@ import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
 from cardan.runtime import batch, cache, lanes, levels
 
-pytestmark = pytest.mark.optimized
+pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]
 
 WIDTHS = (1, 2, 4, 8)
 FUNCTIONS = ("forward_dynamics", "rhs", "pose", "energy")

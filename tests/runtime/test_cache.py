@@ -21,6 +21,7 @@ import pytest
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
 from cardan.runtime import cache, folder, levels, toolchain
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
     "import sys, pathlib; from cardan.runtime import cache; "
     "print(cache.build([pathlib.Path(sys.argv[1])]).path)"

@@ -16,6 +16,8 @@ from cardan.runtime.compiled import CompiledModel
 from cardan.runtime.saved import digest, load, parts, restore
 from runtime import pendulum
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 
 def test_what_it_is(model):
     assert repr(model).startswith("CompiledModel('pendulum', by hand: 1 body, 1 coordinate")

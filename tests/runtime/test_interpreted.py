@@ -14,6 +14,8 @@ from cardan.runtime import interpreted, toolchain
 from mechanisms import ZOO
 from spread import some
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 MEMBERS = ("double_pendulum", "satellite", "drives", "spherical_ZYX", "crane", "driven", "springs")
 # rounding of two orders of the same operations, by the condition of M where it is divided by
 CLOSE = 1e-12

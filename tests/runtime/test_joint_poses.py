@@ -21,6 +21,7 @@ from cardan.runtime.kind_poses import POSES, joints_of
 from cardan.runtime.newton_euler import poses
 from mechanisms import ZOO
 from mechanisms.rolling import ROLLING
+from table import each
 
 # every kind of joint once or more, told forth and back
 MEMBERS = (
@@ -92,7 +93,7 @@ def test_joints_that_move_alike_share_a_pose():
     assert manifest["poses"] == ["scene_pose_0", "scene_pose_1"] * 3
 
 
-@pytest.mark.parametrize("name", MEMBERS)
+@each("name", MEMBERS)
 def test_kinds_of_saved_runs_stand_as_the_poses_say(name):
     """Saved runs know kinds and numbers, models the poses as they were written."""
     model = cd.compile(ZOO[name].build() if name in ZOO else ROLLING[name]())

@@ -22,7 +22,7 @@ from cardan.runtime import cache, kernels, levels, prebuilt
 from cardan.runtime.compiled import CompiledModel
 from laws.test_tunings import LEVELS, runs
 
-pytestmark = pytest.mark.optimized
+pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]
 
 ROOT = Path(__file__).parents[2]
 # what a wheel may weigh and take [bytes, s on two cores]

@@ -10,6 +10,7 @@ from cardan.runtime.kind_poses import POSES, Curve, KindNumbers, pose_of
 from cardan.runtime.newton_euler import Scene, inverse_dynamics, mass_matrix
 from cardan.runtime.rotations import PARAMETERS, about
 from cardan.spatial.rotations import ROTATIONS
+from table import each
 
 SIZES = {
     "revolute": (1, 1),
@@ -130,8 +131,8 @@ def moved(s, q, u, h):
     return q
 
 
-@pytest.mark.parametrize("kind", ALL)
-@pytest.mark.parametrize("place", ["first", "last", "between"])
+@each("kind", ALL)
+@each("place", ["first", "last", "between"])
 def test_power_balance(kind, place):
     # without gravity uᵀ tau is the rate of the kinetic energy 1/2 uᵀ M u
     chain = {"first": [kind, "revolute"], "last": ["revolute", kind]}
@@ -150,7 +151,7 @@ def test_power_balance(kind, place):
     assert abs(u @ tau - rate) < 100 * h**2 + 100 * np.finfo(float).eps / h
 
 
-@pytest.mark.parametrize("kind", ALL)
+@each("kind", ALL)
 def test_mass_matrix_is_symmetric_and_positive(kind):
     s = scene(["revolute", kind, kind])
     M = mass_matrix(s, random_state(s)[0])
@@ -220,7 +221,7 @@ def test_prescribed_joint_moves_as_told():
         inverse_dynamics(told, q[1:], u[1:], udot[1:])
 
 
-@pytest.mark.parametrize("kind", ALL)
+@each("kind", ALL)
 def test_speeds_are_the_derivative_of_the_pose(kind):
     s = scene([kind])
     q, u, _ = random_state(s)

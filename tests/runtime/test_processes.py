@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 # what each kind of system lacks or has; locks of Windows belong to a handle, as those of flock do
 POSIX = ""
 NEITHER = "import os, random, sys; sys.modules['fcntl'] = None; del os.register_at_fork"

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from scipy.spatial.transform import Rotation
 
 from cardan.runtime.rotations import PARAMETERS, SEQUENCES, about, rotation_vector
+from table import each
 
 
 def vectors(reach: float) -> np.ndarray:
@@ -19,7 +19,7 @@ def test_all_sequences_are_there():
     assert len(SEQUENCES) == len(set(SEQUENCES)) == 24
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@each("name", PARAMETERS)
 def test_proper_orthogonal(name):
     kind = PARAMETERS[name]
     q = kind.of_vector(vectors(kind.reach))
@@ -29,7 +29,7 @@ def test_proper_orthogonal(name):
     assert np.abs(np.linalg.det(R) - 1).max() < 20 * np.finfo(float).eps
 
 
-@pytest.mark.parametrize("name", [n for n in PARAMETERS if n not in SEQUENCES])
+@each("name", [n for n in PARAMETERS if n not in SEQUENCES])
 def test_same_rotation_as_scipy(name):
     kind = PARAMETERS[name]
     v = vectors(kind.reach)
@@ -38,7 +38,7 @@ def test_same_rotation_as_scipy(name):
     assert np.abs(kind.matrix(kind.of_vector(v)) - expected).max() < 40 * np.finfo(float).eps
 
 
-@pytest.mark.parametrize("sequence", SEQUENCES)
+@each("sequence", SEQUENCES)
 def test_sequences_follow_the_case_rule_of_scipy(sequence):
     q = PARAMETERS[sequence].of_vector(vectors(3.0))
     expected = Rotation.from_euler(sequence, q).as_matrix()
@@ -56,7 +56,7 @@ def test_about_an_axis():
     assert np.allclose(R @ [1, 0, 0], [0, 1, 0], atol=2e-16)
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@each("name", PARAMETERS)
 def test_complex_step_is_the_derivative(name):
     kind = PARAMETERS[name]
     q = kind.of_vector(vectors(0.8 * kind.reach))

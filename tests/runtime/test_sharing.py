@@ -21,6 +21,8 @@ import cardan as cd
 from cardan.codegen import layout
 from cardan.runtime import cache, kernels, pickled
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 START = {"q": {"elbow": 0.4}}
 
 

@@ -13,6 +13,8 @@ from cardan.errors import BuildError
 from cardan.runtime import cache, toolchain
 from codegen.running import CONTRACT
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 
 def test_contraction_is_always_given():
     gcc = toolchain.Compiler(("gcc",), Path("gcc"), "gcc (Debian) 12.2.0")

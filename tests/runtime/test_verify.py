@@ -18,6 +18,8 @@ from cardan.runtime.judged import scene_of
 from cardan.runtime.truth import finite, truth_of
 from runtime import pendulum
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 WRONG = {
     "forward_dynamics": ("- in->w[1]", "+ in->w[1]"),
     "inverse_dynamics": ("in->udot[0]", "0.999 * in->udot[0]"),

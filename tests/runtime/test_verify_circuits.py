@@ -21,6 +21,7 @@ from cardan.runtime.compiled import CompiledModel
 from laws.test_cut_joints import INSTANCES, machine
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING
+from table import each
 
 OF_CIRCUITS = (
     "forward_dynamics",
@@ -46,8 +47,8 @@ def test_circuits_agree_to_rounding(name):
     assert result.worst < 1e-12
 
 
-@pytest.mark.parametrize("back", [False, True])
-@pytest.mark.parametrize("kind", ["screw", "constant velocity", "distance", "wheel that drifts"])
+@each("back", [False, True])
+@each("kind", ["screw", "constant velocity", "distance", "wheel that drifts"])
 def test_kinds_that_close_circuits_agree(kind, back):
     result = checked(machine(INSTANCES[kind], True, back), *OF_CIRCUITS).verify()
     assert set(OF_CIRCUITS) <= set(result.checked), str(result)

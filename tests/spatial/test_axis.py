@@ -10,6 +10,7 @@ from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from cardan.spatial.axis import complement, principal, rotation_about, unit
 from spatial.numbers_of import block, numbers
+from table import each
 
 EPS = np.finfo(float).eps
 PRINCIPAL = [s * np.eye(3)[k] for k in range(3) for s in (1.0, -1.0)]
@@ -20,7 +21,7 @@ OTHERS = [
 ]
 
 
-@pytest.mark.parametrize("n", PRINCIPAL + OTHERS, ids=str)
+@each("n", PRINCIPAL + OTHERS)
 def test_complements_make_a_right_handed_triad(n: np.ndarray) -> None:
     structural, graph = Graph(), Graph()
     for axis, values in (
@@ -33,8 +34,8 @@ def test_complements_make_a_right_handed_triad(n: np.ndarray) -> None:
         assert np.linalg.det(triad) == pytest.approx(1.0, abs=8 * EPS)
 
 
-@pytest.mark.parametrize("n", PRINCIPAL + OTHERS, ids=str)
-@pytest.mark.parametrize("angle", [0.0, 0.4, -2.0, 7.0])
+@each("n", PRINCIPAL + OTHERS)
+@each("angle", [0.0, 0.4, -2.0, 7.0])
 def test_rotation_about_an_axis_is_that_of_scipy(n: np.ndarray, angle: float) -> None:
     wanted = SciPy.from_rotvec(angle * n).as_matrix()
     for axis, values in (

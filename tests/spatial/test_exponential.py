@@ -20,6 +20,7 @@ from cardan.spatial.exponential import (
     quaternion_of,
 )
 from spatial.numbers_of import block, numbers
+from table import each
 
 EPS = np.finfo(float).eps
 DIRECTIONS = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (0.6, 0, -0.8), (-2 / 3, 1 / 3, 2 / 3)]
@@ -27,8 +28,8 @@ DIRECTIONS = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (0.6, 0, -0.8), (-2 / 3, 1 / 3, 
 ANGLES = [0.0, 1e-300, 1e-12, 1e-6, 0.0632, 0.0633, 1.0, 3.0, pi - 1e-6, pi - 1e-12]
 
 
-@pytest.mark.parametrize("direction", DIRECTIONS)
-@pytest.mark.parametrize("angle", ANGLES)
+@each("direction", DIRECTIONS)
+@each("angle", ANGLES)
 def test_logarithm_of_the_exponential(direction: tuple[float, ...], angle: float) -> None:
     v = angle * np.array(direction)
     graph = Graph()

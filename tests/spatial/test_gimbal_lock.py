@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from scipy.spatial.transform import Rotation
 
 from cardan.ir.function import Function, Output
@@ -11,10 +10,11 @@ from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
 from cardan.ir.matrix import Matrix
 from cardan.spatial.rotations import ROTATIONS, SEQUENCES
+from table import each
 
 
-@pytest.mark.parametrize("name", SEQUENCES)
-@pytest.mark.parametrize("distance", [0.0, 1e-14, 1e-12, 1e-8, 1e-4])
+@each("name", SEQUENCES)
+@each("distance", [0.0, 1e-14, 1e-12, 1e-8, 1e-4])
 def test_angles_reproduce_the_matrix_near_gimbal_lock(name: str, distance: float) -> None:
     graph = Graph()
     cells = Matrix(graph, 3, 3, [graph.var("q", k) for k in range(9)])

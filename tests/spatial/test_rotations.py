@@ -12,6 +12,7 @@ from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
 from cardan.spatial.rotations import ROTATIONS, SEQUENCES, Rotation, parametrization
 from spatial.numbers_of import block, close, difference, moving, numbers, unskew
+from table import each
 
 EPS = np.finfo(float).eps
 # largest angle that has coordinates
@@ -110,7 +111,7 @@ def test_rates_move_the_matrix_with_the_angular_velocity(rotation: Rotation, ang
 
 
 # rates of the others are not free; omega of rates is tested above
-@pytest.mark.parametrize("name", [name for name, r in ROTATIONS.items() if len(r.components) == 3])
+@each("name", [name for name, r in ROTATIONS.items() if len(r.components) == 3])
 def test_rates_of_an_angular_velocity_of_rates(name: str) -> None:
     rotation, graph = ROTATIONS[name], Graph()
     q, rate = block(graph, "q", 3), block(graph, "rate", 3)
@@ -136,8 +137,8 @@ def test_integrate_and_difference_are_inverse(rotation: Rotation, angle: float) 
     np.testing.assert_allclose(found, wanted, atol=40 * EPS)
 
 
-@pytest.mark.parametrize("name", SEQUENCES)
-@pytest.mark.parametrize("turns", [0.0, 4.0])
+@each("name", SEQUENCES)
+@each("turns", [0.0, 4.0])
 def test_angles_go_on_through_half_a_turn(name: str, turns: float) -> None:
     graph, sequence = Graph(), ROTATIONS[name]
     q, du = block(graph, "q", 3), block(graph, "du", 3)

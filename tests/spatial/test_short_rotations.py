@@ -20,6 +20,7 @@ from cardan.spatial.short_rotations import (
     slopes,
 )
 from spatial.numbers_of import block, numbers
+from table import each
 
 ROUNDING = 4 * 2.0**-53
 ANGLES = (1e-9, 1e-3, 0.1, 1.0, 2.0, 3.0, 3.14159)
@@ -30,8 +31,8 @@ FUNCTIONS: dict[str, tuple[tuple[float, ...], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
-@pytest.mark.parametrize("angle", ANGLES)
+@each("name", FUNCTIONS)
+@each("angle", ANGLES)
 def test_values_and_slopes(name: str, angle: float) -> None:
     coefficients, function = FUNCTIONS[name]
     x = block(Graph(), "q", 1)[0]
@@ -51,7 +52,7 @@ def test_values_and_slopes(name: str, angle: float) -> None:
     assert numbers(found.second, q=[float(square)]) == pytest.approx(float(wanted[2]), rel=1e-10)
 
 
-@pytest.mark.parametrize("angle", [0.0, *ANGLES])
+@each("angle", [0.0, *ANGLES])
 def test_rotation_vector(angle: float) -> None:
     wanted = angle * np.array([2.0, -1.0, 2.0]) / 3
     x, y, z, w = Rotation.from_rotvec(wanted).as_quat()

@@ -10,6 +10,7 @@ import pytest
 from cardan.elements.joints import Fixed, Revolute
 from cardan.model import Model
 from cardan.topology import build
+from table import each
 
 
 def random_scene(seed, bodies=12, closing=0):
@@ -30,7 +31,7 @@ def random_scene(seed, bodies=12, closing=0):
     return scene
 
 
-@pytest.mark.parametrize("seed", range(10))
+@each("seed", range(10))
 def test_path_matrix_is_the_inverse_of_the_tree(seed):
     graph = random_scene(seed).graph
     order = [graph.bodies.index(b) for b in graph.path.columns]
@@ -41,7 +42,7 @@ def test_path_matrix_is_the_inverse_of_the_tree(seed):
     np.testing.assert_array_equal(np.array(graph.incidence)[0] @ path, -1)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@each("seed", range(10))
 def test_circuits_are_orthogonal_to_incidence(seed):
     graph = random_scene(seed, closing=4).graph
     assert len(graph.closing) == 4

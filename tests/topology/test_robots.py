@@ -11,6 +11,7 @@ import pytest
 from cardan.errors import ModelError
 from cardan.model import load
 from cardan.topology import build
+from table import each
 from topology.numbers_of import body_mass, body_poses, values
 
 pin = pytest.importorskip("pinocchio")
@@ -43,7 +44,7 @@ def test_the_robots_are_there():
     assert len(FILES) == 69
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: p.stem)
+@each("path", FILES)
 def test_robot_as_pinocchio_reads_it(path):
     other = reference(path)
     if other is None:

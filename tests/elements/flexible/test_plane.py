@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from cardan.ir.interpreter import evaluate
 from elements.flexible.states import ELEMENTS, quaternion
+from table import each
 
 # in space and in the plane
 KINDS = {
@@ -72,8 +73,8 @@ class Pair:
         return found
 
 
-@pytest.mark.parametrize("name", ELEMENTS)
-@pytest.mark.parametrize("kinds", KINDS, ids="-".join)
+@each("name", ELEMENTS)
+@each("kinds", KINDS)
 def test_the_plane_is_a_part_of_space(name: str, kinds: tuple[str, str]) -> None:
     pair = Pair(name, kinds)
     inside = [6 * k + i for k in range(len(pair.moving)) for i in INSIDE]

@@ -12,6 +12,7 @@ from equations.absolute.cases import State, both
 from laws.circuits import EVERY, PLACES, compiled, scene_of, start
 from laws.test_cut_joints import INSTANCES, Pair
 from mechanisms.rolling import ROLLING
+from table import each
 
 # rounding of both ways, in multiples of eps times the condition number
 ROUNDING = 100
@@ -46,7 +47,7 @@ def circuit(name: str) -> State:
     return both(equations).at(q, u)
 
 
-@pytest.mark.parametrize("name", EVERY)
+@each("name", EVERY)
 def test_circuits(name: str) -> None:
     agree(circuit(name))
 
@@ -56,7 +57,7 @@ def pair(name: str, back: bool) -> Pair:
     return Pair(name, back)
 
 
-@pytest.mark.parametrize("name", INSTANCES)
+@each("name", INSTANCES)
 def test_joints_of_a_tree(name: str) -> None:
     own = pair(name, False)
     # a fixed joint makes one body of two
@@ -64,8 +65,8 @@ def test_joints_of_a_tree(name: str) -> None:
     assert agree(both(own.tree).at(own.q, own.u)) == known
 
 
-@pytest.mark.parametrize("back", [False, True], ids=["forth", "back"])
-@pytest.mark.parametrize("name", INSTANCES)
+@each("back", [False, True])
+@each("name", INSTANCES)
 def test_joints_that_close_circuits(name: str, back: bool) -> None:
     own = pair(name, back)
     assert agree(both(own.cut).at(*own.floating)) == {"pivot", "tested"}

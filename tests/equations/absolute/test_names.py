@@ -8,9 +8,10 @@ import pytest
 import cardan as cd
 from cardan.codegen.mesh import functions
 from laws.test_hostile_names import NAMES, scene_of
+from table import each
 
 
-@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+@each("word", NAMES.values())
 def test_functions_have_no_names_of_the_scene(word: str) -> None:
     plain = cd.derive(scene_of("plain"), coordinates="absolute")
     hostile = cd.derive(scene_of(word), coordinates="absolute")

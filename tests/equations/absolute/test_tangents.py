@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pytest
 
 import cardan as cd
 from cardan.equations.absolute.record import BlockKind, Group
@@ -17,6 +16,7 @@ from laws.circuits import scene_of
 from laws.test_cut_joints import INSTANCES, machine
 from mechanisms import ZOO
 from mechanisms.rolling import ROLLING
+from table import each
 
 Array = np.ndarray
 STEP = 1e-6
@@ -101,7 +101,7 @@ def _coordinates(block: BlockKind, rng: np.random.Generator) -> Array:
     return q
 
 
-@pytest.mark.parametrize("name", CHOSEN)
+@each("name", CHOSEN)
 def test_tangents_are_derivatives(name: str) -> None:
     reference = Reference(cd.derive(CHOSEN[name](), coordinates="absolute"), None, None)
     for group in reference.scene.groups:

@@ -9,6 +9,8 @@ import pytest
 import cardan as cd
 from cardan.runtime import toolchain
 
+pytestmark = pytest.mark.usefixtures("cache_directory")
+
 GENERAL = {"EA": 1e4, "GA": 1e4, "GJ": 10.0, "EI": 10.0}
 
 

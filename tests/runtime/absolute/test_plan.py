@@ -10,6 +10,7 @@ from cardan.runtime.absolute.pattern import Pattern, pattern
 from cardan.runtime.absolute.plan import Plan, plan
 from cardan.runtime.absolute.systems import assembled
 from runtime.absolute.structures import STRUCTURES, Structure, bars, grid, line
+from table import each
 
 
 def chain(n: int) -> Plan:
@@ -46,7 +47,7 @@ def test_elements_add_in_place() -> None:
     assert assembled(made, numbers).has_canonical_format
 
 
-@pytest.mark.parametrize("name", STRUCTURES)
+@each("name", STRUCTURES)
 def test_every_number_goes_to_its_own_place(name: str) -> None:
     made = STRUCTURES[name].plan()
     taken = np.zeros(made.factors, int)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from cardan.runtime.absolute.blocks import solution, solver
 from cardan.runtime.absolute.plan import Plan, plan
 from runtime.absolute.structures import values
+from table import each
 
 EPS = float(np.finfo(float).eps)
 
@@ -39,7 +39,7 @@ def drawn(seed: int) -> tuple[Plan, NDArray[np.float64]]:
     return made, (a + a.T) / 2 + 3 * np.diag(speeds.astype(float))
 
 
-@pytest.mark.parametrize("start", range(0, 200, 20))
+@each("start", range(0, 200, 20))
 def test_random_systems(start: int) -> None:
     """Replaced pivots are rare, and refinement makes up for them."""
     rare = 0

@@ -13,6 +13,7 @@ from cardan.runtime.absolute.blocks import ENOUGH, solution, solver
 from cardan.runtime.absolute.plan import Plan, plan
 from cardan.runtime.absolute.systems import assembled, balanced
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line, values
+from table import each
 
 EPS = float(np.finfo(float).eps)
 Case = tuple[Plan, NDArray[np.float64], NDArray[np.float64]]
@@ -64,7 +65,7 @@ def test_what_is_no_number_is_no_solution(place: int) -> None:
     assert by.refine(b, np.zeros(len(b)))[1] == np.inf
 
 
-@pytest.mark.parametrize("name", STRUCTURES)
+@each("name", STRUCTURES)
 def test_determinant_signs_and_smallest(name: str) -> None:
     drawn, a, numbers = made(STRUCTURES[name])
     by = solver(drawn)
