@@ -11,7 +11,7 @@ import cardan as cd
 from analyses.test_refused_circuits import braced, tilted
 from analyses.test_rounded import rounded
 from cardan.errors import ModelWarning, SolveError
-from cardan.runtime import verify_constraints
+from cardan.runtime.verification import constraints
 from mechanisms import ZOO
 from mechanisms.overconstrained import bennett, bennett_angles
 from table import each
@@ -59,25 +59,25 @@ def test_a1_every_build_compares_its_constraints(wrong: str) -> None:
     """No build compared g, G u + g_t and gamma with each other."""
     turn = np.array([[0.3, -1.0], [2.0, 0.5]])
 
-    def position(at: verify_constraints.Motion) -> np.ndarray:
+    def position(at: constraints.Motion) -> np.ndarray:
         return np.sin(at.q @ turn.T) + at.t[:, None] ** 2
 
-    def slopes(at: verify_constraints.Motion) -> np.ndarray:
+    def slopes(at: constraints.Motion) -> np.ndarray:
         return np.cos(at.q @ turn.T)[..., None] * turn
 
-    def rates(at: verify_constraints.Motion) -> np.ndarray:
+    def rates(at: constraints.Motion) -> np.ndarray:
         return np.einsum("nij,nj->ni", slopes(at), at.u) + 2 * at.t[:, None]
 
-    def gamma(at: verify_constraints.Motion) -> np.ndarray:
+    def gamma(at: constraints.Motion) -> np.ndarray:
         return np.sin(at.q @ turn.T) * (turn @ at.u) ** 2 - 2
 
-    def product(at: verify_constraints.Motion, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def product(at: constraints.Motion, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return slopes(at) @ x, np.abs(slopes(at) * x).max(axis=1)
 
     q, u, udot = np.array([[0.2, 0.4], [1.0, -0.7], [0.3, 0.9]])
-    at = verify_constraints.Motion(np.asarray(0.3), q, u, np.zeros(0), u, udot, np.zeros(0))
+    at = constraints.Motion(np.asarray(0.3), q, u, np.zeros(0), u, udot, np.zeros(0))
     right = {"position": position, "rates": rates, "product": product, "gamma": gamma}
-    found = verify_constraints.worst(verify_constraints.Levels(**right), [at])
+    found = constraints.worst(constraints.Levels(**right), [at])
     assert max(found.values()) < 1e-12
     good, part = right[wrong], (1.0 + 1e-7)
     forged = {
@@ -85,9 +85,7 @@ def test_a1_every_build_compares_its_constraints(wrong: str) -> None:
         "gamma": lambda at: good(at) * part,
         "product": lambda at, x: (good(at, x)[0] * part, good(at, x)[1]),
     }
-    found = verify_constraints.worst(
-        verify_constraints.Levels(**(right | {wrong: forged[wrong]})), [at]
-    )
+    found = constraints.worst(constraints.Levels(**(right | {wrong: forged[wrong]})), [at])
     assert max(found.values()) > 1e-9
 
 

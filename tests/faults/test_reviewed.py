@@ -16,10 +16,9 @@ from cardan.arguments import kinds_of, read
 from cardan.errors import ArgumentError, BuildError
 from cardan.runtime.verification import elements
 from cardan.runtime.verification.asked import Asked
-from cardan.runtime.verification.differences import missing, worst_of
+from cardan.runtime.verification.differences import missing, relative, worst_of
 from cardan.runtime.verification.members import Members
 from cardan.runtime.verify import verify
-from cardan.runtime.verify_circuits import relative
 from mechanisms.pendulums import double_pendulum
 
 

@@ -17,10 +17,10 @@ from cardan.runtime import truth
 from cardan.runtime.joint_motion import JointData, joint_data
 from cardan.runtime.judged import scene_of
 from cardan.runtime.verification.asked import Asked
+from cardan.runtime.verification.differences import BOUND
 from cardan.runtime.verification.elements import judged
 from cardan.runtime.verification.members import Members, members_of
 from cardan.runtime.verify import verify
-from cardan.runtime.verify_tree import BOUND
 from cardan.schema.functions import FUNCTIONS
 from mechanisms import ZOO, flexible
 

@@ -9,22 +9,19 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from ..errors import BuildError, SolveWarning, warn
-from . import verify_constraints
 from .calling import Array
 from .closed_states import bound, unbound
 from .judged import scene_of, unknown
 from .newton_euler import EMPTY, Scene
 from .objects import Key
 from .truth import Truth, drawn, finite, largest, masses, truth_of
+from .verification import constraints, core, samples
 from .verification.asked import Asked
+from .verification.differences import BOUND
 from .verification.elements import judged as by_laws
-from .verification.judges import judged
+from .verification.judges import Check, by_text, judged
+from .verification.loops import singular
 from .verification.members import STATES, members_of
-from .verification.written import written
-from .verify_circuits import CHECKS, singular
-from .verify_samples import APART, samples_of
-from .verify_samples import error as sampled
-from .verify_tree import BOUND, NOWHERE, SINGULAR, Check, check
 from .written_bounds import written as constrained
 
 if TYPE_CHECKING:
@@ -41,19 +38,9 @@ LAWS = "quadrature along elements, and the laws of mechanics"
 NEWTON_EULER = "an independent Newton-Euler in NumPy"
 SAMPLES = "the numbers of SymPy"
 DIFFERENCES = "differences of the constraints"
-CHECKED = (
-    "mass_matrix",
-    "bias",
-    "gravity",
-    "coriolis",
-    "inverse_dynamics",
-    "forward_dynamics",
-    "qdot",
-    "rhs",
-    *CHECKS,
-)
-# What circuits bind.
-BOUND_BY_CIRCUITS = ("forward_dynamics", "rhs", *CHECKS)
+NOWHERE = "not checked: the forces of the model are nowhere finite"
+CHECKED = tuple(core.JUDGES)
+CHECKED_KEYS = [(name, None) for name in CHECKED]
 
 
 @dataclass(frozen=True)
@@ -126,7 +113,7 @@ def verify(
         keys = [(key, None) if isinstance(key, str) else key for key in functions]
     found = _judged(model, states, seed, keys, functions is None)
     names = None if functions is None else [name for name, of in keys if of is None]
-    differences = verify_constraints.checks(model, names, states, seed)
+    differences = constraints.checks(model, names, states, seed)
     return _approved(model, _together(found, differences, states))
 
 
@@ -159,47 +146,47 @@ def _judged(
     if "mesh" in model.manifest:
         elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
         return _of_elements(model, elements, states, seed)
-    wanted = [name for name in CHECKED if (name, None) in keys]
-    others = [key for key in keys if key[1] is not None or key[0] not in CHECKED]
+    order = [key for key in CHECKED_KEYS if key in keys]
+    order += [key for key in keys if key not in order]
+    if samples.samples_of(model):
+        found = [
+            Check(key[0], *samples.error(model, key[0]))
+            if key in CHECKED_KEYS
+            else _by_text(model, [key], states, seed, samples.APART)[0]
+            for key in order
+        ]
+        return Verification(model.name, len(samples.samples_of(model)), tuple(found), SAMPLES)
+    asked = _asked(model, states, seed, keys)
+    if isinstance(asked, str):
+        return Verification(model.name, 0, tuple(_by_text(model, order, states, seed, asked)))
+    if not len(asked.truth.q):
+        return Verification(model.name, 0, tuple(_by_text(model, order, states, seed, NOWHERE)))
+    checks = tuple(judged(asked, key, whole) for key in order)
+    if any(check.reason.endswith(core.SINGULAR) for check in checks):
+        warn(_singular_words(model, asked.truth.M), SolveWarning)
+    return Verification(model.name, len(asked.truth.q), checks)
+
+
+def _asked(model: CompiledModel, states: int, seed: int, keys: Sequence[Key]) -> Asked | str:
+    """A model at states at which it can be judged; or why there are none."""
     reason = unknown(model)
-    if samples_of(model):
-        found = [Check(name, *sampled(model, name)) for name in wanted]
-        found += _by_text(model, others, states, seed, APART)
-        return Verification(model.name, len(samples_of(model)), tuple(found), SAMPLES)
     if reason or not keys:
-        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, reason)
-        return Verification(model.name, 0, tuple(checks))
+        return reason
     scene, why = scene_of(model), _unjudged(model)
     solved = scene.nu > model.nu
     if why and solved:
         # without states at which its circuits are closed nothing of it can be compared
-        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, why)
-        return Verification(model.name, 0, tuple(checks))
+        return why
     truth = _truth(model, scene, states, seed, circuits=not why and bound(model))
     if bound(model) and not why and truth.bound is None:
         why = (
             "not checked: no position was found in which the circuits close to 1e-12 of their "
             "size; redundant conditions of rounded numbers leave more"
         )
-    if why and solved and truth.bound is None:
-        checks = _by_text(model, [*((n, None) for n in wanted), *others], states, seed, why)
-        return Verification(model.name, 0, tuple(checks))
-    core = [
-        Check(name, np.nan, why)
-        if why and name in BOUND_BY_CIRCUITS
-        else check(model, scene, truth, name)
-        for name in wanted
-    ]
-    if any(c.reason == SINGULAR for c in core):
-        warn(_singular_words(model, truth.M), SolveWarning)
-    core = [_also_by_text(model, truth, c) if whole or c.reason else c for c in core]
+        if solved:
+            return why
     known = frozenset([*keys, *model._functions])
-    asked = Asked(model, scene, truth, known, why.removeprefix("not checked: "))
-    if not len(truth.q):
-        core += _by_text(model, others, states, seed, NOWHERE)
-    else:
-        core += [_said(key, *found) for key, found in judged(asked, others, whole).items()]
-    return Verification(model.name, len(truth.q), tuple(core))
+    return Asked(model, scene, truth, known, why.removeprefix("not checked: "))
 
 
 def _of_elements(
@@ -234,36 +221,12 @@ def _of_elements(
     return Verification(model.name, states, tuple(checks), LAWS)
 
 
-def _said(key: Key, error: float, why: str) -> Check:
-    """What a judge found: its error, or that of the text, and why."""
-    name, of = key
-    label = f"{name}({of!r})" if of else name
-    return Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
-
-
 def _by_text(
     model: CompiledModel, keys: Sequence[Key], states: int, seed: int, reason: str
 ) -> list[Check]:
     """Functions that nothing speaks for but what they were written from."""
-    if not keys:
-        return []
-    truth = drawn(model, states, seed)
-    asked = Asked(model, EMPTY, truth)
-    return [_text(asked, key, reason) for key in keys]
-
-
-def _text(asked: Asked, key: Key, reason: str) -> Check:
-    error = written(asked, *key)
-    label = f"{key[0]}({key[1]!r})" if key[1] else key[0]
-    return Check(label, np.nan, reason, np.nan if isinstance(error, str) else error)
-
-
-def _also_by_text(model: CompiledModel, truth: Truth, check: Check) -> Check:
-    """A check that says too how C and its expressions agree."""
-    if not len(truth.q) or check.reason == SINGULAR:
-        return check
-    error = written(Asked(model, EMPTY, truth), check.function, None)
-    return replace(check, written=np.nan if isinstance(error, str) else error)
+    asked = Asked(model, EMPTY, drawn(model, states, seed)) if keys else None
+    return [by_text(asked, key, reason) for key in keys] if asked else []
 
 
 def _approved(model: CompiledModel, result: Verification) -> Verification:
@@ -307,8 +270,8 @@ def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[st
     new = list(fresh)
     found = _of_elements(model, elements, STATES, 1, new)
     differences: dict[str, float | str] = {}
-    if model.manifest["multipliers"] and any(verify_constraints.binds(name) for name in new):
-        differences = verify_constraints.said(verify_constraints.of_elements(model, elements, 3, 1))
+    if model.manifest["multipliers"] and any(constraints.binds(name) for name in new):
+        differences = constraints.said(constraints.of_elements(model, elements, 3, 1))
     _approved(model, _together(found, differences, STATES))
 
 

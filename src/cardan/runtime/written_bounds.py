@@ -1,7 +1,7 @@
 """Constraints that the user wrote, as conditions on the accelerations of the judge.
 
 Their Jacobian is the model's own, which differences of the constraints judge
-(:mod:`.verify_constraints`); what they ask of accelerations follows from their rates along a
+(:mod:`.verification.constraints`); what they ask of accelerations follows from their rates along a
 motion. They hold at any state, whether it fulfils the constraints or not.
 """
 

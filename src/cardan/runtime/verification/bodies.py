@@ -6,8 +6,8 @@ import numpy as np
 
 from ..joint_motion import Array, cross, times
 from ..newton_euler import momenta, momenta_of_bodies, moving, own
-from ..verify_circuits import relative
 from .asked import Asked
+from .differences import relative
 
 
 def _frame(asked: Asked, name: str) -> tuple[int, Array, Array]:

@@ -16,8 +16,7 @@ import numpy as np
 
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
-from ..verify_circuits import relative
-from .differences import BLURRED, input_rates, missing, ways, worst_of
+from .differences import BLURRED, input_rates, missing, relative, ways, worst_of
 from .members import NODE, Members, NotThere
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 

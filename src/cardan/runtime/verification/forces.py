@@ -9,9 +9,10 @@ import numpy as np
 from ..circuits import circuits_of
 from ..joint_motion import Array, cross, joint_motion, times
 from ..newton_euler import along_joints, moving, own, rates_of_momentum, transmitted
-from ..verify_circuits import relative
 from .asked import Asked
-from .motions import accelerations, moves_alone
+from .differences import relative
+from .loops import accelerations
+from .motions import moves_alone
 
 Loads = tuple[list[Array], list[Array]]
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..joint_motion import Array, times
-from ..verify_circuits import relative
 from .asked import ELSEWHERE, Asked
-from .differences import missing, ways, worst_of
+from .differences import missing, relative, ways, worst_of
 
 # of a finite increment, in radians or sizes of the scene
 STEP = 0.4

@@ -7,25 +7,11 @@ import numpy as np
 from ..closed_states import RANK
 from ..joint_motion import Array, times
 from ..truth import push
-from ..verify_circuits import motions_of, relative, singular
 from ..written_bounds import written
 from .asked import ELSEWHERE, Asked
 from .bodies import canonical, kinetic, weight
-from .differences import missing, ways, worst_of
-
-
-def accelerations(asked: Asked, force: Array) -> Array:
-    """udot (n, nu) of generalized forces beside those of inertia and gravity, on constraints."""
-    truth = asked.truth
-    M, right = np.asarray(truth.M), force - truth.h
-    if truth.bound is None:
-        return np.asarray(np.linalg.solve(M, right[..., None])[..., 0])
-    bound, nu = truth.bound, truth.u.shape[-1]
-    udot = -times(np.linalg.pinv(bound.G, rcond=RANK), bound.rest)[:, :nu]
-    for k, Z in enumerate(motions_of(bound, nu)):
-        left = Z.T @ (right[k] - M[k] @ udot[k])
-        udot[k] += Z @ np.linalg.lstsq(Z.T @ M[k] @ Z, left, rcond=None)[0]
-    return udot
+from .differences import missing, relative, ways, worst_of
+from .loops import accelerations, singular
 
 
 def rates(asked: Asked, udot: Array) -> dict[str, Array]:

@@ -2,39 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
 
 import numpy as np
 
-from .closed_states import RANK, Bound, dependents
-from .closing import size_of
-from .joint_motion import Array, times
-from .truth import Truth
-from .written_bounds import written
-
-if TYPE_CHECKING:
-    from .compiled import CompiledModel
-
+from ..closed_states import RANK, Bound, dependents
+from ..closing import size_of
+from ..joint_motion import Array, times
+from ..truth import Truth
+from ..written_bounds import written
+from .asked import Asked
+from .differences import relative
 
 # Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
 REGULAR = 1e13
-
-
-def relative(difference: Array, *terms: Array) -> float:
-    """Largest difference of a state over its largest term, the worst of all states.
-
-    A difference that is not a number is wrong without bound: a larger one would hide it. So is one
-    of an infinite term.
-    """
-    worst = _most(np.where(np.isnan(difference), np.inf, difference))
-    size = np.max([_most(term) for term in terms], axis=0)
-    return float(np.max(worst / np.where((size > 0) & (size < np.inf), size, 1.0), initial=0.0))
-
-
-def _most(values: Array) -> Array:
-    """Largest size of the entries of every state."""
-    return np.asarray(np.abs(values).max(axis=tuple(range(1, values.ndim)), initial=0.0))
 
 
 def unbalanced(bound: Bound, force: Array) -> Array:
@@ -67,46 +48,54 @@ def acceleration_error(bound: Bound, udot: Array, free: Array) -> float:
     return relative(left, own * udot[:, None, :], own * free[:, None, :], bound.rest)
 
 
-def check(model: CompiledModel, truth: Truth, bound: Bound, name: str) -> float:
-    """Error of one function of the circuits."""
-    return CHECKS[name](model, truth, bound, {"t": truth.t, "r": truth.r})
+def accelerations(asked: Asked, force: Array) -> Array:
+    """udot (n, nu) of generalized forces beside those of inertia and gravity, on constraints."""
+    truth = asked.truth
+    M, right = np.asarray(truth.M), force - truth.h
+    if truth.bound is None:
+        return np.asarray(np.linalg.solve(M, right[..., None])[..., 0])
+    bound, nu = truth.bound, truth.u.shape[-1]
+    # one acceleration that constraints allow, then along the motions they allow
+    udot = -times(np.linalg.pinv(bound.G, rcond=RANK), bound.rest)[:, :nu]
+    for k, Z in enumerate(motions_of(bound, nu)):
+        left = Z.T @ (right[k] - M[k] @ udot[k])
+        udot[k] += Z @ np.linalg.lstsq(Z.T @ M[k] @ Z, left, rcond=None)[0]
+    return udot
 
 
-def _dependents(
-    model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]
-) -> float:
+def _dependents(asked: Asked, of: str) -> float:
     """Coordinates that close the circuits, and rates that keep them closed."""
-    value = model.dependents(truth.q, truth.u, **given)
-    count = dependents(model, truth.q, truth.u, truth.t, truth.r)[0].shape[-1]
+    truth, bound, value = asked.truth, _bound(asked), asked.call("dependents")
+    count = dependents(asked.model, truth.q, truth.u, truth.t, truth.r)[0].shape[-1]
     nq, nu = truth.q.shape[-1], truth.u.shape[-1]
     q, u = bound.q[:, nq : nq + count], bound.u[:, nu : nu + value.shape[-1] - count]
     known = np.concatenate([q, u], axis=-1)
     return relative(value - known, known, np.ones_like(known))
 
 
-def _residual(name: str) -> Callable[..., float]:
+def _residual(name: str) -> Callable[[Asked, str], float]:
     """Of a function that vanishes on the constraints."""
 
-    def error(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]) -> float:
-        rates = name == "constraint_rates"
-        value = getattr(model, name)(*((truth.q, truth.u) if rates else (truth.q,)), **given)
+    def error(asked: Asked, of: str) -> float:
+        model, rates, value = asked.model, name == "constraint_rates", asked.call(name)
         # what the user wrote is judged by differences, at states that need not fulfil it
         own = [k for k in range(value.shape[-1]) if k not in written(model)]
-        value = value[..., own]
-        size = max(1.0, size_of(model), float(np.abs(bound.u).max()) if rates else 0.0)
-        return float(np.abs(value).max(initial=0.0)) / size
+        fastest = float(np.abs(_bound(asked).u).max()) if rates else 0.0
+        size = max(1.0, size_of(model), fastest)
+        return float(np.abs(value[..., own]).max(initial=0.0)) / size
 
     return error
 
 
-def _jacobian(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]) -> float:
+def _jacobian(asked: Asked, of: str) -> float:
     """Whether the rows of G leave exactly the motions that the joints allow."""
-    G, nu = model.constraint_jacobian(truth.q, **given), truth.u.shape[-1]
+    truth, G = asked.truth, asked.call("constraint_jacobian")
+    nu = truth.u.shape[-1]
     G = np.broadcast_to(G, (len(truth.q), *G.shape[-2:]))
     if not np.isfinite(G).all():
         return np.inf
     worst = 0.0
-    for rows, allowed in zip(G, motions_of(bound, nu), strict=True):
+    for rows, allowed in zip(G, motions_of(_bound(asked), nu), strict=True):
         freedoms = np.linalg.matrix_rank(allowed, tol=RANK)
         size = np.abs(rows).max(initial=0.0) or 1.0
         worst = max(worst, float(np.abs(rows @ allowed).max(initial=0.0)) / size)
@@ -115,22 +104,20 @@ def _jacobian(model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[s
     return worst
 
 
-def _multipliers(
-    model: CompiledModel, truth: Truth, bound: Bound, given: Mapping[str, Any]
-) -> float:
+def _multipliers(asked: Asked, of: str) -> float:
     """Whether the forces of constraint make the accelerations that constraints ask for."""
-    lam = model.multipliers(truth.q, truth.u, tau=truth.tau, **given)
-    G = model.constraint_jacobian(truth.q, **given)
-    M, f = np.asarray(truth.M), np.asarray(truth.f)
-    force, nu = truth.tau - truth.h + f, truth.u.shape[-1]
-    # one acceleration that constraints allow, then along the motions they allow
-    udot = -times(np.linalg.pinv(bound.G, rcond=RANK), bound.rest)[:, :nu]
-    for k, Z in enumerate(motions_of(bound, nu)):
-        left = Z.T @ (force[k] - M[k] @ udot[k])
-        udot[k] += Z @ np.linalg.lstsq(Z.T @ M[k] @ Z, left, rcond=None)[0]
-    products = M * udot[:, None, :]
-    held = times(np.swapaxes(G, -1, -2), lam)
-    return relative(products.sum(axis=-1) - force - held, products, truth.h, f, truth.tau, held)
+    truth, G = asked.truth, asked.call("constraint_jacobian")
+    force = truth.tau + np.asarray(truth.f)
+    products = np.asarray(truth.M) * accelerations(asked, force)[:, None, :]
+    held = times(np.swapaxes(G, -1, -2), asked.call("multipliers"))
+    left = products.sum(axis=-1) + truth.h - force - held
+    return relative(left, products, truth.h, truth.f, truth.tau, held)
+
+
+def _bound(asked: Asked) -> Bound:
+    """What binds a model that something binds."""
+    assert asked.truth.bound is not None
+    return asked.truth.bound
 
 
 def moved_masses(bound: Bound, M: Array) -> list[Array]:
@@ -157,7 +144,7 @@ def motions_of(bound: Bound, nu: int) -> list[Array]:
     return found
 
 
-CHECKS: dict[str, Callable[..., float]] = {
+JUDGES = {
     "dependents": _dependents,
     "constraints": _residual("constraints"),
     "constraint_rates": _residual("constraint_rates"),

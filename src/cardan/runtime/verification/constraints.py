@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import DerivationError, ModelError
-from .calling import Array
-from .initial import start_of
-from .verification.differences import REACH, central, input_rates
+from ...errors import DerivationError, ModelError
+from ..calling import Array
+from ..initial import start_of
+from .differences import REACH, central, input_rates
 
 if TYPE_CHECKING:
-    from .absolute.elements import Elements
-    from .compiled import CompiledModel
+    from ..absolute.elements import Elements
+    from ..compiled import CompiledModel
 
 RATES, JACOBIAN, GAMMA = "constraint_rates", "constraint_jacobian", "gamma"
 CHECKED = (RATES, JACOBIAN)
@@ -225,7 +225,7 @@ def of_elements(
     model: CompiledModel, elements: Elements, states: int, seed: int
 ) -> dict[str, float]:
     """The largest error of every level of a model in absolute coordinates."""
-    from .absolute.elements import State
+    from ..absolute.elements import State
 
     modes = model._layout.start("s")
 
@@ -259,8 +259,8 @@ def of_functions(model: CompiledModel, states: int, seed: int) -> dict[str, floa
 
     What is loaded is asked as it is compiled; the rest, g and qdot first, as it was derived.
     """
-    from ..ir.interpreter import evaluate
-    from ..ir.serialize import from_dict
+    from ...ir.interpreter import evaluate
+    from ...ir.serialize import from_dict
 
     objects = model._objects
     try:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from ..compiled import CompiledModel
 
 Array = NDArray[np.float64]
 Sample = Mapping[str, Any]
