@@ -39,8 +39,7 @@ NEWTON_EULER = "an independent Newton-Euler in NumPy"
 SAMPLES = "the numbers of SymPy"
 DIFFERENCES = "differences of the constraints"
 NOWHERE = "not checked: the forces of the model are nowhere finite"
-CHECKED = tuple(core.JUDGES)
-CHECKED_KEYS = [(name, None) for name in CHECKED]
+CHECKED: list[Key] = [(name, None) for name in core.JUDGES]
 
 
 @dataclass(frozen=True)
@@ -146,12 +145,12 @@ def _judged(
     if "mesh" in model.manifest:
         elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
         return _of_elements(model, elements, states, seed)
-    order = [key for key in CHECKED_KEYS if key in keys]
+    order = [key for key in CHECKED if key in keys]
     order += [key for key in keys if key not in order]
     if samples.samples_of(model):
         found = [
             Check(key[0], *samples.error(model, key[0]))
-            if key in CHECKED_KEYS
+            if key in CHECKED
             else _by_text(model, [key], states, seed, samples.APART)[0]
             for key in order
         ]

@@ -107,11 +107,12 @@ def _jacobian(asked: Asked, of: str) -> float:
 def _multipliers(asked: Asked, of: str) -> float:
     """Whether the forces of constraint make the accelerations that constraints ask for."""
     truth, G = asked.truth, asked.call("constraint_jacobian")
-    force = truth.tau + np.asarray(truth.f)
+    f = np.asarray(truth.f)
+    force = truth.tau + f
     products = np.asarray(truth.M) * accelerations(asked, force)[:, None, :]
     held = times(np.swapaxes(G, -1, -2), asked.call("multipliers"))
     left = products.sum(axis=-1) + truth.h - force - held
-    return relative(left, products, truth.h, truth.f, truth.tau, held)
+    return relative(left, products, truth.h, f, truth.tau, held)
 
 
 def _bound(asked: Asked) -> Bound:
