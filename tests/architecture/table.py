@@ -186,7 +186,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "peers": frozenset(
         {
             *("peer", "coordinates", "tree", "loop", "ours", "contest", "comparison", "urdf"),
-            *("processor", "cplusplus", "casadi_algorithms", "circuits"),
+            *("processor", "casadi_algorithms", "circuits"),
         }
     ),
     "explain.writers": frozenset(),

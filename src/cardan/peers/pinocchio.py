@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib.metadata
+import shutil
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
@@ -14,10 +15,12 @@ from pathlib import Path
 
 import numpy as np
 
+from ..errors import BuildError
+from ..runtime import toolchain
 from ..runtime.cache import build
 from ..runtime.newton_euler import Scene
 from ..runtime.toolchain import Compiler
-from . import coordinates, cplusplus
+from . import coordinates
 from .circuits import Circuits
 from .coordinates import Convention, Coordinates
 from .loop import HERE, Loop, address, peer_loop
@@ -62,7 +65,7 @@ def missing() -> str:
     for cure, place in _include().items():
         if place is None:
             return f"no headers: {cure}"
-    return "" if cplusplus.compilers(()) else "no C++ compiler: pip install ziglang"
+    return "" if _compilers(()) else "no C++ compiler: pip install ziglang"
 
 
 def _compilers() -> list[Compiler]:
@@ -71,7 +74,7 @@ def _compilers() -> list[Compiler]:
     places[-1] += "/eigen3"
     version = importlib.metadata.version("libpinocchio")
     options = (*OPTIONS, f'-DPINOCCHIO_WHEEL="{version}"', *(f"-isystem{p}" for p in places))
-    return cplusplus.compilers(options)
+    return _compilers(options)
 
 
 @cache
@@ -171,7 +174,40 @@ def closed_contender(circuits: Circuits) -> Contender:
 
 
 def _title(by: Compiler) -> str:
-    return f"Pinocchio {importlib.metadata.version('libpinocchio')}, {cplusplus.version(by)}"
+    return f"Pinocchio {importlib.metadata.version('libpinocchio')}, {_compiler_version(by)}"
 
 
 PEER = Peer("Pinocchio", "pin", missing, refusal, contender, closed_contender)
+
+
+NAMES = ("clang++", "g++")
+
+
+def _compilers(options: tuple[str, ...]) -> list[Compiler]:
+    """Compilers that answer, clang before gcc: it makes the faster code of templates.
+
+    Args:
+        options: Language, level, processor, headers.
+    """
+    commands = [(*found.command[:-1], "c++") for found in toolchain.ziglang()]
+    binaries = [found.binary for found in toolchain.ziglang()]
+    for name in NAMES:
+        path = shutil.which(name)
+        if path:
+            commands.append((path,))
+            binaries.append(Path(path).resolve())
+    made = []
+    for command, binary in zip(commands, binaries, strict=True):
+        try:
+            made.append(Compiler(command, binary, toolchain.ask_version(command), options))
+        except BuildError:
+            # one that does not answer is as good as none
+            continue
+    return made
+
+
+def _compiler_version(compiler: Compiler) -> str:
+    """Family and version, such as ``gcc 12.2.0``."""
+    first = compiler.identity.splitlines()[0]
+    numbers = [word for word in first.split() if word[:1].isdigit()]
+    return f"{compiler.family} {numbers[-1] if numbers else first}"

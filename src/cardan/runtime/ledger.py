@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 
 from .calling import Array
+
+if TYPE_CHECKING:
+    from .trajectory import Trajectory
 
 
 @dataclass(frozen=True)
@@ -139,3 +142,29 @@ class Drift(np.ndarray[Any, np.dtype[np.float64]]):
     def velocity(self) -> dict[str, Worst]:
         """Worst residuals of velocities by multiplier, empty without circuits."""
         return {} if self.constraints is None else self.constraints.velocity
+
+
+def residuals_of(motion: Trajectory) -> dict[str, Array]:
+    """Residual (nt,) of every constraint of positions by multiplier."""
+    rows = [row for row in motion.manifest["multipliers"] if row["level"] == "position"]
+    if rows and "constraints" not in motion.stored:
+        model = motion._model("the constraints")
+        motion.stored["constraints"] = model._evaluate(
+            ("constraints", None), (motion.t, motion.q, motion._r), None, None
+        )
+    return {row["name"]: motion.stored["constraints"][:, k] for k, row in enumerate(rows)}
+
+
+def multipliers_of(motion: Trajectory) -> dict[str, Array]:
+    """History (nt,) of every multiplier [N, N m].
+
+    Those that the method found along with the motion, else those of the accelerations at its
+    states. Where rows follow from others their forces are not unique: then one set of them.
+    """
+    rows = motion.manifest.get("multipliers", ())
+    if rows and "multipliers" not in motion.stored:
+        model = motion._model("the multipliers")
+        motion.stored["multipliers"] = model.multipliers(
+            motion.q, motion.u, t=motion.t, r=motion._r, **motion._own
+        )
+    return {row["name"]: motion.stored["multipliers"][:, k] for k, row in enumerate(rows)}

@@ -12,14 +12,14 @@ import numpy as np
 
 from ..arguments import Times, checked
 from ..errors import ModelError, near
-from . import binding, followers
+from . import followers
 from .balance import Balance, balance, impacts
 from .between import inputs_at, states_at
 from .calling import Array
 from .conduct import EVENT, FINISHED, Conduct
 from .dense import Dense
 from .events import Event, Happened
-from .ledger import Drift, Ledger
+from .ledger import Drift, Ledger, multipliers_of, residuals_of
 from .methods import Energy
 from .placing import line, numbers, placed, pose
 from .recorded import Recorded
@@ -288,12 +288,12 @@ class Trajectory:
     @property
     def constraints(self) -> dict[str, Array]:
         """Residual (nt,) of every constraint of positions by multiplier; a tree has none."""
-        return binding.residuals(self)
+        return residuals_of(self)
 
     @property
     def multipliers(self) -> dict[str, Array]:
         """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none."""
-        return binding.multipliers(self)
+        return multipliers_of(self)
 
     # what a model shows along the motion
 

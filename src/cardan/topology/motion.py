@@ -13,7 +13,7 @@ from ..ir.graph import ONE, Graph
 from ..model.connections import Joint as UserJoint
 from ..model.model import Model
 from .convert import Converter
-from .system import Coupling, Input, Joint, Prescribed
+from .system import Coupling, Input, Joint, Named, Prescribed, System
 
 replaced = dataclasses.replace
 
@@ -188,3 +188,34 @@ def check_couplings(joints: Sequence[Joint]) -> None:
                 raise ModelError(f"joints {ring} follow each other in a ring; let one move freely")
             seen.append(follower.name)
             leader = follower.coupling
+
+
+def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tuple[Named, ...]:
+    """Chosen speeds as expressions in the graph of the system.
+
+    Args:
+        model: The scene.
+        system: Its system; nodes are added to its graph.
+        speeds: Name -> SymPy expression in ``model.u(...)``, ``model.q(...)``, motions of frames,
+            parameters and t.
+
+    Raises:
+        ModelError: as many as there are speeds are wanted; an unknown symbol.
+    """
+    if len(speeds) != system.nu:
+        raise ModelError(f"speeds: {len(speeds)} are given, but the system has {system.nu}")
+    convert = Converter(model, system.graph)
+    convert.moving = True
+    declare_inputs(model, convert)
+    for joint in system.joints:
+        if joint.q >= 0:
+            element, slots = joint.element, (joint.q, joint.u)
+            define_coordinates(convert, joint.name, element.coordinates, element.speeds, slots)
+    for name, atom in system.atoms.items():
+        # what forces decide can be no speed
+        if atom.quantity not in ("acceleration", "state"):
+            convert.define(name, system.graph.atom(name))
+    return tuple(
+        Named(name, convert.expression(expression, f"speed {name}"), "")
+        for name, expression in speeds.items()
+    )

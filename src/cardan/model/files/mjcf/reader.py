@@ -1,4 +1,4 @@
-"""MJCF -> Model: the bodies of the file with their joints, masses, pictures and frames."""
+"""MJCF -> Model: the bodies of the file with their joints, masses and frames."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ...shape import Shape
 from ..document import Element
 from ..options import Options
 from ..pose import HERE, Pose, written
-from . import actuators, contacts, equality, joints, masses, pictures
+from . import actuators, contacts, equality, joints, masses
 from .compiler import Compiler
 from .defaults import Defaults
 from .document import Document, Found, expanded
@@ -196,7 +196,7 @@ class Reader:
         drawn: list[Shape] = []
         for geom, kind, around in self._geoms(found):
             self.unread.attributes(geom.raw)
-            drawn += pictures.of_geom(geom, kind, self.compiler, around)
+            drawn += masses.picture(geom, kind, self.compiler, around)
         rows = mass.inertia
         tensor = [rows[i][j] for i in range(3) for j in range(i, 3)]
         body = self.scene.body(
