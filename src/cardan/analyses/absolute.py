@@ -18,9 +18,9 @@ from ..runtime.absolute.carried import leading
 from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation
 from ..runtime.absolute.tables import Tables
-from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import start_of
+from ..runtime.rotations import unit
 from .blockwise import Blockwise
 from .carriage import Carriage
 from .consistent import read

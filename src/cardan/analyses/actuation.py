@@ -13,6 +13,7 @@ from ..arguments import checked
 from ..errors import ArgumentError, SolveError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State, Values
+from ..runtime.joint_motion import times
 from .balancing import elastic
 from .contract import Moment, contract_of
 from .static_problem import scaled
@@ -195,9 +196,9 @@ def hybrid_dynamics(
     both = np.concatenate([G, rows], axis=-2)
     change = np.concatenate([np.zeros(G.shape[:-1]), wanted - known[..., chosen]], axis=-1)
     back = np.linalg.pinv(both, rcond=RANK)
-    one = known + _times(back, change)
+    one = known + times(back, change)
     left = one[..., chosen] - wanted
-    if not _small(np.concatenate([left, _times(G, one - known)], axis=-1), wanted, known):
+    if not _small(np.concatenate([left, times(G, one - known)], axis=-1), wanted, known):
         names = [model.speeds[i] for i in chosen]
         raise SolveError(
             f"model '{model.name}': the constraints do not allow these accelerations of "
@@ -208,8 +209,8 @@ def hybrid_dynamics(
     M = model.mass_matrix(place.q, **rest)
     size = np.trace(M, axis1=-2, axis2=-1)[..., None, None] / max(1, model.nu)
     inertia = free @ M @ free + size * (np.eye(model.nu) - free)
-    missing = _times(free, given - place.force(one))
-    motion = one + _times(free @ np.linalg.pinv(inertia, rcond=LIGHT, hermitian=True), missing)
+    missing = times(free, given - place.force(one))
+    motion = one + times(free @ np.linalg.pinv(inertia, rcond=LIGHT, hermitian=True), missing)
     return _shared(place, motion, given, chosen, "minimum")
 
 
@@ -225,13 +226,13 @@ def _shared(
     free = np.eye(nu) - np.linalg.pinv(G, rcond=RANK) @ G
     soft, word = _softness(norm, len(chosen))
     along = free[..., chosen] @ soft
-    forces = _times(soft @ np.linalg.pinv(along, rcond=RANK), _times(free, load))
+    forces = times(soft @ np.linalg.pinv(along, rcond=RANK), times(free, load))
     tau = np.zeros((*lead, nu))
     tau[..., chosen] = forces
-    left = _times(free, load - tau)
+    left = times(free, load - tau)
     if not _small(left, load, tau) and not _rounded(place, udot, left):
         raise SolveError(_too_few(model, left, load, chosen))
-    lam = _times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
+    lam = times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
     size = np.linalg.norm(along, ord=2, axis=(-2, -1)) if chosen else np.zeros(lead)
     return Actuation(
         model.name,
@@ -255,9 +256,9 @@ def _rounded(place: _Place, udot: Array, left: Array) -> bool:
     r = system.given_inputs(None) if rest["r"] is None else model._vector("r", rest["r"])
     wide = ((place.q, model.nq), (place.u, nu), (udot, nu), (r, model.nr))
     blocks = [np.broadcast_to(x, (*lead, n)).reshape(count, n) for x, n in wide]
-    times = np.broadcast_to(np.asarray(rest["t"], dtype=float), lead).ravel()
+    instants = np.broadcast_to(np.asarray(rest["t"], dtype=float), lead).ravel()
     most = []
-    for t, *(q, u, rate, inputs) in zip(times, *blocks, strict=True):
+    for t, *(q, u, rate, inputs) in zip(instants, *blocks, strict=True):
         lam, z = np.zeros(len(system.multipliers)), np.zeros(len(system.internals))
         at = Moment(float(t), q, u, rate, lam, inputs, z, system.modes)
         K = scaled(system.tangents(at).K, system.columns, system.columns)
@@ -339,8 +340,8 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
         return
     known = model.forward_dynamics(place.q, place.u, **place.rest)
     G = place.jacobian
-    left = _times(G, udot - known)
-    if not _small(left, _times(np.abs(G), np.abs(udot)), _times(np.abs(G), np.abs(known))):
+    left = times(G, udot - known)
+    if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(known))):
         size = np.abs(left).reshape(-1, left.shape[-1]).max(axis=0)
         names = [
             n for n, x in zip(model.multipliers_of, size, strict=True) if x > SHARE * size.max()
@@ -363,10 +364,6 @@ def _too_few(model: CompiledModel, left: Array, load: Array, chosen: list[int]) 
         f"motion of {_listed(names)} together, where {size:.3g} is missing; name an actuator among "
         "these speeds, or let their accelerations follow by hybrid_dynamics"
     )
-
-
-def _times(matrix: NDArray[Any], vector: NDArray[Any]) -> Array:
-    return np.asarray((matrix @ vector[..., None])[..., 0])
 
 
 def _small(left: Array, *terms: Array) -> bool:

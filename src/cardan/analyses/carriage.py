@@ -29,6 +29,7 @@ from scipy.spatial.transform import Rotation
 
 from ..runtime.absolute.frames import rotation
 from ..runtime.absolute.tables import Integers, Tables
+from ..runtime.rotations import cross_matrix
 from .saddle import RANK, split
 from .static_problem import scaled
 
@@ -138,7 +139,7 @@ class Carriage:
         i, j, values = [alone], [np.arange(len(alone))], [np.ones(len(alone))]
         blocks = _blocks(len(moved.p))
         blocks[:, :3, :3] = moved.R.transpose(0, 2, 1)
-        blocks[:, 3:, :3] = -_skew(moved.p) / self._size
+        blocks[:, 3:, :3] = -cross_matrix(moved.p) / self._size
         blocks[:, 3:, 3:] = np.eye(3)
         start = 0
         for sort in self._sorts:
@@ -263,10 +264,10 @@ class Carriage:
         moved = self.motion(q, u)
         alpha = np.einsum("nij,nj->ni", moved.R, self.motion(q, udot).w)
         first, second = _blocks(len(moved.p)), _blocks(len(moved.p))
-        turn = _skew(moved.omega)
-        first[:, :3, :3], first[:, 3:, 3:] = _skew(moved.w), turn
-        second[:, :3, :3] = _skew(self.motion(q, udot).w)
-        second[:, 3:, 3:] = _skew(alpha) + turn @ turn
+        turn = cross_matrix(moved.omega)
+        first[:, :3, :3], first[:, 3:, 3:] = cross_matrix(moved.w), turn
+        second[:, :3, :3] = cross_matrix(self.motion(q, udot).w)
+        second[:, 3:, 3:] = cross_matrix(alpha) + turn @ turn
         return self._matrix(first), self._matrix(second)
 
     def observer(self, q: Array, u: Array) -> tuple[csr_array, csr_array]:
@@ -283,8 +284,8 @@ class Carriage:
             along = np.abs(twists - lead).max(axis=1) <= ALIKE * np.abs(twists).max(initial=0.0)
             along |= self._carried
         E, W = _blocks(len(moved.p)), _blocks(len(moved.p))
-        E[:, :3, :3] = -_skew(moved.w)
-        W[along, 3:, 3:] = _skew(moved.omega)[along]
+        E[:, :3, :3] = -cross_matrix(moved.w)
+        W[along, 3:, 3:] = cross_matrix(moved.omega)[along]
         E[:, 3:, 3:] = -W[:, 3:, 3:]
         return self._matrix(E), self._matrix(W)
 
@@ -349,11 +350,3 @@ def _fit(hard: Array, right: Array, wanted: Array, target: Array) -> Array:
 
 def _blocks(n: int) -> Array:
     return np.zeros((n, 6, 6))
-
-
-def _skew(v: Array) -> Array:
-    """Matrices (n, 3, 3) with [v] x = v x x."""
-    x, y, z = v.T
-    zero = np.zeros_like(x)
-    rows = ((zero, -z, y), (z, zero, -x), (-y, x, zero))
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)

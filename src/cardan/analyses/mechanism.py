@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
-from ..runtime.closing import Closing, columns_of, size_of, unit
+from ..runtime.closing import Closing, columns_of, size_of
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
+from ..runtime.rotations import unit
 from ..runtime.states import random_state
 from .connection import Connection, connect
 

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from ..runtime.absolute.assembled import Assembled
 from ..runtime.absolute.carried import Carrier, leading
 from ..runtime.absolute.elements import State
-from ..runtime.closing import Closing, unit
+from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
+from ..runtime.rotations import unit
 from ..runtime.states import random_state
 from ..schema.records import PositionRecord
 from .connection import Connection, called, searching

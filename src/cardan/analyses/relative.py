@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
 from ..ir.names import of_rate
-from ..runtime.closing import unit
 from ..runtime.compiled import CompiledModel
+from ..runtime.rotations import unit
 from .assemble import assemble
 from .closed_start import closed_start
 from .consistent import speeds

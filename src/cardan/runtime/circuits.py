@@ -17,7 +17,7 @@ import numpy as np
 
 from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, times
 from .newton_euler import Scene, own
-from .rotations import PARAMETERS
+from .rotations import PARAMETERS, vector_of
 
 STEP = 1e-30
 SLIPS = ("longitudinal", "lateral")
@@ -167,7 +167,7 @@ def _apart(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, 
     away = child.position - there.position
     drift = child.moving - there.moving - cross(parent.turning, away)
     spin = child.turning - there.turning
-    return _rotation_vector(turned), times(back, away), times(axes, spin), times(back, drift)
+    return vector_of(turned), times(back, away), times(axes, spin), times(back, drift)
 
 
 def _joined(rows: Sequence[Array], lead: tuple[int, ...]) -> Array:
@@ -175,22 +175,6 @@ def _joined(rows: Sequence[Array], lead: tuple[int, ...]) -> Array:
         return np.zeros((*lead, 0))
     lead = np.broadcast_shapes(*(row.shape[:-1] for row in rows))
     return np.concatenate([np.broadcast_to(r, (*lead, r.shape[-1])) for r in rows], axis=-1)
-
-
-def _rotation_vector(r: Array) -> Array:
-    """Rotation vectors (..., 3) of real rotations (..., 3, 3); the real part of complex ones."""
-    r = r.real
-    across = np.stack(
-        [r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]],
-        axis=-1,
-    )
-    sine = np.linalg.norm(across, axis=-1) / 2
-    cosine = (np.trace(r, axis1=-2, axis2=-1) - 1) / 2
-    # a half turn has no sine: any axis will do, it is far from closed
-    lost = np.where((sine < 1e-9) & (cosine < 0), np.pi, 0.0)
-    factor = np.arctan2(sine, cosine) / np.where(sine < 1e-9, 1.0, sine)
-    factor = np.where((sine < 1e-9) & (cosine > 0), 1.0, factor)
-    return np.asarray(across * factor[..., None] / 2 + lost[..., None])
 
 
 def _slipping(slip: Slip, q: Array, u: Array) -> Array:

@@ -5,7 +5,7 @@ Source: as of ``kernels/close.c``, whose bounds these are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -16,6 +16,7 @@ from ..ir.rows import column
 from .absolute.frames import standing
 from .calling import Array
 from .ledger import Ledger
+from .rotations import unit
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -163,14 +164,6 @@ class Level:
             last = np.where(going, worst, last)
         assert first is not None
         return block, residuals, first
-
-
-def unit(q: Array, quaternions: Sequence[int]) -> Array:
-    """Coordinates (..., nq) with quaternions of length 1."""
-    q = q.copy()
-    for start in quaternions:
-        q[..., start : start + 4] /= np.linalg.norm(q[..., start : start + 4], axis=-1)[..., None]
-    return q
 
 
 def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:

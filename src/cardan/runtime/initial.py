@@ -12,6 +12,7 @@ from ..errors import ArgumentError, ModelError, SolveError, miscounted, near, sh
 from ..ir.rows import column, having
 from .calling import Array
 from .named_rotations import check_units, component, refuse_components
+from .rotations import unit
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
@@ -74,7 +75,8 @@ def initial_state(
             if not named_here
             else [n for n, k in zip(names, named_here, strict=True) if not k]
         )
-    _normalize(values[0], manifest)
+    check_units(manifest, values[0])
+    values[0][:] = unit(values[0], manifest["quaternions"])
     return np.concatenate(values), (*given[0], *given[1], *given[2])
 
 
@@ -211,10 +213,3 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
         if not np.isfinite(number):
             raise SolveError(f"{where}: '{entry}' is {number}. Every initial value must be finite")
     return array
-
-
-def _normalize(q: Array, manifest: Mapping[str, Any]) -> None:
-    check_units(manifest, q)
-    starts = np.array(manifest["quaternions"], dtype=np.intp)
-    entries = starts[:, None] + np.arange(4)
-    q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]

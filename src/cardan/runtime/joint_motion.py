@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .rotations import PARAMETERS
+from .rotations import PARAMETERS, axial
 
 Array = NDArray[Any]
 # before the kind of a joint whose child carries its parent
@@ -217,8 +217,8 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
     else:
         back = np.swapaxes(rotation, -1, -2)
         turns = slopes[..., :9].reshape(*slopes.shape[:-1], 3, 3)
-        turn = np.moveaxis(_axial(back[..., None, :, :] @ turns), -2, -1)
-        turn_rate = _axial(back @ second[..., :9].reshape(*second.shape[:-1], 3, 3))
+        turn = np.moveaxis(axial(back[..., None, :, :] @ turns), -2, -1)
+        turn_rate = axial(back @ second[..., :9].reshape(*second.shape[:-1], 3, 3))
     forth = JointMotion(rotation, position, turn, shift, turn_rate, second[..., 9:])
     return _backwards(forth, u) if joint.reversed else forth
 
@@ -240,9 +240,3 @@ def _backwards(forth: JointMotion, u: Array) -> JointMotion:
         turn_rate=-w_rate,
         shift_rate=-times(back, seen),
     )
-
-
-def _axial(m: Array) -> Array:
-    """What a matrix turns with: of its skew part."""
-    pairs = ((2, 1), (0, 2), (1, 0))
-    return np.asarray(np.stack([m[..., i, j] - m[..., j, i] for i, j in pairs], axis=-1) / 2)

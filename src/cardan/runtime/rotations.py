@@ -6,7 +6,7 @@ rotation. Everything holds for complex numbers, so that a complex step different
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
@@ -22,6 +22,32 @@ def cross_matrix(v: Matrix) -> Matrix:
     x, y, z = v[..., 0], v[..., 1], v[..., 2]
     o = np.zeros_like(x)
     return np.stack([o, -z, y, z, o, -x, -y, x, o], axis=-1).reshape(*v.shape[:-1], 3, 3)
+
+
+def axial(m: Matrix) -> Matrix:
+    """What a matrix (..., 3, 3) turns with: v (..., 3) of its skew part [v]."""
+    pairs = ((2, 1), (0, 2), (1, 0))
+    return np.asarray(np.stack([m[..., i, j] - m[..., j, i] for i, j in pairs], axis=-1) / 2)
+
+
+def vector_of(r: Matrix) -> Matrix:
+    """Rotation vectors (..., 3) of real rotations (..., 3, 3); the real part of complex ones."""
+    r = r.real
+    across = axial(r)
+    sine = np.linalg.norm(across, axis=-1)
+    cosine = (np.trace(r, axis1=-2, axis2=-1) - 1) / 2
+    # a half turn has no sine: any axis will do, it is far from closed
+    lost = np.where((sine < 1e-9) & (cosine < 0), np.pi, 0.0)
+    factor = np.arctan2(sine, cosine) / np.where(sine < 1e-9, 1.0, sine)
+    factor = np.where((sine < 1e-9) & (cosine > 0), 1.0, factor)
+    return np.asarray(across * factor[..., None] + lost[..., None])
+
+
+def unit(q: Matrix, quaternions: Sequence[int]) -> Matrix:
+    """Coordinates (..., nq) with quaternions of length 1, by where these begin."""
+    q, entries = q.copy(), np.array(quaternions, dtype=np.intp)[:, None] + np.arange(4)
+    q[..., entries] /= np.linalg.norm(q[..., entries], axis=-1)[..., None]
+    return q
 
 
 def about(axis: Matrix, angle: Matrix) -> Matrix:

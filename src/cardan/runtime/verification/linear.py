@@ -9,6 +9,7 @@ import numpy as np
 
 from ..joint_motion import Array, times
 from ..newton_euler import Scene, inverse_dynamics
+from ..rotations import cross_matrix
 from .asked import ELSEWHERE, Asked
 from .bodies import kinetic, weight
 from .differences import BOUND, relative
@@ -16,10 +17,6 @@ from .differences import BOUND, relative
 ENTRIES = ("mass", "x", "y", "z", "xx", "yy", "zz", "xy", "xz", "yz")
 CELLS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 CHANGED = 0.25
-
-
-def _skew(v: Array) -> Array:
-    return np.cross(np.eye(3), v) * -1.0
 
 
 def _frames(asked: Asked) -> Iterator[tuple[int, Array, Array]]:
@@ -48,14 +45,14 @@ def _units(asked: Asked) -> Iterator[Scene]:
         for entry in ENTRIES:
             m, s, inertia = 0.0, np.zeros(3), np.zeros((3, 3))
             if entry == "mass":
-                m, s, inertia = 1.0, p, _skew(p).T @ _skew(p)
+                m, s, inertia = 1.0, p, cross_matrix(p).T @ cross_matrix(p)
             elif entry in CELLS:
                 one = np.zeros((3, 3))
                 one[CELLS[entry]] = one[CELLS[entry][::-1]] = 1.0
                 inertia = R @ one @ R.T
             else:
                 s = R[:, "xyz".index(entry)]
-                inertia = _skew(p).T @ _skew(s) + _skew(s).T @ _skew(p)
+                inertia = cross_matrix(p).T @ cross_matrix(s) + cross_matrix(s).T @ cross_matrix(p)
             yield _of(asked.scene, i, m, s, inertia)
 
 
@@ -142,8 +139,9 @@ def inertial_parameters(asked: Asked, of: str | None) -> float:
     known: list[float] = []
     for i, R, p in _frames(asked):
         m, s = float(numbers["mass"][i]), numbers["first_moment"][i]
-        inertia = numbers["inertia"][i] - _skew(p).T @ _skew(s) - _skew(s).T @ _skew(p)
-        own = R.T @ (inertia + m * _skew(p).T @ _skew(p)) @ R
+        P, S = cross_matrix(p), cross_matrix(s)
+        inertia = numbers["inertia"][i] - P.T @ S - S.T @ P
+        own = R.T @ (inertia + m * P.T @ P) @ R
         known += [m, *(R.T @ (s - m * p)), *(own[cell] for cell in CELLS.values())]
     entries = model._function("inertial_parameters", None).outputs[0]["entries"]
     values = dict(model.parameters)

@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from ..joint_motion import Array
-from ..rotations import quaternion
+from ..rotations import axial, cross_matrix, quaternion, rotation_vector, vector_of
 from .differences import REACH, central
 
 Data = Mapping[str, Array]
@@ -24,30 +24,6 @@ SHAPE = ("K1", "K2", "K3", "E1", "E2", "E3")
 # of the rule of Gauss and Legendre along an element; exact for masses, whose shape is cubic
 POINTS, WEIGHTS = (np.asarray(x) / 2 for x in np.polynomial.legendre.leggauss(6))
 GAUSS = list(zip(*(x / 2 for x in np.polynomial.legendre.leggauss(10)), strict=True))
-
-
-def _skew(v: Array) -> Array:
-    return np.cross(np.eye(3), v)
-
-
-def _axial(m: Array) -> Array:
-    return 0.5 * np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
-
-
-def _turn(v: Array) -> Array:
-    """The rotation of a rotation vector."""
-    angle = float(np.linalg.norm(v))
-    if angle < 1e-8:
-        return np.eye(3) + _skew(v)
-    a = _skew(v / angle)
-    return np.asarray(np.eye(3) + np.sin(angle) * a + (1 - np.cos(angle)) * a @ a)
-
-
-def _vector(r: Array) -> Array:
-    """The rotation vector of a rotation by less than a half turn."""
-    sine = _axial(r)
-    s, c = float(np.linalg.norm(sine)), (np.trace(r) - 1) / 2
-    return np.asarray(sine if s < 1e-12 else sine * (np.arctan2(s, c) / s))
 
 
 def _poses(q: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
@@ -61,17 +37,17 @@ def _helix(q: Array, length: float) -> Array:
     (R1, x1), (R2, x2) = _poses(q)
     relative = np.eye(4)
     relative[:3, :3], relative[:3, 3] = R1.T @ R2, R1.T @ (x2 - x1)
-    turn = _vector(relative[:3, :3])
+    turn = vector_of(relative[:3, :3])
     # the screw whose exponential leads from one end to the other
     angle = float(np.linalg.norm(turn))
-    a = _skew(turn)
+    a = cross_matrix(turn)
     square = 1 / 12 if angle < 1e-4 else (1 - angle / 2 / np.tan(angle / 2)) / angle**2
     along = (np.eye(3) - a / 2 + square * a @ a) @ relative[:3, 3]
 
     def pose(s: float) -> tuple[Array, Array]:
         # the place is the integral of the axes along the way
-        steps = [_turn(s * (a + 0.5) * turn) @ along * w for a, w in GAUSS]
-        return _turn(s * turn), np.sum(steps, axis=0) * s
+        steps = [rotation_vector(s * (a + 0.5) * turn) @ along * w for a, w in GAUSS]
+        return rotation_vector(s * turn), np.sum(steps, axis=0) * s
 
     # strain measures at one place, by differences of eighth order
     h = 0.05
@@ -81,14 +57,14 @@ def _helix(q: Array, length: float) -> Array:
         for part in (0, 1)
     )
     R = pose(0.4)[0]
-    return np.concatenate([_axial(R.T @ dR), R.T @ dx]) / length
+    return np.concatenate([axial(R.T @ dR), R.T @ dx]) / length
 
 
 def _mean(q: Array, length: float) -> Array:
     """Strain (6,) in axes halfway between the ends."""
     (R1, x1), (R2, x2) = _poses(q)
-    turn = _vector(R1.T @ R2)
-    halfway = R1 @ _turn(turn / 2)
+    turn = vector_of(R1.T @ R2)
+    halfway = R1 @ rotation_vector(turn / 2)
     return np.asarray(np.concatenate([turn, halfway.T @ (x2 - x1)]) / length)
 
 
@@ -137,7 +113,10 @@ def _field(q: Array, data: Data, k: int) -> tuple[Array, Array, Array]:
     K, E = strain[:3], strain[3:]
     c = 1 / np.array([data[name][k] for name in STIFFNESS])
     # m' = -K x m - E x n, n' = -K x n at the stress of the middle
-    A = np.block([[_skew(K), _skew(E)], [np.zeros((3, 3)), _skew(K)]]) * -length
+    A = (
+        np.block([[cross_matrix(K), cross_matrix(E)], [np.zeros((3, 3)), cross_matrix(K)]])
+        * -length
+    )
     F = np.zeros((6, 6))
     for x, w in zip(POINTS, WEIGHTS, strict=True):
         along = np.eye(6) + x * A
@@ -224,7 +203,7 @@ def quaternion_of(r: Array) -> Array:
         # the eigenvector of the largest eigenvalue, after Bar-Itzhack
         K = np.zeros((4, 4))
         K[0, 0], K[1:, 1:] = np.trace(m), m + m.T - np.trace(m) * np.eye(3)
-        K[0, 1:] = K[1:, 0] = 2 * _axial(m)
+        K[0, 1:] = K[1:, 0] = 2 * axial(m)
         found = np.linalg.eigh(K)[1][:, -1]
         return np.asarray(found if found[0] >= 0 else -found)
 
