@@ -12,6 +12,7 @@ Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapters 1,
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeAlias
@@ -20,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import issparse
 
-from ..errors import ModelError
+from ..errors import ModelError, near
 from .saddle import Saddle
 
 Array = NDArray[np.float64]
@@ -121,6 +122,41 @@ class Seen:
     by_u: Array
     by_z: Array
     by_r: Array
+
+
+class NamedState(ABC):
+    """A state of a model, by its names; what takes a state takes it.
+
+    Attributes:
+        model: Whose.
+        x: State (nx,).
+    """
+
+    model: Any
+    x: Array
+
+    @property
+    @abstractmethod
+    def named(self) -> dict[str, float]:
+        """All its numbers by name."""
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.x, dtype=dtype)
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (nq,)."""
+        return self.x[: self.model.nq]
+
+    @property
+    def u(self) -> Array:
+        """Speeds (nu,): 0 at rest."""
+        return self.x[self.model.nq : self.model.nq + self.model.nu]
+
+    def __getitem__(self, name: str) -> float:
+        if name not in self.named:
+            raise ModelError(f"'{name}': there is no such entry.{near(name, self.named)}")
+        return self.named[name]
 
 
 class Contract(Protocol):

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import Hold, checked
-from ..errors import ModelError, SolveError, SolveWarning, counted, near, shown, warn
+from ..errors import ModelError, SolveError, SolveWarning, counted, shown, warn
 from ..runtime.calling import numbers
 from .balancing import TOLD, balance
-from .contract import Contract, contract_of
+from .contract import Contract, NamedState, contract_of
 from .newton import Search, rest
 from .settling import settled
 from .standing import Standing, holdable, stand, words
@@ -34,7 +34,7 @@ ALONG, ROUNDED = 1e-6, 1e-13
 
 @final
 @dataclass(frozen=True, repr=False, eq=False)
-class Equilibrium:
+class Equilibrium(NamedState):
     """A position at which a system rests, or moves steadily.
 
     ``found["elbow"]`` is a coordinate, ``found["elbow.u"]`` a speed, ``found["loop.px"]`` a
@@ -84,31 +84,12 @@ class Equilibrium:
     point: Point = field(repr=False)
     load: Load = field(repr=False)
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
-        # what takes a state takes an equilibrium
-        return np.array(self.x, dtype=dtype)
-
-    @property
-    def q(self) -> Array:
-        """Coordinates (nq,)."""
-        return self.x[: self.model.nq]
-
-    @property
-    def u(self) -> Array:
-        """Speeds (nu,): 0 unless some were given."""
-        return self.x[self.model.nq : self.model.nq + self.model.nu]
-
     @property
     def named(self) -> dict[str, float]:
         """All coordinates, speeds, internal states and multipliers by name."""
         model = self.model
         names = (*model.coordinates, *model.speeds, *model.internals, *model.multipliers_of)
         return dict(zip(names, [*self.x.tolist(), *self.lam.tolist()], strict=True))
-
-    def __getitem__(self, name: str) -> float:
-        if name not in self.named:
-            raise ModelError(f"equilibrium['{name}']: no such entry.{near(name, self.named)}")
-        return self.named[name]
 
     @checked
     def reaction(self, joint: str) -> Array:

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ArgumentError, ModelError, SolveError, listed, near, shown
+from ..errors import ArgumentError, ModelError, listed, near, shown
 from .contract import Contract, contract_of
 from .equilibrium import equilibrium
 from .first_order import Choice
 from .linear_model import LinearModel
 from .linearize import linearize
-from .loading import TIME
+from .loading import TIME, column
 from .spectrum import Spectrum, spectrum
 from .trim import trim
 from .trim_asked import by_entry
@@ -208,7 +208,7 @@ def family(
         )
     if not (count is None or (isinstance(count, int) and count > 1)):
         raise ModelError(f"count={shown(count)}: a number of members, at least 2")
-    found = {name: _column(name, values, count) for name, values in columns.items()}
+    found = {name: column(name, values, count or COUNT) for name, values in columns.items()}
     if len({len(column) for column in found.values()}) > 1:
         said = ", ".join(f"'{name}' has {len(column)}" for name, column in found.items())
         raise ArgumentError(f"all that changes goes together: {said} values")
@@ -239,18 +239,3 @@ def _kind(model: Any, name: str) -> str:
         f"there is no parameter, input or speed '{name}' to change; coordinates are moved by "
         f"hold={{'...': (0, 1)}}.{near(name, known)}"
     )
-
-
-def _column(name: str, values: Any, count: int | None) -> Array:
-    """Values of one name, checked."""
-    try:
-        column = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        column = np.zeros(())
-    if column.ndim != 1 or len(column) < 2:
-        raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
-    if not np.isfinite(column).all():
-        raise SolveError(f"{name}={shown(values)}: they must be finite")
-    if len(column) > 2:
-        return column
-    return np.linspace(float(column[0]), float(column[1]), count or COUNT)

@@ -90,12 +90,12 @@ def loading(
                 f"statics: there is no parameter or input '{name}' to sweep; coordinates are "
                 f"swept by hold={{'...': (0, 1)}}.{near(name, known)}"
             )
-        columns[name], kinds[name] = _column(name, values), known[name]
+        columns[name], kinds[name] = column(f"statics: {name}", values), known[name]
     for name, values in hold.items():
         system.place(name)
         if name in columns:
             raise ModelError(f"statics: '{name}' is swept and held: leave one out")
-        columns[name], kinds[name] = _column(name, values), "hold"
+        columns[name], kinds[name] = column(f"statics: {name}", values), "hold"
     counts = {name: len(column) for name, column in columns.items()}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
@@ -105,14 +105,18 @@ def loading(
     return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))
 
 
-def _column(name: str, values: Any) -> Array:
-    """Values of one name, checked."""
+def column(name: str, values: Any, count: int = 2) -> Array:
+    """Values of one name, checked; two of them are the ends of ``count``.
+
+    Raises:
+        ModelError: they are no numbers in a row.
+    """
     try:
-        column = np.asarray(values, dtype=np.float64)
+        found = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
-        column = np.zeros(())
-    if column.ndim != 1 or len(column) < 2:
-        raise ArgumentError(f"statics: {name}={shown(values)}: give (start, end), or values (n,)")
-    if not np.isfinite(column).all():
-        raise SolveError(f"statics: {name}={shown(values)}: they must be finite")
-    return column
+        found = np.zeros(())
+    if found.ndim != 1 or len(found) < 2:
+        raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
+    if not np.isfinite(found).all():
+        raise SolveError(f"{name}={shown(values)}: they must be finite")
+    return found if len(found) > 2 else np.linspace(found[0], found[1], count)

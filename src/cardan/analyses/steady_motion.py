@@ -10,8 +10,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ModelError, near
-from .contract import Moment
+from .contract import Moment, NamedState
 from .first_order import Choice
 from .linear_model import LinearModel
 
@@ -22,7 +21,7 @@ ROUNDED = 1e-12  # values below this are printed as none
 
 @final
 @dataclass(frozen=True, repr=False, eq=False)
-class SteadyMotion:
+class SteadyMotion(NamedState):
     """A steady motion with wanted values, or a rest: ``found["steer"]`` is a value by name.
 
     A run starts there, ``found.model.simulate(10, x0=found, inputs=found.inputs)``; so do
@@ -58,30 +57,12 @@ class SteadyMotion:
     tau: Array = field(repr=False)
     choice: Choice = field(repr=False)
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
-        return np.array(self.x, dtype=dtype)
-
-    @property
-    def q(self) -> Array:
-        """Coordinates (nq,)."""
-        return self.x[: self.model.nq]
-
-    @property
-    def u(self) -> Array:
-        """Speeds (nu,)."""
-        return self.x[self.model.nq : self.model.nq + self.model.nu]
-
     @property
     def named(self) -> dict[str, float]:
         """All coordinates, speeds, internal states and free values by name."""
         model = self.model
         names = (*model.coordinates, *model.speeds, *model.internals)
         return {**dict(zip(names, self.x.tolist(), strict=True)), **self.free}
-
-    def __getitem__(self, name: str) -> float:
-        if name not in self.named:
-            raise ModelError(f"trim['{name}']: no such entry.{near(name, self.named)}")
-        return self.named[name]
 
     @cached_property
     def linear(self) -> LinearModel:

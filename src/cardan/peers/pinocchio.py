@@ -65,7 +65,7 @@ def missing() -> str:
     for cure, place in _include().items():
         if place is None:
             return f"no headers: {cure}"
-    return "" if _compilers(()) else "no C++ compiler: pip install ziglang"
+    return "" if cpp_compilers(()) else "no C++ compiler: pip install ziglang"
 
 
 def _compilers() -> list[Compiler]:
@@ -74,7 +74,7 @@ def _compilers() -> list[Compiler]:
     places[-1] += "/eigen3"
     version = importlib.metadata.version("libpinocchio")
     options = (*OPTIONS, f'-DPINOCCHIO_WHEEL="{version}"', *(f"-isystem{p}" for p in places))
-    return _compilers(options)
+    return cpp_compilers(options)
 
 
 @cache
@@ -183,7 +183,7 @@ PEER = Peer("Pinocchio", "pin", missing, refusal, contender, closed_contender)
 NAMES = ("clang++", "g++")
 
 
-def _compilers(options: tuple[str, ...]) -> list[Compiler]:
+def cpp_compilers(options: tuple[str, ...]) -> list[Compiler]:
     """Compilers that answer, clang before gcc: it makes the faster code of templates.
 
     Args:

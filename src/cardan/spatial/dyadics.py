@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import overload
 
-from ..errors import ModelError
-from ..ir.arithmetic import Number, Scalar
+from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.matrix import Matrix
 from .frames import Frame, Rates
-from .vectors import Vector, same_frame
+from .vectors import InFrame, Vector, same_frame
 
 
-@dataclass(frozen=True, eq=False)
-class Dyadic:
+class Dyadic(InFrame):
     """A linear map of vectors by its components in one frame.
 
     ``D @ v`` is D · v and ``D.T @ v`` is v · D. As with vectors, frames are never changed silently.
@@ -24,41 +21,12 @@ class Dyadic:
         components: (3, 3).
     """
 
-    frame: Frame
-    components: Matrix
-
-    def __post_init__(self) -> None:
-        if (self.components.rows, self.components.columns) != (3, 3):
-            raise ModelError(
-                f"dyadic in frame '{self.frame.name}': components are {self.components.rows} x "
-                f"{self.components.columns}; give 3 x 3"
-            )
+    size = (3, 3)
 
     @staticmethod
     def identity(frame: Frame) -> Dyadic:
         """The map of every vector to itself."""
         return Dyadic(frame, Matrix.identity(frame.graph, 3))
-
-    def _with(self, other: Dyadic | Vector) -> Matrix:
-        same_frame(self.frame, other.frame)
-        return other.components
-
-    def __add__(self, other: Dyadic) -> Dyadic:
-        return Dyadic(self.frame, self.components + self._with(other))
-
-    def __sub__(self, other: Dyadic) -> Dyadic:
-        return Dyadic(self.frame, self.components - self._with(other))
-
-    def __neg__(self) -> Dyadic:
-        return Dyadic(self.frame, -self.components)
-
-    def __mul__(self, factor: Number) -> Dyadic:
-        return Dyadic(self.frame, self.components * factor)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, divisor: Number) -> Dyadic:
-        return Dyadic(self.frame, self.components / divisor)
 
     @overload
     def __matmul__(self, other: Vector) -> Vector: ...

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar, Self
 
 from ..errors import ModelError
 from ..ir.arithmetic import Number, Scalar, norm
@@ -13,7 +14,50 @@ from .frames import Frame, Rates
 
 
 @dataclass(frozen=True, eq=False)
-class Vector:
+class InFrame:
+    """Components in one frame, added and multiplied there.
+
+    Attributes:
+        frame: The axes of the components.
+        components: As many as the class says.
+    """
+
+    size: ClassVar[tuple[int, int]]
+    frame: Frame
+    components: Matrix
+
+    def __post_init__(self) -> None:
+        found = self.components.rows, self.components.columns
+        if found != self.size:
+            raise ModelError(
+                f"{type(self).__name__.lower()} in frame '{self.frame.name}': components are "
+                f"{found[0]} x {found[1]}; give {self.size[0]} x {self.size[1]}"
+            )
+
+    def _with(self, other: InFrame) -> Matrix:
+        """Components of another one, which must be in the same frame."""
+        same_frame(self.frame, other.frame)
+        return other.components
+
+    def __add__(self, other: Self) -> Self:
+        return type(self)(self.frame, self.components + self._with(other))
+
+    def __sub__(self, other: Self) -> Self:
+        return type(self)(self.frame, self.components - self._with(other))
+
+    def __neg__(self) -> Self:
+        return type(self)(self.frame, -self.components)
+
+    def __mul__(self, factor: Number) -> Self:
+        return type(self)(self.frame, self.components * factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Number) -> Self:
+        return type(self)(self.frame, self.components / divisor)
+
+
+class Vector(InFrame):
     """A vector by its components in one frame.
 
     Operations of two vectors need both in the same frame; :meth:`express` changes it. This is
@@ -24,42 +68,12 @@ class Vector:
         components: (3, 1).
     """
 
-    frame: Frame
-    components: Matrix
-
-    def __post_init__(self) -> None:
-        if (self.components.rows, self.components.columns) != (3, 1):
-            raise ModelError(
-                f"vector in frame '{self.frame.name}': components are {self.components.rows} x "
-                f"{self.components.columns}; give 3 x 1"
-            )
+    size = (3, 1)
 
     @staticmethod
     def of(frame: Frame, entries: Sequence[Number]) -> Vector:
         """From three scalars or numbers."""
         return Vector(frame, Matrix.vector(frame.graph, entries))
-
-    def _with(self, other: Vector) -> Matrix:
-        """Components of the other vector, which must be in the same frame."""
-        same_frame(self.frame, other.frame)
-        return other.components
-
-    def __add__(self, other: Vector) -> Vector:
-        return Vector(self.frame, self.components + self._with(other))
-
-    def __sub__(self, other: Vector) -> Vector:
-        return Vector(self.frame, self.components - self._with(other))
-
-    def __neg__(self) -> Vector:
-        return Vector(self.frame, -self.components)
-
-    def __mul__(self, factor: Number) -> Vector:
-        return Vector(self.frame, self.components * factor)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, divisor: Number) -> Vector:
-        return Vector(self.frame, self.components / divisor)
 
     def __getitem__(self, k: int) -> Scalar:
         """Component k."""
