@@ -167,3 +167,16 @@ def test_only_what_was_asked_for_is_verified() -> None:
     few = cd.compile(scene, functions=("bias",))
     few.prepare("bias")
     assert few.verify().checked == ("bias",)
+
+
+def test_constraints_that_act_in_some_modes_alone():
+    # friction holds a joint while it sticks; nothing binds the states that are drawn
+    scene = cd.Model("slider")
+    block = scene.body("block", mass=1.0)
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, block)
+    scene.force("rub", cd.Friction("slide", 0.3))
+    model = cd.compile(scene)
+    model.prepare("constraint_jacobian", "multipliers", "forward_dynamics")
+    found = model.verify()
+    assert {"constraint_jacobian", "multipliers", "forward_dynamics"} <= set(found.checked)
+    assert found.worst < 1e-12

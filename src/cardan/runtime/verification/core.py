@@ -69,6 +69,8 @@ def _unknown(asked: Asked, name: str) -> str:
     truth, treatment = asked.truth, asked.model.manifest["scene"].get("treatment")
     if asked.adrift and name in BOUND_BY_LOOPS:
         return asked.adrift
+    if name in loops.JUDGES and name not in SOLVED and truth.bound is None:
+        return "constraints that act in some modes alone"
     if name in SOLVED and singular(truth):
         return SINGULAR
     if truth.f is None and name in (*SOLVED, "inverse_dynamics"):
