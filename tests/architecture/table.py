@@ -7,6 +7,7 @@ ORDER = (
     "version",
     "errors",
     "literature",
+    "arrays",
     "processes",
     "regular_file",
     "whole_file",
@@ -52,6 +53,7 @@ PLANNED = (
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
 RUNNING = frozenset({"runtime", "analyses", "view"})
 RUNNING_MAY_IMPORT = RUNNING | {
+    "arrays",
     "version",
     "errors",
     "processes",

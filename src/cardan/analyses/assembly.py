@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError, near
 
-Array = NDArray[np.float64]
 LISTED = 24
 
 

@@ -13,13 +13,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveError
 from .contract import Contract, Moment
 from .static_problem import Load, Matrix, Point, Problem
 
-Array = NDArray[np.float64]
 SHARE = 1e-8  # of the loads that act
 HOPS = 2  # a node, its body without mass, the coordinate of their joint
 UNITS = 50 * float(np.finfo(float).eps)

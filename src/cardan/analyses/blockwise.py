@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 
+from ..arrays import Array, Booleans
 from ..errors import SolveError
 from ..runtime.absolute.blocks import BlockSolver, solution, solver
 from ..runtime.absolute.plan import Plan, plan
 from ..runtime.absolute.systems import balanced
-from .saddle import Array, Matrix, Singular
+from .saddle import Matrix, Singular
 
 Longs = NDArray[np.int64]
 KEPT = 4  # patterns: of searches and of eigenvalues
@@ -51,7 +52,7 @@ class Blockwise:
     """
 
     places: NDArray[np.integer]
-    massless: NDArray[np.bool_]
+    massless: Booleans
     elements: NDArray[np.integer]
     _seen: dict[bytes, _Seen] = field(default_factory=dict)
     _plans: dict[bytes, Plan] = field(default_factory=dict)
@@ -160,7 +161,7 @@ class Blockwise:
         return _Seen(made, order, place, at + j - matrix.first[block[j]])
 
 
-def _through_rows(coupled: Longs, multiplier: NDArray[np.bool_]) -> Longs:
+def _through_rows(coupled: Longs, multiplier: Booleans) -> Longs:
     """Blocks of speeds that meet in the rows of an element, which couples them."""
     rows = coupled[multiplier[coupled[:, 0]]]
     shape = (len(multiplier), len(multiplier))

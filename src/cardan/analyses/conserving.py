@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.absolute.frames import rotation
 
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
     from ..schema.integrators import Integrator
 
-Array = NDArray[np.float64]
 # what differences of energies over a small way and rounding leave of forces
 DIFFERENCE, WAY = 1e-5, 1e-4
 SMALL = 1e-9

@@ -15,10 +15,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 from scipy.sparse import csr_array, issparse
 
+from ..arrays import Array
 from ..errors import SolveError
 from .balancing import balance
 from .equilibrium import DIRECT
@@ -28,7 +28,6 @@ from .newton import rest
 from .standing import stand
 from .static_problem import Matrix, Point, Problem
 
-Array = NDArray[np.float64]
 CLOSE = 1e-14  # of the path: two places that are one
 # of the path: next to a critical load searches may fail so far; stiffnesses are differences of
 # forces, known to the square root of rounding

@@ -11,8 +11,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.initial import entries
 from .mechanism import Mechanism
@@ -20,7 +20,6 @@ from .position_solver import PositionSolver
 from .redundancy import rank_of
 from .targets import Target, read
 
-Array = NDArray[np.float64]
 SMALLEST = 2.0**-44  # of the way from one value to the next
 SINGULAR = 1e-7  # quality below which the drive has no hold
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Hold, checked
+from ..arrays import Array
 from ..errors import ModelError, SolveError, SolveWarning, counted, shown, warn
 from ..runtime.calling import numbers
 from .balancing import TOLD, balance
@@ -19,7 +20,6 @@ from .settling import settled
 from .standing import Standing, holdable, stand, words
 from .static_problem import Load, Point, Problem, scaled
 
-Array = NDArray[np.float64]
 WAYS = ("full", "ramp", "damped", "creep")
 DIRECT = WAYS[:1]
 TRIES = 6  # starts beside an unstable position

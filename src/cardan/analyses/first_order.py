@@ -18,16 +18,15 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import qr
 
+from ..arrays import Array, Integers
 from ..errors import ModelError, SolveError
 from .contract import Contract, Moment, Tangents, dense
 from .saddle import Dense, Singular, split
 
-Array = NDArray[np.float64]
 # places of the independent increments and speeds
-Choice: TypeAlias = tuple[NDArray[np.intp], NDArray[np.intp]]
+Choice: TypeAlias = tuple[Integers, Integers]
 LEADING = 1e3  # times the share in motions that others need to be chosen instead
 DEPENDENT = 1e10  # condition beyond which a choice of independent ones is none
 # speeds up to which full matrices are made: a few dozen of 70 MB each
@@ -46,8 +45,8 @@ class FirstOrder:
 
     A: Array
     B: Array
-    e: NDArray[np.intp]
-    v: NDArray[np.intp]
+    e: Integers
+    v: Integers
     increments: Array
     speeds: Array
 
@@ -140,9 +139,7 @@ def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
     return found
 
 
-def chosen(
-    G: Array, weights: Array, wanted: NDArray[np.intp] | None = None
-) -> tuple[Array, NDArray[np.intp]]:
+def chosen(G: Array, weights: Array, wanted: Integers | None = None) -> tuple[Array, Integers]:
     """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen.
 
     Args:

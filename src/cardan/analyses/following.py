@@ -15,14 +15,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveError
 from .newton import Search
 from .standing import Standing, stand
 from .static_problem import Load, Point, Problem
 
-Array = NDArray[np.float64]
 # corrections above this multiple of the predicted step and this part of the reach lead to another
 # branch; below these none is seen: anywhere, and where the number of unstable directions changes
 AHEAD, JUMP = 1.0, 0.1

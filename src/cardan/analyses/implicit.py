@@ -9,16 +9,15 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ArgumentError, shown
 from ..runtime.calling import numbers
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State, Values
-
-Array = NDArray[np.float64]
 
 
 @checked

@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any, NamedTuple, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array, Complex
 from ..errors import ArgumentError, ModelError, counted, listed, near
 from .first_order import Choice
 from .second_order import SecondOrder, reduced
 from .spectrum import Spectrum, spectrum
 
-Array = NDArray[np.float64]
 RESTS = 1e-9  # accelerations below this are none
 SHOWN = 10
 POINTS = 600  # of a plot
@@ -79,12 +79,12 @@ class LinearModel:
         return spectrum(self.A, units)
 
     @property
-    def eigenvalues(self) -> NDArray[np.complex128]:
+    def eigenvalues(self) -> Complex:
         """Of A (nx,) [1/s], those that grow fastest first, of pairs that above the axis first."""
         return self.spectrum.values
 
     @property
-    def participation(self) -> NDArray[np.complex128]:
+    def participation(self) -> Complex:
         """Share of every state in every eigenvalue (nx, nx): columns add up to 1.
 
         NaN where eigenvalues are defective: such motions have no shares.
@@ -236,7 +236,7 @@ class LinearModel:
             )
 
     @checked
-    def frequency_response(self, omega: ArrayLike) -> NDArray[np.complex128]:
+    def frequency_response(self, omega: ArrayLike) -> Complex:
         """y by r at angular frequencies (...) [rad/s]: (..., ny, nr)."""
         s = 1j * np.asarray(omega, dtype=np.float64)[..., None, None]
         inner = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(np.complex128))

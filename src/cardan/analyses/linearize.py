@@ -12,9 +12,10 @@ from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ModelError, listed, near
 from ..runtime.evaluation import State
 from .contract import Contract, Moment, contract_of, dense
@@ -23,8 +24,6 @@ from .first_order import Choice, FirstOrder, first_order, pushed
 from .linear_model import LinearModel
 from .static_problem import Problem
 from .steady_motion import SteadyMotion
-
-Array = NDArray[np.float64]
 
 
 @checked

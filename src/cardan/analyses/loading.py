@@ -7,13 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, near, shown
 from .contract import Contract
 from .static_problem import Load
 
-Array = NDArray[np.float64]
 TIME = "t"
 
 

@@ -18,15 +18,14 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Count, Hold, checked
+from ..arrays import Array, Booleans, Complex, Integers
 from ..errors import SolveError, SolveWarning, warn
 from .family import Family, Member, family
 from .stability_change import Between, StabilityChange, follow
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 DOUBT = 0.4  # costs of an eigenvalue to be another one above which members between are looked at
 DEEPEST = 6  # halvings of a step
 SHOWN = 6
@@ -63,12 +62,12 @@ class Locus:
         return len(self.members)
 
     @property
-    def stable(self) -> NDArray[np.bool_]:
+    def stable(self) -> Booleans:
         """Whether no small motion grows exponentially (n,)."""
         return np.array([member.stable for member in self.members])
 
     @property
-    def moving(self) -> NDArray[np.bool_]:
+    def moving(self) -> Booleans:
         """Which columns are not 0 all the way (k,)."""
         size = np.array([member.spectrum.size for member in self.members])[:, None]
         return np.asarray((np.abs(self.eigenvalues) > 1e-6 * size).any(axis=0))
@@ -169,7 +168,7 @@ def locus(members: Family, check: bool = False) -> Locus:
     Raises:
         SolveError: no first member; with ``check``, none further on.
     """
-    rows, orders, message = [members.at(0.0)], list[NDArray[np.intp]](), END
+    rows, orders, message = [members.at(0.0)], list[Integers](), END
     orders.append(np.arange(len(rows[0].values)))
     changes = list[StabilityChange]()
     try:
@@ -192,8 +191,8 @@ def locus(members: Family, check: bool = False) -> Locus:
 
 
 def _on(
-    members: Family, before: Member, s: float, order: NDArray[np.intp], depth: int = 0
-) -> tuple[Member, NDArray[np.intp]]:
+    members: Family, before: Member, s: float, order: Integers, depth: int = 0
+) -> tuple[Member, Integers]:
     """The next member, and places of the followed eigenvalues in it."""
     here = members.at(s, before)
     next_to, doubt = follow(before, here)

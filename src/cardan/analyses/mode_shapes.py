@@ -8,17 +8,15 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arguments import Count, checked
+from ..arrays import Array, Booleans, Complex
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.conduct import FINISHED, Conduct
 from ..runtime.trajectory import Trajectory
 from .contract import Moment, contract_of
 from .static_path import SHOWN
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
 ROUNDED = 1e-13  # damping ratios below this are none
 PICTURES = 120  # per play
@@ -73,7 +71,7 @@ class Modes:
         return np.where(np.abs(ratio) < ROUNDED, 0.0, ratio)
 
     @property
-    def rigid(self) -> NDArray[np.bool_]:
+    def rigid(self) -> Booleans:
         """Which of them nothing holds (k,)."""
         return np.asarray(self.values == 0)
 

@@ -15,15 +15,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array, issparse
 
+from ..arrays import Array
 from ..errors import SolveError
 from .balancing import balances
 from .saddle import Dense, Singular
 from .static_problem import Load, Matrix, Point, Problem
 
-Array = NDArray[np.float64]
 TIGHT = 1e-10  # steps without units that end the search; the next would be their square
 NOISE = 1e-7  # steps that no longer fall below this are rounding
 # where forces are rounding, of the largest stiffness, larger steps are

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveError
 from ..runtime.interpreted import called_back
 from ..schema.records import PositionRecord, TargetRecord
@@ -23,7 +24,6 @@ from .connection import called
 from .mechanism import Mechanism
 from .targets import Target
 
-Array = NDArray[np.float64]
 MET = 1e-11  # residuals without units that count as zero
 FARTHEST, ASIDE = 0.5, 0.3  # a step along a tangent; a part of it by which it may miss
 REACHED = 1e-9

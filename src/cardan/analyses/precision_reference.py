@@ -6,12 +6,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import CodegenError, DerivationError, ModelError, SolveError
 from ..runtime.trajectory import Trajectory
 
-Array = NDArray[np.float64]
 Run = Callable[..., Trajectory]
 
 FIRST, SECOND = 1e-13, 1e-12  # tolerances of methods of high order

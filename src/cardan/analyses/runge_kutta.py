@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime import prebuilt
 from ..schema.integrators import KERNELS, Integrator
 
 Matrix = NDArray[np.complexfloating[Any, Any]]
-Array = NDArray[np.float64]
 
 
 def response(method: Integrator, z: Matrix) -> Matrix:

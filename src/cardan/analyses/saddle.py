@@ -13,14 +13,13 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg.lapack import dgecon, dgetrf, dgetrs
 from scipy.sparse import block_array, csc_array, csr_array, diags_array
 from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, eigsh, splu
 
+from ..arrays import Array, Complex
 from ..errors import SolveError
 
-Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Factored: TypeAlias = Callable[[Array], Array]
 Factor: TypeAlias = Callable[[Matrix, Matrix], Factored]
@@ -350,7 +349,7 @@ def near(
 
 def near_quadratic(
     K: Any, C: Any, M: Any, G: Any, shift: float, count: int, by: Factor = factored
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+) -> tuple[Complex, Complex]:
     """Eigenvalues next to a shift, and eigenvectors, of (v^2 M + v C + K) x = 0 on what G allows.
 
     Args:

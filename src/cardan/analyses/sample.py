@@ -18,13 +18,12 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arguments import Count, Seed, checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, counted, shown
 from ..runtime.calling import numbers
 
-Array = NDArray[np.float64]
 MOST = 1 << 31  # runs of a plan
 
 

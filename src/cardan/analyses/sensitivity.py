@@ -18,16 +18,14 @@ from itertools import pairwise
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arguments import checked
+from ..arrays import Array, Complex
 from ..errors import ModelError, listed, near
 from .equilibrium import Equilibrium, equilibrium
 from .family import Family, Member
 from .steady_motion import SteadyMotion
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 STEP = 0.02  # of a parameter, the longest; of 1 where it is 0
 LEVELS = 3
 SHOWN = 10

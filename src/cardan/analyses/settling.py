@@ -17,13 +17,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array, Booleans
 from ..errors import ModelError, SolveError
 from .newton import Search, crept, rest
 from .static_problem import Load, Point, Problem
 
-Array = NDArray[np.float64]
 CHANGES = 60  # of modes in one search
 CREEPING, SHORT, THIN = 300, 1e-9, 0.3  # steps, those that rest, and how resistance falls
 BESIDE = 1e-9  # a start so little beyond a stop is at it
@@ -87,7 +86,7 @@ def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
     return np.where(own, found, 1.0)
 
 
-def _forbidden(problem: Problem, start: Point, point: Point) -> NDArray[np.bool_]:
+def _forbidden(problem: Problem, start: Point, point: Point) -> Booleans:
     """Which events would have happened on the way to a point (ne,)."""
     way = problem.system.difference(start.at.q, point.at.q)
     return np.asarray(_signs(problem, point, way) < -LACKING * _scales(problem, point))
@@ -122,7 +121,7 @@ def _decided(problem: Problem, point: Point) -> Point:
     return point
 
 
-def _fired(problem: Problem, point: Point, fired: NDArray[np.bool_]) -> Point:
+def _fired(problem: Problem, point: Point, fired: Booleans) -> Point:
     """The point behind events, without speeds."""
     if not fired.any():
         return point
@@ -130,7 +129,7 @@ def _fired(problem: Problem, point: Point, fired: NDArray[np.bool_]) -> Point:
     return replace(point, at=replace(point.at, s=problem.system.behind(at, fired)))
 
 
-def _creep(problem: Problem, point: Point, load: Load) -> tuple[Point, NDArray[np.bool_], int]:
+def _creep(problem: Problem, point: Point, load: Load) -> tuple[Point, Booleans, int]:
     """The way down to the first event, which events happen there, and steps."""
     system, resistance = problem.system, 1.0
     none = np.zeros(len(system.events), dtype=bool)
@@ -174,7 +173,7 @@ class _Way:
         """The point after a part of it."""
         return self.problem.moved(self.start, part * self.x, part * self.y, self.load)
 
-    def events(self, part: float) -> NDArray[np.bool_]:
+    def events(self, part: float) -> Booleans:
         """Which events have happened until there (ne,)."""
         way = self.x[: len(self.problem.system.columns)] * self.problem.system.columns
         return np.asarray(_signs(self.problem, self.at(part), way) < 0)

@@ -15,9 +15,10 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Hold, checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
@@ -27,7 +28,6 @@ from .position_solver import PositionSolver
 from .redundancy import rank_of
 from .targets import kept, read
 
-Array = NDArray[np.float64]
 STEP = 0.05  # of the path, without units
 MOST = 20000
 LOCATED = 1e-12

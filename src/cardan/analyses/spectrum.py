@@ -12,11 +12,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eig, matrix_balance
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from ..arrays import Array, Booleans, Complex, Integers
+
 # entries below this part of the largest are rounding: what nothing depends on is told apart exactly
 ROUNDED = 4e-15
 ALIKE = 1e-9  # of the largest modulus: eigenvalues that meet
@@ -42,12 +41,12 @@ class Spectrum:
     values: Complex
     right: Complex
     left: Complex
-    defective: NDArray[np.bool_]
-    groups: tuple[NDArray[np.intp], ...]
+    defective: Booleans
+    groups: tuple[Integers, ...]
     rounding: Array
 
     @property
-    def growing(self) -> NDArray[np.bool_]:
+    def growing(self) -> Booleans:
         """Which motions grow exponentially (n,), beyond all rounding."""
         return np.asarray(self.values.real > self.rounding)
 
@@ -105,15 +104,15 @@ def spectrum(A: Array, units: Array) -> Spectrum:
     return Spectrum(values, right / top, left * top.conj(), defective, groups, off)
 
 
-def _order(values: Complex) -> NDArray[np.intp]:
+def _order(values: Complex) -> Integers:
     size = max(float(np.abs(values).max()), 1e-300)
     return np.lexsort((-values.imag, np.abs(values.imag), -np.round(values.real / size, 9)))
 
 
-def _groups(values: Complex) -> tuple[NDArray[np.intp], ...]:
+def _groups(values: Complex) -> tuple[Integers, ...]:
     """Places of eigenvalues that meet."""
     close = ALIKE * float(np.abs(values).max())
-    left, found = list(range(len(values))), list[NDArray[np.intp]]()
+    left, found = list(range(len(values))), list[Integers]()
     while left:
         here = [k for k in left if abs(values[k] - values[left[0]]) <= close]
         left = [k for k in left if k not in here]
@@ -137,8 +136,8 @@ def _cosines(left: Complex, right: Complex) -> Array:
 
 
 def _paired(
-    left: Complex, right: Complex, group: NDArray[np.intp], defective: NDArray[np.bool_]
-) -> tuple[Complex, NDArray[np.bool_]]:
+    left: Complex, right: Complex, group: Integers, defective: Booleans
+) -> tuple[Complex, Booleans]:
     """Left vectors that belong to right ones where eigenvalues meet; or the group is defective."""
     inner = left[:, group].conj().T @ right[:, group]
     left, defective = left.copy(), defective.copy()

@@ -17,13 +17,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import Complexes, checked
+from ..arrays import Array, Booleans
 from ..errors import ArgumentError, ModelError, shown
 from ..schema.integrators import Integrator
 from .alpha import Alpha, GeneralizedAlpha
 from .runge_kutta import response as response_of
 from .settings import integrator
 
-Array = NDArray[np.float64]
 ROUNDED = 1e-12  # of |R| = 1, to which methods without damping round
 
 
@@ -122,7 +122,7 @@ def stable_along(method: str, direction: complex) -> float:
     """
     ray = complex(direction) / abs(direction)
 
-    def grows(r: Array) -> NDArray[np.bool_]:
+    def grows(r: Array) -> Booleans:
         return np.asarray(np.abs(response(method, ray * r)) > 1 + ROUNDED)
 
     grid = np.concatenate([np.linspace(0, 20, 20001)[1:], np.logspace(np.log10(20), 8, 500)])

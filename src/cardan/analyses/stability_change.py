@@ -14,13 +14,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, linear_sum_assignment
 
+from ..arrays import Complex, Integers
 from ..errors import SolveError
 from .family import Family, Member
 
-Complex = NDArray[np.complex128]
 CLOSE = 1e-15  # of the family: two places that are one
 NARROW = 1e-4  # of the family: places between which an eigenvalue is followed to the axis
 REAL = 1e-6  # of the largest modulus: imaginary parts that are none
@@ -48,7 +47,7 @@ class StabilityChange:
         return abs(self.eigenvalue.imag)
 
 
-def follow(before: Member, after: Member) -> tuple[NDArray[np.intp], float]:
+def follow(before: Member, after: Member) -> tuple[Integers, float]:
     """Places in a member of the eigenvalues of another, and how doubtful the worst is."""
     if len(before.values) != len(after.values):
         raise SolveError("the number of independent coordinates changes")

@@ -11,20 +11,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import issparse
 from scipy.sparse.linalg import ArpackError
 
+from ..arrays import Array, Complex
 from .contract import Contract
 from .first_order import eigenvalues
 from .saddle import LOOSE, SKEW, Lowest, Singular, Sparse, near_quadratic
 from .static_problem import Load, Point, Problem, scaled
 
-Array = NDArray[np.float64]
-Complex: TypeAlias = NDArray[np.complex128]
 SHARE = 0.2  # entries of a motion below this part of the largest are not told
 MOST = 3
 # real parts that count as growth, over the largest modulus: of what rests, of what moves fast.

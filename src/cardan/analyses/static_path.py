@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arguments import checked
+from ..arrays import Array, Integers
 from ..errors import ModelError, SolveWarning, counted, near, warn
 from ..runtime.conduct import FINISHED
 from .critical_load import located
@@ -19,7 +19,6 @@ from .following import Crossing, Place
 from .loading import Loading
 from .static_problem import Problem
 
-Array = NDArray[np.float64]
 SHOWN = 12
 SAID = {
     "held": "stability changes",
@@ -97,7 +96,7 @@ class StaticPath:
         return np.array([row.lam for row in self.rows])
 
     @property
-    def iterations(self) -> NDArray[np.intp]:
+    def iterations(self) -> Integers:
         """Linear systems solved for every row (n,)."""
         return np.array([row.iterations for row in self.rows], dtype=np.intp)
 
@@ -116,7 +115,7 @@ class StaticPath:
         return [row.stable_held for row in self.rows]
 
     @property
-    def n_negative(self) -> NDArray[np.intp]:
+    def n_negative(self) -> Integers:
         """Negative eigenvalues of the stiffness on what constraints allow, under dead loads (n,).
 
         Independent directions in which every row is pushed away.
@@ -124,7 +123,7 @@ class StaticPath:
         return np.array([row.n_negative for row in self.rows], dtype=np.intp)
 
     @property
-    def n_negative_held(self) -> NDArray[np.intp]:
+    def n_negative_held(self) -> Integers:
         """The same with displacements that are prescribed (n,)."""
         return np.array([row.n_negative_held for row in self.rows], dtype=np.intp)
 

@@ -11,12 +11,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
+from ..arrays import Array
 from .contract import Contract, Moment, Parameters, Tangents
 
-Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 
 

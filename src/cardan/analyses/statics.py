@@ -14,9 +14,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Count, Hold, checked
+from ..arrays import Array
 from ..errors import ModelError, SolveError, SolveWarning, warn
 from ..runtime.conduct import FINISHED
 from .contract import Contract, contract_of
@@ -30,7 +31,6 @@ from .standing import holdable, stand, words
 from .static_path import StaticPath
 from .static_problem import Problem
 
-Array = NDArray[np.float64]
 STEPS = 10
 GOOD = 5  # iterations after which the next step may be longer
 SMALLEST = 2.0**-20

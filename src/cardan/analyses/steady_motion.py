@@ -7,14 +7,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, final
 
-import numpy as np
-from numpy.typing import NDArray
-
+from ..arrays import Array
 from .contract import Moment, NamedState
 from .first_order import Choice
 from .linear_model import LinearModel
 
-Array = NDArray[np.float64]
 SHOWN = 24
 ROUNDED = 1e-12  # values below this are printed as none
 

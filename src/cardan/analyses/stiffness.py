@@ -13,15 +13,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import counted
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 
-Array = NDArray[np.float64]
 PRODUCTS = 16  # of the Jacobian with a vector
 RELATIVE = 1e-7  # size of differences
 # h times the fastest rate up to which explicit steps of order 8 are stable, measured on springs

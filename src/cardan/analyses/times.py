@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, shown
 
 
@@ -18,7 +18,7 @@ class Span:
 
     start: float
     end: float
-    times: NDArray[np.float64] | None = None
+    times: Array | None = None
 
     @property
     def length(self) -> float:
@@ -59,7 +59,7 @@ def span(t: Any, t_eval: Any = None) -> Span:
     return _listed(array)
 
 
-def _times(name: str, given: Any) -> NDArray[np.float64]:
+def _times(name: str, given: Any) -> Array:
     """Finite times, one or a row."""
     try:
         array = np.array([] if given is None else given, dtype=np.float64)
@@ -99,7 +99,7 @@ def _forward(end: float) -> Span:
     return Span(0.0, end)
 
 
-def _listed(times: NDArray[np.float64]) -> Span:
+def _listed(times: Array) -> Span:
     if len(times) < 2:
         raise ModelError("t: output times must be at least two; the first one is the start")
     steps = np.diff(times)

@@ -17,9 +17,10 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ModelError, SolveError, SolveWarning, counted, warn
 from .contract import contract_of
 from .equilibrium import equilibrium
@@ -28,7 +29,6 @@ from .steady_motion import SteadyMotion
 from .trim_asked import asked
 from .trim_problem import Guess, Trimming
 
-Array = NDArray[np.float64]
 TIGHT = 1e-11  # steps without units that end the search
 MET = 1e-9  # of what a unit step changes: conditions that hold
 NEWTON, HALVINGS = 60, 14

@@ -8,8 +8,8 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array, Integers
 from ..errors import ModelError, SolveError
 from .consistent import read, speeds
 from .contract import Moment
@@ -18,7 +18,6 @@ from .mechanism import Mechanism
 from .position_solver import PositionSolver
 from .relative import Relative
 
-Array = NDArray[np.float64]
 FORCE = ".force"
 NAMED, LEADING = 1e6, 1e3  # preference of speeds that are spoken of, and of the others
 SLOW = 1e-4  # of the speed of vibrations by a unit: speeds below which nothing is seen to change
@@ -60,7 +59,7 @@ class Trimming:
     base: Mapping[str, float]
     r: Array
     t: float
-    v: NDArray[np.intp] | None = None
+    v: Integers | None = None
 
     def searching(self, guess: Guess) -> Trimming:
         """The same with speeds that are independent where a search begins."""

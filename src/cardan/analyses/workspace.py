@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Count, Seed, checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
@@ -21,7 +22,6 @@ from .position_solver import PositionSolver
 from .searches import drawn
 from .targets import read
 
-Array = NDArray[np.float64]
 SAMPLES = 1000
 AGAIN = 3
 

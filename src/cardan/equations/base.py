@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from ..arrays import Booleans
 from ..ir.arithmetic import Scalar
 from ..ir.function import Function, Output, live
 from ..ir.graph import ONE, ZERO
@@ -18,9 +19,6 @@ from ..ir.rewrite import rebuild
 from ..ir.stage import stage
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from .record import Equations
 
 # differences of sums of terms of size one that cancel
@@ -146,7 +144,7 @@ def _alike(column: Any, others: dict[str, Any]) -> tuple[str, int]:
     return "", 1
 
 
-def _dependence(function: Function, nodes: list[int], parameters: int) -> NDArray[np.bool_]:
+def _dependence(function: Function, nodes: list[int], parameters: int) -> Booleans:
     """Which expressions of the parameters depend on which: (nodes, parameters).
 
     Whether they do is seen at numbers drawn by chance; what cancels leaves rounding only.

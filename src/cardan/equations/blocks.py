@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..elements.internal import Mode
 from ..elements.joints.joint import entries
 from ..elements.quantity import written_unit
@@ -67,7 +67,7 @@ def discrete(system: System) -> list[tuple[str, Mode]]:
     ]
 
 
-def defaults(system: System) -> dict[str, NDArray[np.float64]]:
+def defaults(system: System) -> dict[str, Array]:
     """Time, parameters, inputs, internal states and modes as a run starts with them."""
     return {
         "t": np.zeros(1),

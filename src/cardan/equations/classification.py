@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..ir.function import live
 from ..ir.interpreter import evaluate
 from . import blocks
@@ -25,7 +25,6 @@ from .feasibility import search, value
 if TYPE_CHECKING:
     from .record import Equations
 
-Array = NDArray[np.float64]
 STATES = 3
 STEP = 1e-5  # of differences
 SMALL = 1e-6  # what differences leave of 0, relative to the rows

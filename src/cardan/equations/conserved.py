@@ -20,8 +20,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import DerivationError, near
 from ..ir.arithmetic import Scalar
 from ..ir.collector import collector_paused
@@ -48,7 +48,6 @@ from .states import States, context_of, divisors, function_of
 if TYPE_CHECKING:
     from .record import Equations
 
-Array = NDArray[np.float64]
 # rounding of combinations, relative to their terms
 DEPENDENT = 1e-7
 AT_REST, AT_PARAMETERS = "while the inputs rest", "at these parameters"

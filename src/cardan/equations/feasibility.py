@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..ir.function import Function
 from ..ir.interpreter import evaluate
 from . import blocks
@@ -19,7 +19,6 @@ from . import blocks
 if TYPE_CHECKING:
     from .record import Equations
 
-Array = NDArray[np.float64]
 STARTS, STEPS = 12, 60
 LONGEST = 0.5  # of a step [rad, m]
 # residuals that are sought, and those that count as closed: rounded lengths leave as much

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.function import Function
@@ -20,7 +20,6 @@ from .states import States, drawn, function_of
 if TYPE_CHECKING:
     from .record import Equations
 
-Array = NDArray[np.float64]
 # rounding of rates, relative to their terms
 ZERO_RATE = 1e-8
 # momenta of single speeds are looked at up to so many

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..ir.function import Function, Output
 from ..ir.interpreter import evaluate
 from ..ir.matrix import Matrix
@@ -20,7 +20,6 @@ from .kinematics import Kinematics
 if TYPE_CHECKING:
     from .record import Equations
 
-Array = NDArray[np.float64]
 # equations of constraint that follow from others
 DEPENDENT = 1e-9
 

@@ -12,8 +12,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from . import kernels
 
 if TYPE_CHECKING:
@@ -34,10 +34,10 @@ def _function(address: int) -> Callable[..., int]:
 
 def run(
     address: int,
-    blocks: Sequence[NDArray[np.float64] | None],
+    blocks: Sequence[Array | None],
     strides: Sequence[int],
     count: int,
-    out: NDArray[np.float64],
+    out: Array,
     work_size: int,
 ) -> tuple[int, int]:
     """Call a function at ``count`` states.
@@ -71,14 +71,14 @@ def run(
     return status, failed.value
 
 
-def prepare(address: int, p: NDArray[np.float64], w: NDArray[np.float64]) -> None:
+def prepare(address: int, p: Array, w: Array) -> None:
     """Call a ``prepare_`` function for every row of p, (count, np) -> (count, nw)."""
     function = PREPARE(address)
     for row, result in zip(p, w, strict=True):
         function(row.ctypes.data, result.ctypes.data)
 
 
-def first_bad(x: NDArray[np.float64]) -> int:
+def first_bad(x: Array) -> int:
     """Flat index of the first entry that is NaN or infinite, -1 if all are finite."""
     finite = np.isfinite(x).reshape(-1)
     return -1 if finite.all() else int(np.argmin(finite))

@@ -17,13 +17,12 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import BuildError, BuildWarning, warn
 from ..schema.blocks import ORDER, SLOT
 from .lanes import Answer, Lanes, Recipe, States, width
 
-Array = NDArray[np.float64]
 Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
 

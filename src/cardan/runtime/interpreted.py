@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import BuildWarning, SolveError, warn
 from ..processes import on_interrupt
 from ..schema.blocks import SLOT
@@ -24,7 +24,6 @@ from ..schema.blocks import SLOT
 if TYPE_CHECKING:
     from ..ir.function import Function
 
-Array = NDArray[np.float64]
 SINGULAR = 1  # CARDAN_SINGULAR of cardan.h
 RAISED = 1 << 16  # status of a function that raised, beside those of cardan.h
 NUMBERS = 4_000_000  # held at once: every node has a value for every state of a piece

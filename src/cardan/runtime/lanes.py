@@ -12,14 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import BuildError, CompilerMissing
 from ..schema.blocks import ORDER
 from . import cache, kernels, prebuilt
 from .toolchain import Compiler
 
-Array = NDArray[np.float64]
 Answer = tuple[int, int, bool]
 WIDTHS = (1, 2, 4, 8)
 # what the compiler takes, measured: seconds for a file, and for a statement of it

@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ImpossibleWarning
 from ..model.checks import is_number, lone_moment, mass, unphysical
 from ..model.model import Model
@@ -19,7 +19,6 @@ from .convert import Converter
 from .doubts import tell
 from .system import GROUND, Nodes, System
 
-Array = NDArray[np.float64]
 Moments = Sequence[Any]
 ALONG = 1e-9  # of an axis across another one: it is along it
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..ir.function import live
 from ..model.beam import Beam
@@ -20,7 +20,6 @@ from .meshed import meshed
 from .placement import Placement
 from .segment import Line
 
-Array = NDArray[np.float64]
 # rounding in products of rotations
 ROUNDING = 4e-16
 FARTHEST = 1e30  # m

@@ -17,15 +17,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..elements.closing import closed
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.matrix import Matrix
 from .convert import Converter
 from .system import Cut, Frame, Joint, Nodes
 
-Array = NDArray[np.float64]
 # what is left of a twist of length 1 that depends on others
 DEPENDENT = 1e-9
 # joint positions at which twists and gradients are taken: the default one, and one beside it

@@ -14,12 +14,11 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from .circuits import DEPENDENT, Numbers
 from .system import Cut, Joint
 
-Array = NDArray[np.float64]
 # of the free joints of a circuit: legs are looked for among those nearest to the cut
 NEAREST = 12
 SINGLE = ("revolute", "prismatic")

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..elements.centerlines import Curve
 from ..errors import ModelError
 from .segment import Line
 
-Array = NDArray[np.float64]
 # shortest element against the beam; most that neighboring sections may be turned
 SHORTEST, TURN = 1e-9, np.pi / 2
 # a line this near to the vertical (sine of the angle) has no direction "up"

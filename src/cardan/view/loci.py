@@ -6,12 +6,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array, Complex
 from .plot import CURVES, MARKS, done, empty
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 ROUNDED = 1e-10  # of the largest eigenvalue: real parts that are none
 ROUND = 0.1  # whirl beyond this goes round
 

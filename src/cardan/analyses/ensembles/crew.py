@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array, Integers
 from ...runtime import lanes as widths
 from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
@@ -30,7 +30,6 @@ from ..times import Span
 from . import lanes as records
 from .varied import Varied
 
-Array = NDArray[np.float64]
 # what is counted of every run
 NUMBERS = ("t", "steps", "rejections", "evaluations")
 NOT_RUN = -1000  # answer of a run that has not begun
@@ -220,7 +219,7 @@ class Crew:
         self,
         x: Array,
         rows: Array,
-        answers: NDArray[np.intp],
+        answers: Integers,
         numbers: Array,
         ends: ctypes.Array[Run],
     ) -> Ends:

@@ -8,14 +8,13 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError
 from .crew import NUMBERS
 from .job import Job, Piece
 from .reductions import Parts, States
 
-Array = NDArray[np.float64]
 MESSAGES = 1000  # that are kept as text; the others are told by run(i)
 UNFINISHED = ("not_run", "interrupted")
 LESS = "Keep less: reduce='max of ...', 'mean of ...', or fewer runs at once"
@@ -80,9 +79,9 @@ class Gathered:
             self._merge(self._next)
 
     @property
-    def finished(self) -> NDArray[np.bool_]:
+    def finished(self) -> Booleans:
         """Which runs reached their end (runs,)."""
-        done: NDArray[np.bool_] = self.codes == self.words.index("finished")
+        done: Booleans = self.codes == self.words.index("finished")
         return done
 
     def tell(self, messages: Mapping[int, str]) -> None:

@@ -7,12 +7,10 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...runtime import kernels
 from ...schema.records import Abreast, Driver, Lane, LaneMethod, Own, check
-
-Array = NDArray[np.float64]
 
 
 @lru_cache(maxsize=4)

@@ -15,11 +15,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array, Booleans, Integers
 from ...errors import ArgumentError, FunctionError, ModelError, near, shown
 
-Array = NDArray[np.float64]
 Parts = dict[str, Array]
 FREE = -1  # in a shape: any axes from here on
 
@@ -57,8 +56,8 @@ class Histories:
 
     t: Array
     x: Array
-    whole: NDArray[np.bool_]
-    ended: NDArray[np.bool_]
+    whole: Booleans
+    ended: Booleans
     of: Callable[[str], Array]
 
 
@@ -221,7 +220,7 @@ class Bins:
         below, above: Runs outside.
     """
 
-    counts: NDArray[np.intp]
+    counts: Integers
     edges: Array
     below: int
     above: int

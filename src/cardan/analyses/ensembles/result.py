@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arguments import checked
+from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, counted, near
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
 from .crew import NUMBERS
 from .gathered import UNFINISHED, Gathered
 from .job import Job, entries
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -206,7 +205,7 @@ class Ensemble:
         return bool(self.finished.all())
 
     @property
-    def finished(self) -> NDArray[np.bool_]:
+    def finished(self) -> Booleans:
         """Which runs reached their end, or one that an event made, (runs,)."""
         return np.isin(self.status, (FINISHED, EVENT))
 

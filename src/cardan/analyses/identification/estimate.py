@@ -9,12 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import SolveError
 from .triangle import triangle
 
-Array = NDArray[np.float64]
 PASSES = 3  # of weights by residuals: the second changes them by parts of a thousand
 LEAST = 1e-12  # noise relative to what was measured: less is rounding
 EXACT = 1e-4  # noise of a channel beside that of others: no force at all is known that well

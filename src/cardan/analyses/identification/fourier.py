@@ -12,9 +12,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...arrays import Array
+
 # points per wave of the highest harmonic at which limits are kept, and what lies between them
 FINE, BETWEEN = 40, 0.005
 

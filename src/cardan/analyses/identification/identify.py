@@ -11,9 +11,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ...arguments import Count, checked
+from ...arrays import Array
 from ...errors import ArgumentError, near
 from ...runtime.calling import numbers
 from ..actuation import named_speeds
@@ -26,7 +27,6 @@ from .rows import Rows, of_energy, of_forces
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 FORMS = ("torque", "energy")
 # columns that circuits make dependent, seen at measured positions
 RANK = 1e-6

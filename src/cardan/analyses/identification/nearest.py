@@ -9,14 +9,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array, Booleans
 from .base import Base
 
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 STEP = 1e-6  # of central differences, relative: phi is of third degree in p at most
 STEPS, MET = 30, 1e-12
 # a parameter that is 0 may change like this part of those with its unit
@@ -62,7 +61,7 @@ def _phi(model: CompiledModel, p: Array) -> Array:
     return np.asarray(function.caller(None, w=function.prepared(p)))
 
 
-def _slope(model: CompiledModel, p: Array, free: NDArray[np.bool_]) -> Array:
+def _slope(model: CompiledModel, p: Array, free: Booleans) -> Array:
     """d phi / d p of the free parameters (n, k)."""
     steps = STEP * _sizes(model)
     moves = np.diag(steps)[free]
@@ -82,7 +81,7 @@ def _sizes(model: CompiledModel) -> Array:
     return np.maximum(values, [SMALL * usual[unit] for unit in units])
 
 
-def _inertial(model: CompiledModel) -> NDArray[np.bool_]:
+def _inertial(model: CompiledModel) -> Booleans:
     """Parameters (np,) that change phi and not the regressor: neither lengths nor gravity."""
     p = model.parameters.vector
     changed = p + 0.1 * np.diag(_sizes(model))

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arguments import checked
+from ...arrays import Array, Booleans
 from ...errors import ArgumentError, near
 from .base import Base
 from .nearest import nearest
@@ -18,7 +18,6 @@ from .nearest import nearest
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 # standard deviations below this part of the estimate: it is known well
 WELL = 0.1
 # eigenvalues of pseudo-inertias below this, relative to the largest, belong to no body
@@ -73,7 +72,7 @@ class Identification:
         return np.asarray(self.deviations / np.maximum(np.abs(self.estimates), 1e-300))
 
     @property
-    def well(self) -> NDArray[np.bool_]:
+    def well(self) -> Booleans:
         """Which are known to a tenth of themselves (nb,)."""
         return np.asarray(self.relative < WELL)
 

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import ArgumentError, SolveError
 from . import smoothing
 from .base import circuits
@@ -22,7 +22,6 @@ from .data import Data
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 # singular values of constraints below this part of the largest are those of redundant ones
 RANK = 1e-9
 # actuators that have less hold of a freedom than this have none

@@ -8,11 +8,10 @@ and decimation; Swevers, Ganseman, De Schutter and Van Brussel, IEEE Trans. Robo
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import ArgumentError
 
-Array = NDArray[np.float64]
 ORDER = 4  # of the filter, which runs forward and backward
 DEGREE = 5  # of splines
 WHOLE = 0.9  # of a period: the least data for a series

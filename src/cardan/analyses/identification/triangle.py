@@ -7,9 +7,9 @@ Algorithm, Electronic Transactions on Numerical Analysis 44 (2015).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...arrays import Array
+
 # condition up to which the first of two Cholesky factors is near enough
 REGULAR = 1e6
 

@@ -8,10 +8,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from ...arrays import Array
 from ...errors import ModelError
 from ..quantity import Quantity
 from ..written import vector
-from .centerline import APART, Array, Centerline, Curve
+from .centerline import APART, Centerline, Curve
 
 
 @dataclass(frozen=True)

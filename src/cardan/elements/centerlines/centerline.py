@@ -7,12 +7,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from ...arrays import Array
 from ..quantity import Quantity
 
-Array = NDArray[np.float64]
 # of numbers that a user types, against the length of the line
 APART = 1e-6
 

@@ -8,8 +8,9 @@ from typing import ClassVar
 
 import numpy as np
 
+from ...arrays import Array
 from ..quantity import Quantity
-from .centerline import Array, Centerline, Curve
+from .centerline import Centerline, Curve
 
 
 @dataclass(frozen=True)

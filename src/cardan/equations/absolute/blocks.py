@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arrays import Integers
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.function import Function
@@ -22,7 +23,7 @@ from ..kinematics import Kinematics
 from ..recipes import RECIPES
 from .cutting import Cutting
 from .plane import plane_node
-from .record import BlockKind, Integers
+from .record import BlockKind
 from .scene import NODE, Key, Scene
 
 MOVING = ("move", "qdot", "difference")

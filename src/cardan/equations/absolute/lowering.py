@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from ...arrays import Integers
 from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
@@ -18,7 +19,7 @@ from .flatness import check, planes
 from .kinds import kind_of, structure
 from .pieces import Piece, pieces
 from .plane import flattened
-from .record import GROUND, Absolute, BlockKind, Frames, Group, Integers, Kind, Places, unique
+from .record import GROUND, Absolute, BlockKind, Frames, Group, Kind, Places, unique
 from .scene import NODE, Key, Scene
 from .segments import beamed
 from .states import states

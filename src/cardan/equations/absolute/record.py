@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array, Integers
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
@@ -29,8 +29,7 @@ from ..explained import Explainable
 from ..record import Equations
 from .overview import overview
 
-Integers: TypeAlias = NDArray[np.intp]
-Numbers: TypeAlias = NDArray[np.float64]
+Numbers: TypeAlias = Array
 
 # the place of an end that is fixed to the ground
 GROUND = -1

@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 
+from ...arrays import Integers
 from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
 from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.ends import GROUND as AT_GROUND
@@ -23,7 +24,7 @@ from ...topology.segment import Segment
 from ..blocks import parameters
 from .blocks import Holds
 from .plane import flattened
-from .record import GROUND, BlockKind, Group, Integers, Kind, Numbers, unique
+from .record import GROUND, BlockKind, Group, Kind, Numbers, unique
 from .scene import NODE, Key, Scene
 
 # elements of a segment up to which they share a table with those of others

@@ -11,8 +11,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ...arrays import Array, Complex
 from ...errors import DerivationError, SolveError
 from .given import Placeholder
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from ..record import Equations
     from .record import Linearized
 
-Array = NDArray[np.float64]
 # of changes of speeds by independent ones: beyond, others must be chosen
 LARGEST = 1e4
 HALVINGS = 12
@@ -90,7 +90,7 @@ class LinearizedAlong:
         return np.array(found)
 
     @property
-    def multipliers(self) -> NDArray[np.complex128]:
+    def multipliers(self) -> Complex:
         """Floquet multipliers (nx,) of a motion over one period, the largest first.
 
         Small motions grow by them from period to period; beyond 1 in size they are unstable.

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError
 from ...ir.derivative import forward
 from ...ir.function import Function, Output
@@ -20,7 +20,6 @@ from .given import NOMINAL, substituted
 if TYPE_CHECKING:
     from .reference import Reference
 
-Array = NDArray[np.float64]
 STARTS, STEPS, LONGEST, CLOSED = 12, 60, 0.3, 1e-9
 ROUNDING = 1e-14
 

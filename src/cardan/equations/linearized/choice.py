@@ -6,12 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError
 from .pivoting import independent, independent_rows, null_space
 
-Array = NDArray[np.float64]
 WANTED = 1e3  # weight of what the user wants to be independent
 GIVEN = 30.0  # of what has a value: it stays independent unless it moves that much less than others
 

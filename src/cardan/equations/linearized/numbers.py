@@ -6,13 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError, near
 from .given import NOMINAL
 from .reference import Reference
 
-Array = NDArray[np.float64]
 OPEN = 1e-8  # of circuits: what assembling leaves at the most, with room for other numbers
 
 

@@ -8,12 +8,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 
-Array = NDArray[np.float64]
 # a pivot is at least this part of the largest entry of its column
 THRESHOLD = 0.1
 DEPENDENT = 1e-9

@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ...arrays import Array
 from ...errors import DerivationError, counted, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
     from .along import LinearizedAlong
 
-Array = NDArray[np.float64]
 KEPT = 1e-9  # forces below this part of the largest ones at hand are none
 SECOND = (
     "M", "damping", "K", "dissipative", "gyroscopic", "conservative", "circulatory", "forces",

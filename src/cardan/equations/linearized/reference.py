@@ -11,8 +11,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError, listed, near
 from ...ir.derivative import forward
 from ...ir.function import Block, Function, Output
@@ -42,7 +42,6 @@ from .pivoting import independent, independent_rows, solved
 if TYPE_CHECKING:
     from ..record import Equations
 
-Array = NDArray[np.float64]
 CLOSED = 1e-9
 TRIED = 0.37  # [s], where expressions in t are looked at
 FREE = "free"

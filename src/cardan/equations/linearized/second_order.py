@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError
 from ...ir.matrix import Matrix
 from .reduced import Reduced
 from .reference import Reference, picked
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-11  # of the largest entry of the same matrix
 EPS = 1e-15  # of the largest entry of all of them
 

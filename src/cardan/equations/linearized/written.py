@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import DerivationError, near
 from ...ir.function import Function, Output
 from ...ir.interpreter import evaluate
@@ -18,8 +18,6 @@ from .reference import Reference
 
 if TYPE_CHECKING:
     import sympy
-
-Array = NDArray[np.float64]
 
 
 class Written:

@@ -10,14 +10,13 @@ from typing import Any
 
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import ModelError
 from .numbers import numbers
 from .sources import Source
 from .words import DERIVED, Words
 
-Array = NDArray[np.float64]
 # of the rows of a constraint Jacobian, each of length 1
 DEPENDENT = 1e-9
 # of a position on the constraints

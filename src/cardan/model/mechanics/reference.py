@@ -11,15 +11,14 @@ from typing import Any
 
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 from sympy.physics.mechanics import dynamicsymbols
 
+from ...arrays import Array
 from .bound import Bound
 from .numbers import numbers
 from .sources import Source
 from .words import Words
 
-Array = NDArray[np.float64]
 SEED = 5
 TIME = 0.3
 # how far coordinates are drawn from 0, again and again until everything is finite there

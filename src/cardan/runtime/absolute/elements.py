@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 import scipy.sparse
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...schema.records import PARTS
 from .tables import Table, Tables
 
-Array = NDArray[np.float64]
 # unknowns of its own that an element of mixed form has: its stress
 INNER = 6
 

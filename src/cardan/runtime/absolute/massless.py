@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import null_space
 
+from ...arrays import Array
 from .elements import Elements, State
 from .tables import Tables
 
-Array = NDArray[np.float64]
 FULL = 1200  # speeds up to which all motions are looked at
 ROUNDING, NOTHING = 1e-14, 1e-12  # of the largest inertia: of a speed, of a motion
 SHARE, MOST = 0.2, 3

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...arrays import Booleans
 from ...errors import ArgumentError
 
 Ints = NDArray[np.int32]
@@ -36,8 +37,8 @@ class Pattern:
     """
 
     first: Ints
-    multiplier: NDArray[np.bool_]
-    massless: NDArray[np.bool_]
+    multiplier: Booleans
+    massless: Booleans
     child: Longs
     row: Ints
     column: Ints
@@ -151,7 +152,7 @@ def pattern(
     return Pattern(first, lam, light, child, row, column, value, stride, tuple(found))
 
 
-def _children(groups: Sequence[Longs], node: NDArray[np.bool_], lam: NDArray[np.bool_]) -> Longs:
+def _children(groups: Sequence[Longs], node: Booleans, lam: Booleans) -> Longs:
     """The last node of the element of each block of multipliers, -1 without one (nb,)."""
     child = np.full(len(node), -1)
     for blocks in groups:
@@ -178,7 +179,7 @@ def _laid(pairs: Longs, size: Longs) -> tuple[Ints, Ints, Ints, Ints]:
     )  # fmt: skip
 
 
-def _mask(name: str, given: ArrayLike | None, nb: int) -> NDArray[np.bool_]:
+def _mask(name: str, given: ArrayLike | None, nb: int) -> Booleans:
     mask = np.zeros(nb, bool) if given is None else np.asarray(given, bool).reshape(-1)
     if len(mask) != nb:
         raise ArgumentError(f"{name}: {len(mask)} entries for {nb} blocks")

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...arrays import Booleans
 from ...errors import ArgumentError
 from . import ordering, stages
 from .pattern import LARGEST, Ints, Longs, Pattern, pattern, ranges
@@ -160,7 +161,7 @@ class _Panels:
     turned: Longs
     keys: Longs
     at: Longs
-    closing: NDArray[np.bool_]
+    closing: Booleans
     size: int
 
     @property
@@ -237,7 +238,7 @@ def _padded(count: Longs) -> Longs:
     return -(-count // PAD) * PAD
 
 
-def _heads(begin: Longs, below: Longs, place: Longs) -> NDArray[np.bool_]:
+def _heads(begin: Longs, below: Longs, place: Longs) -> Booleans:
     """Which vertices begin a supernode: those that do not meet what their forerunner meets."""
     counts = np.diff(begin)
     nv = len(counts)

@@ -15,14 +15,14 @@ from collections.abc import Mapping
 from heapq import heapify, heappop, heappush
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
+from ...arrays import Booleans
 from .ordering import elimination, graph, ranks
 from .pattern import Longs, Pattern
 
-Bools = NDArray[np.bool_]
+Bools = Booleans
 CLOSING = 3  # turn of rows that close circuits
 
 

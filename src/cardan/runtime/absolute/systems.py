@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 
+from ...arrays import Array
 from ...errors import ArgumentError, SolveError
 from .plan import Plan
 
-Reals = NDArray[np.float64]
+Reals = Array
 EVEN = 0.3  # units are good enough where largest numbers are between this and its inverse
 
 
